@@ -14,7 +14,7 @@ from kinoedu.course.lessons.shared.planned import (
     why_not_a_path,
     why_not_a_tree,
 )
-from kinoedu.course.lessons.trees.exposing_room import in_one_part
+from kinoedu.course.lessons.trees.exposing_room import is_connected
 from kinoedu.planners import rrt
 
 WAYS = [name for name in TRAPS if name != "sealed"]
@@ -76,5 +76,5 @@ def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
 
 def test_whether_a_triangle_cuts_the_room():
     """Two parts, and one."""
-    assert not in_one_part((1, 1), (9.5, 9.5), [(8, 10.5), (10.5, 8), (10.5, 8.2)])
-    assert in_one_part((1, 1), (9.5, 9.5), [(8.5, 9.5), (10.5, 8), (10.5, 8.2)])
+    assert not is_connected((1, 1), (9.5, 9.5), [(8, 10.5), (10.5, 8), (10.5, 8.2)])
+    assert is_connected((1, 1), (9.5, 9.5), [(8.5, 9.5), (10.5, 8), (10.5, 8.2)])

@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 4. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 4.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import heapq
@@ -10,7 +11,7 @@ from kinoedu.course.bank import wrong
 
 
 def tree(neighbours, start):
-    """A right breadth-first tree, for those that go wrong elsewhere."""
+    """Return a right breadth-first tree, for wrong answers whose mistake is elsewhere."""
     parent, queue, seen = [-1] * len(neighbours), deque([start]), {start}
     while queue:
         v = queue.popleft()
@@ -23,7 +24,7 @@ def tree(neighbours, start):
 
 
 def climb(parent, goal):
-    """A right path from the root."""
+    """Return the right path from the root."""
     path = [goal]
     while parent[path[-1]] != -1:
         path.append(parent[path[-1]])
@@ -33,11 +34,13 @@ def climb(parent, goal):
 
 
 def right_path(neighbours, start, goal):
+    """Return a right path with the fewest edges, or None."""
     path = climb(tree(neighbours, start), goal)
     return path if path[0] == start else None
 
 
 def both_ways(neighbours):
+    """Return the adjacency lists with every edge in both directions."""
     return [
         [v for v in range(len(neighbours)) if v in row or u in neighbours[v]]
         for u, row in enumerate(neighbours)
@@ -49,7 +52,7 @@ def both_ways(neighbours):
 
 @wrong("bfs_tree", slip="order")
 def order_of_visit(neighbours, start):
-    """Returns the nodes as they were visited: the seed's own mistake."""
+    """Returns the nodes in the order of visit."""
     queue, visited = deque([start]), [start]
     while queue:
         for u in neighbours[queue.popleft()]:
@@ -61,7 +64,7 @@ def order_of_visit(neighbours, start):
 
 @wrong("bfs_tree", slip="stack")
 def stack_for_a_queue(neighbours, start):
-    """pop() takes the newest."""
+    """Uses pop(), which takes the newest node."""
     parent, stack, seen = [-1] * len(neighbours), [start], {start}
     while stack:
         v = stack.pop()
@@ -75,7 +78,7 @@ def stack_for_a_queue(neighbours, start):
 
 @wrong("bfs_tree", slip="late")
 def marks_when_taken_out(neighbours, start):
-    """Nodes that wait are seen again, and their parent is written again."""
+    """Sees waiting nodes again and overwrites their parents."""
     parent, queue, done = [-1] * len(neighbours), deque([start]), set()
     while queue:
         v = queue.popleft()
@@ -90,7 +93,7 @@ def marks_when_taken_out(neighbours, start):
 
 @wrong("bfs_tree", slip="own_parent")
 def start_is_its_own_parent(neighbours, start):
-    """A root that points at itself."""
+    """Makes the root its own parent."""
     parent = tree(neighbours, start)
     parent[start] = start
     return parent
@@ -98,7 +101,7 @@ def start_is_its_own_parent(neighbours, start):
 
 @wrong("bfs_tree", slip="zeros")
 def zero_means_nobody(neighbours, start):
-    """Begins with parents 0, which is a node."""
+    """Begins with parents 0, but 0 is a node."""
     parent, queue, seen = [0] * len(neighbours), deque([start]), {start}
     parent[start] = -1
     while queue:
@@ -113,13 +116,13 @@ def zero_means_nobody(neighbours, start):
 
 @wrong("bfs_tree", slip="from_one")
 def counts_from_one(neighbours, start):
-    """As MATLAB does."""
+    """Numbers nodes from 1, as MATLAB does."""
     return [p + 1 for p in tree(neighbours, start)]
 
 
 @wrong("bfs_tree", slip="distances")
 def numbers_of_edges(neighbours, start):
-    """Answers how far instead of from where."""
+    """Returns distances instead of parents."""
     far, queue = [-1] * len(neighbours), deque([start])
     far[start] = 0
     while queue:
@@ -133,7 +136,7 @@ def numbers_of_edges(neighbours, start):
 
 @wrong("bfs_tree", slip="undirected")
 def against_one_way_edges(neighbours, start):
-    """Takes every edge to lead both ways."""
+    """Takes every edge to lead in both directions."""
     return tree(both_ways(neighbours), start)
 
 
@@ -151,7 +154,7 @@ def never_marks_anything(neighbours, start):
 
 @wrong("bfs_tree")
 def asks_the_parent_whether_it_was_seen(neighbours, start):
-    """The start has no parent, so it is seen once more."""
+    """Takes a parent of -1 for unseen, so that the start is seen again."""
     parent, queue = [-1] * len(neighbours), deque([start])
     while queue:
         v = queue.popleft()
@@ -164,7 +167,7 @@ def asks_the_parent_whether_it_was_seen(neighbours, start):
 
 @wrong("bfs_tree")
 def first_level_only(neighbours, start):
-    """Never goes on from the neighbours of the start."""
+    """Stops at the neighbours of the start."""
     parent = [-1] * len(neighbours)
     for u in neighbours[start]:
         parent[u] = start
@@ -173,7 +176,7 @@ def first_level_only(neighbours, start):
 
 @wrong("bfs_tree")
 def none_for_nobody(neighbours, start):
-    """Returns None where -1 was asked for."""
+    """Returns None instead of -1."""
     return [None if p == -1 else p for p in tree(neighbours, start)]
 
 
@@ -182,14 +185,14 @@ def none_for_nobody(neighbours, start):
 
 @wrong("extract_path", slip="reversed")
 def from_the_goal_to_the_root(parent, goal):
-    """Never turned round."""
+    """Returns the path in reverse."""
     path = climb(parent, goal)
     return path[::-1] if path else None
 
 
 @wrong("extract_path", slip="no_goal")
 def without_the_goal(parent, goal):
-    """Collects parents, and forgets where it began."""
+    """Collects the parents, and forgets the goal itself."""
     path, seen = [], set()
     while parent[goal] != -1 and goal not in seen:
         seen.add(goal)
@@ -200,7 +203,7 @@ def without_the_goal(parent, goal):
 
 @wrong("extract_path", slip="no_root")
 def without_the_root(parent, goal):
-    """Stops before the root is put in."""
+    """Stops before it adds the root."""
     path, seen = [], set()
     while parent[goal] != -1 and goal not in seen:
         seen.add(goal)
@@ -217,20 +220,20 @@ def no_path_to_a_root(parent, goal):
 
 @wrong("extract_path", slip="one_step")
 def one_step_up(parent, goal):
-    """An if where a while was meant."""
+    """Has an `if` instead of a `while`."""
     return [parent[goal], goal] if parent[goal] != -1 else [goal]
 
 
 @wrong("extract_path", slip="parents")
 def parents_of_the_path(parent, goal):
-    """Lists what the nodes point at."""
+    """Lists the parents of the path's nodes."""
     path = climb(parent, goal)
     return [parent[u] for u in path] if path else None
 
 
 @wrong("extract_path")
 def round_and_round(parent, goal):
-    """Never ends in a circle."""
+    """Never ends on a cycle."""
     path = []
     while goal != -1:
         path.insert(0, goal)
@@ -249,7 +252,7 @@ def root_must_be_zero(parent, goal):
 
 @wrong("extract_path")
 def as_text(parent, goal):
-    """Returns words where nodes were asked for."""
+    """Returns strings instead of numbers."""
     path = climb(parent, goal)
     return " -> ".join(map(str, path)) if path else None
 
@@ -259,14 +262,14 @@ def as_text(parent, goal):
 
 @wrong("bfs_path", slip="stack")
 def stack_for_a_queue_again(neighbours, start, goal):
-    """Finds long ways round."""
+    """Finds long detours."""
     path = climb(stack_for_a_queue.function(neighbours, start), goal)
     return path if path[0] == start else None
 
 
 @wrong("bfs_path", slip="deep")
 def depth_first_called_shortest(neighbours, start, goal):
-    """One of the seeds: depth-first search is called shortest."""
+    """Returns a depth-first path instead of a shortest one."""
     seen = {start}
 
     def visit(u):
@@ -285,41 +288,41 @@ def depth_first_called_shortest(neighbours, start, goal):
 
 @wrong("bfs_path", slip="late")
 def parents_written_again(neighbours, start, goal):
-    """Marks when taken out."""
+    """Marks nodes when they are taken out."""
     path = climb(marks_when_taken_out.function(neighbours, start), goal)
     return path if path[0] == start else None
 
 
 @wrong("bfs_path", slip="order")
 def order_of_visit_for_a_path(neighbours, start, goal):
-    """All that was visited before the goal."""
+    """Returns all nodes visited before the goal."""
     order = order_of_visit.function(neighbours, start)
     return order[: order.index(goal) + 1] if goal in order else None
 
 
 @wrong("bfs_path", slip="reversed")
 def backwards(neighbours, start, goal):
-    """Not turned round."""
+    """Returns the path in reverse."""
     path = right_path(neighbours, start, goal)
     return path[::-1] if path else None
 
 
 @wrong("bfs_path", slip="undirected")
 def path_against_one_way_edges(neighbours, start, goal):
-    """Takes every edge to lead both ways."""
+    """Takes every edge to lead in both directions."""
     return right_path(both_ways(neighbours), start, goal)
 
 
 @wrong("bfs_path", slip="from_goal")
 def searches_from_the_goal(neighbours, start, goal):
-    """Turns the wrong search round."""
+    """Searches from the goal and reverses that path."""
     path = right_path(neighbours, goal, start)
     return path and path[::-1]
 
 
 @wrong("bfs_path", slip="goal_alone")
 def goal_alone_when_out_of_reach(neighbours, start, goal):
-    """Does not look whether the path begins at the start."""
+    """Does not check that the path begins at the start."""
     return climb(tree(neighbours, start), goal)
 
 
@@ -341,8 +344,9 @@ def follows_first_neighbours(neighbours, start, goal):
 
 @wrong("bfs_path")
 def all_paths_that_never_forget(neighbours, start, goal):
-    """A queue of paths without marks: ends where the goal is found, and never where it is out of
-    reach.
+    """Keeps a queue of paths without marks.
+
+    It ends where the goal can be reached, and never where it cannot.
     """
     queue = deque([[start]])
     while queue:
@@ -355,7 +359,7 @@ def all_paths_that_never_forget(neighbours, start, goal):
 
 @wrong("bfs_path")
 def number_of_edges(neighbours, start, goal):
-    """How long, and not which."""
+    """Returns the length of the path instead of its nodes."""
     path = right_path(neighbours, start, goal)
     return len(path) - 1 if path else None
 
@@ -365,7 +369,7 @@ def number_of_edges(neighbours, start, goal):
 
 @wrong("dfs_path", slip="order")
 def dead_ends_and_all(neighbours, start, goal):
-    """The order of visit."""
+    """Returns the order of visit."""
     visited = []
 
     def visit(u):
@@ -380,7 +384,7 @@ def dead_ends_and_all(neighbours, start, goal):
 
 @wrong("dfs_path", slip="walk")
 def into_dead_ends_and_back(neighbours, start, goal):
-    """A walk along edges that meets nodes twice."""
+    """Returns a walk along edges that meets nodes twice."""
     walk, seen = [start], {start}
 
     def visit(u):
@@ -418,26 +422,26 @@ def gives_up_in_a_dead_end(neighbours, start, goal):
 
 @wrong("dfs_path", slip="reversed")
 def deep_and_backwards(neighbours, start, goal):
-    """Not turned round."""
+    """Returns the path in reverse."""
     path = depth_first_called_shortest.function(neighbours, start, goal)
     return path[::-1] if path else None
 
 
 @wrong("dfs_path", slip="undirected")
 def deep_against_one_way_edges(neighbours, start, goal):
-    """Takes every edge to lead both ways."""
+    """Takes every edge to lead in both directions."""
     return depth_first_called_shortest.function(both_ways(neighbours), start, goal)
 
 
 @wrong("dfs_path", slip="nowhere")
 def deep_and_nowhere_to_go(neighbours, start, goal):
-    """Asks the neighbours only."""
+    """Returns None where start and goal are the same."""
     return depth_first_called_shortest.function(neighbours, start, goal) if start != goal else None
 
 
 @wrong("dfs_path")
 def never_marks_and_falls(neighbours, start, goal):
-    """Calls itself for ever on a cycle."""
+    """Recurses for ever on a cycle."""
     if start == goal:
         return [start]
     for v in neighbours[start]:
@@ -449,7 +453,7 @@ def never_marks_and_falls(neighbours, start, goal):
 
 @wrong("dfs_path")
 def marks_its_own_path_only(neighbours, start, goal):
-    """Tries every way there is: right, and endless on all but small graphs."""
+    """Tries every simple path: right, but exponential except on small graphs."""
 
     def visit(path):
         if path[-1] == goal:
@@ -462,7 +466,7 @@ def marks_its_own_path_only(neighbours, start, goal):
 
 @wrong("dfs_path")
 def empty_when_out_of_reach(neighbours, start, goal):
-    """An empty list where None was asked for."""
+    """Returns an empty list instead of None."""
     return depth_first_called_shortest.function(neighbours, start, goal) or []
 
 
@@ -470,6 +474,7 @@ def empty_when_out_of_reach(neighbours, start, goal):
 
 
 def costs_by_heap(neighbours, weights, start):
+    """Return the right costs by Dijkstra's algorithm."""
     cost = [inf] * len(neighbours)
     cost[start], queue = 0.0, [(0.0, start)]
     while queue:
@@ -482,20 +487,21 @@ def costs_by_heap(neighbours, weights, start):
 
 
 def refuse_negative(weights):
+    """Raise a ValueError where a weight is negative."""
     if any(w < 0 for row in weights for w in row):
         raise ValueError("negative weight")
 
 
 @wrong("dijkstra", slip="edges")
 def counts_edges(neighbours, weights, start):
-    """Breadth-first search."""
+    """Is a breadth-first search."""
     refuse_negative(weights)
     return [d if d >= 0 else inf for d in numbers_of_edges.function(neighbours, start)]
 
 
 @wrong("dijkstra", slip="first_found")
 def keeps_the_first_cost(neighbours, weights, start):
-    """Does not update a cost found better."""
+    """Does not update a cost when a better one is found."""
     refuse_negative(weights)
     cost = [inf] * len(neighbours)
     cost[start], queue = 0.0, [(0.0, start)]
@@ -510,7 +516,7 @@ def keeps_the_first_cost(neighbours, weights, start):
 
 @wrong("dijkstra", slip="last_edge")
 def weight_of_the_last_edge(neighbours, weights, start):
-    """Prim's algorithm: a fine tree, and another question."""
+    """Is Prim's algorithm, which finds a minimum spanning tree."""
     refuse_negative(weights)
     cost, done = [inf] * len(neighbours), set()
     cost[start], queue = 0.0, [(0.0, start)]
@@ -528,7 +534,7 @@ def weight_of_the_last_edge(neighbours, weights, start):
 
 @wrong("dijkstra", slip="overwritten")
 def overwrites_a_better_cost(neighbours, weights, start):
-    """Forgets to compare."""
+    """Does not compare before it writes a cost."""
     refuse_negative(weights)
     cost, waiting, done = [inf] * len(neighbours), {start}, set()
     cost[start] = 0.0
@@ -545,7 +551,7 @@ def overwrites_a_better_cost(neighbours, weights, start):
 
 @wrong("dijkstra", slip="lightest_first")
 def queue_of_single_edges(neighbours, weights, start):
-    """Pushes the weight of the edge, not the cost of the way."""
+    """Pushes the weight of the edge instead of the cost of the path."""
     refuse_negative(weights)
     cost, queue, done = [inf] * len(neighbours), [(0.0, start)], set()
     cost[start] = 0.0
@@ -563,7 +569,7 @@ def queue_of_single_edges(neighbours, weights, start):
 
 @wrong("dijkstra", slip="in_turn")
 def plain_queue(neighbours, weights, start):
-    """First come, first served, each node once."""
+    """Processes nodes first come, first served, each once."""
     refuse_negative(weights)
     cost, queue, seen = [inf] * len(neighbours), deque([start]), {start}
     cost[start] = 0.0
@@ -579,7 +585,7 @@ def plain_queue(neighbours, weights, start):
 
 @wrong("dijkstra", slip="undirected")
 def costs_against_one_way_edges(neighbours, weights, start):
-    """Takes every edge to lead both ways."""
+    """Takes every edge to lead in both directions."""
     refuse_negative(weights)
     rows = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
     for u, row in enumerate([dict(row) for row in rows]):
@@ -590,21 +596,21 @@ def costs_against_one_way_edges(neighbours, weights, start):
 
 @wrong("dijkstra", slip="minus_one")
 def minus_one_for_out_of_reach(neighbours, weights, start):
-    """A sign where a number was asked for."""
+    """Returns -1 instead of infinity."""
     refuse_negative(weights)
     return [c if c < inf else -1 for c in costs_by_heap(neighbours, weights, start)]
 
 
 @wrong("dijkstra", slip="zero")
 def zero_for_out_of_reach(neighbours, weights, start):
-    """As if it were the start."""
+    """Returns 0 instead of infinity."""
     refuse_negative(weights)
     return [c if c < inf else 0 for c in costs_by_heap(neighbours, weights, start)]
 
 
 @wrong("dijkstra")
 def takes_negative_weights(neighbours, weights, start):
-    """Settles each node once, and answers whatever comes of it."""
+    """Settles each node once and does not check for negative weights."""
     cost, done = [inf] * len(neighbours), set()
     cost[start], queue = 0.0, [(0.0, start)]
     while queue:
@@ -620,7 +626,7 @@ def takes_negative_weights(neighbours, weights, start):
 
 @wrong("dijkstra")
 def refuses_zero_weights_too(neighbours, weights, start):
-    """Zero is not negative."""
+    """Refuses zero as if it were negative."""
     if any(w <= 0 for row in weights for w in row):
         raise ValueError("not positive")
     return costs_by_heap(neighbours, weights, start)
@@ -645,7 +651,7 @@ def weights_by_node(neighbours, weights, start):
 
 
 def star(neighbours, weights, start, goal, rank, *, once=False, first=False, at_sight=False):
-    """A* with its queue ordered by rank(cost, node)."""
+    """Run A* with its queue ordered by rank(cost, node)."""
     cost, parent, done = [inf] * len(neighbours), [-1] * len(neighbours), set()
     cost[start], queue = 0.0, [(rank(0.0, start), start)]
     while queue:
@@ -667,37 +673,37 @@ def star(neighbours, weights, start, goal, rank, *, once=False, first=False, at_
 
 @wrong("astar", slip="greedy")
 def by_the_estimate_alone(neighbours, weights, estimate, start, goal):
-    """Greedy: what is spent already does not count."""
+    """Is greedy: the cost so far does not count."""
     return star(neighbours, weights, start, goal, lambda cost, u: estimate[u], first=True)
 
 
 @wrong("astar", slip="at_sight")
 def stops_at_first_sight(neighbours, weights, estimate, start, goal):
-    """The goal is first seen on a dear way."""
+    """Stops when the goal is first seen, on an expensive path."""
     return star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u], at_sight=True)
 
 
 @wrong("astar", slip="closed")
 def closed_for_ever(neighbours, weights, estimate, start, goal):
-    """Right for consistent estimates only."""
+    """Never reopens a node: right for consistent estimates only."""
     return star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u], once=True)
 
 
 @wrong("astar", slip="first_found")
 def keeps_the_first_way(neighbours, weights, estimate, start, goal):
-    """Does not update a cost found better."""
+    """Does not update a cost when a better one is found."""
     return star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u], first=True)
 
 
 @wrong("astar", slip="edges")
 def fewest_edges(neighbours, weights, estimate, start, goal):
-    """Breadth-first search."""
+    """Is a breadth-first search."""
     return right_path(neighbours, start, goal)
 
 
 @wrong("astar", slip="undirected")
 def star_against_one_way_edges(neighbours, weights, estimate, start, goal):
-    """Takes every edge to lead both ways."""
+    """Takes every edge to lead in both directions."""
     rows = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
     for u, row in enumerate([dict(row) for row in rows]):
         for v, w in row.items():
@@ -709,14 +715,14 @@ def star_against_one_way_edges(neighbours, weights, estimate, start, goal):
 
 @wrong("astar", slip="reversed")
 def star_backwards(neighbours, weights, estimate, start, goal):
-    """Not turned round."""
+    """Returns the path in reverse."""
     path = star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u])
     return path[::-1] if path else None
 
 
 @wrong("astar", slip="summed")
 def adds_estimates_up(neighbours, weights, estimate, start, goal):
-    """Keeps cost plus estimate for the cost, so that every estimate on the way counts."""
+    """Stores cost plus estimate as the cost, so that estimates add up along the path."""
     total, parent = [inf] * len(neighbours), [-1] * len(neighbours)
     total[start], queue = estimate[start], [(estimate[start], start)]
     while queue:
@@ -732,7 +738,7 @@ def adds_estimates_up(neighbours, weights, estimate, start, goal):
 
 @wrong("astar")
 def nodes_taken_out(neighbours, weights, estimate, start, goal):
-    """The order of expansion, for a path."""
+    """Returns the order of expansion."""
     cost, order, queue = [inf] * len(neighbours), [], [(estimate[start], start)]
     cost[start] = 0.0
     while queue:
@@ -752,47 +758,47 @@ def nodes_taken_out(neighbours, weights, estimate, start, goal):
 
 @wrong("misleading_estimate")
 def estimate_that_misleads_nobody():
-    """A lower bound."""
+    """Gives a lower bound."""
     return [[1, 2], [2], []], [[1, 3], [1], []], [2, 1, 0], 0, 2
 
 
 @wrong("misleading_estimate")
 def too_large_where_it_does_not_matter():
-    """Larger than what remains, but on the dear way."""
+    """Overestimates, but only on the expensive path."""
     return [[1, 2], [2], []], [[2, 3], [2], []], [2, 9, 0], 0, 2
 
 
 @wrong("misleading_estimate")
 def one_node_too_many():
-    """Misleads, but three nodes would do."""
+    """Misleads A*, but with four nodes where three are enough."""
     return [[1, 2], [3], [3], []], [[1, 3], [1], [3], []], [0, 9, 0, 0], 0, 3
 
 
 @wrong("misleading_estimate")
 def estimate_at_the_goal():
-    """The goal has an estimate of its own."""
+    """Gives the goal an estimate other than 0."""
     return [[1, 2], [2], []], [[1, 3], [1], []], [0, 5, 5], 0, 2
 
 
 @wrong("misleading_estimate")
 def negative_weight():
-    """Misleads by a weight that is refused."""
+    """Misleads A* by a weight that is refused."""
     return [[1, 2], [2], []], [[5, 3], [-4], []], [0, 0, 0], 0, 2
 
 
 @wrong("misleading_estimate")
 def no_way_to_the_goal():
-    """Nothing to find."""
+    """Gives a graph without a path."""
     return [[1], [], []], [[1], [], []], [0, 9, 0], 0, 2
 
 
 @wrong("misleading_estimate")
 def weights_as_a_matrix():
-    """A weight for every pair of nodes."""
+    """Gives a weight for every pair of nodes."""
     return [[1, 2], [2], []], [[0, 1, 3], [0, 0, 1], [0, 0, 0]], [0, 5, 0], 0, 2
 
 
 @wrong("misleading_estimate")
 def two_parallel_edges():
-    """Two nodes do not do, also with two edges between them."""
+    """Has only two nodes, with two edges between them."""
     return [[1, 1], []], [[1, 3], []], [0, 0], 0, 1

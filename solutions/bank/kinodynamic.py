@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 13. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 13.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import heapq
@@ -18,89 +19,91 @@ from kinoedu.worlds.polygon_world import rings_of
 
 
 def short_way(a, b):
+    """Return the difference of two headings, the short way."""
     return (b - a + pi) % (2 * pi) - pi
 
 
 def off(a, b, turn):
+    """Return the distance of two poses whose headings contribute `turn`."""
     return hypot(b[0] - a[0], b[1] - a[1], turn)
 
 
 @wrong("heading_distance", slip="no_wrap")
 def no_wrap(a, b, radian):
-    """The seed's own mistake."""
+    """Takes the plain difference of the headings."""
     return off(a, b, radian * (b[2] - a[2]))
 
 
 @wrong("heading_distance", slip="one_way")
 def always_left(a, b, radian):
-    """Modulo without the short way."""
+    """Takes the difference modulo 2 pi, but not the short way."""
     return off(a, b, radian * ((b[2] - a[2]) % (2 * pi)))
 
 
 @wrong("heading_distance", slip="once")
 def one_turn_taken_off(a, b, radian):
-    """Right while headings are in [-pi, pi)."""
+    """Is right only for headings in [-pi, pi)."""
     turn = abs(b[2] - a[2])
     return off(a, b, radian * min(turn, 2 * pi - turn))
 
 
 @wrong("heading_distance", slip="half_turns")
 def headings_as_lines(a, b, radian):
-    """Modulo pi."""
+    """Takes the difference modulo pi."""
     return off(a, b, radian * (abs(b[2] - a[2]) % pi))
 
 
 @wrong("heading_distance", slip="no_radian")
 def radians_as_lengths(a, b, radian):
-    """The worth is forgotten."""
+    """Forgets what a radian is worth."""
     return off(a, b, short_way(a[2], b[2]))
 
 
 @wrong("heading_distance", slip="divided")
 def worth_divided(a, b, radian):
-    """The other way round."""
+    """Divides by what a radian is worth."""
     return off(a, b, short_way(a[2], b[2]) / radian)
 
 
 @wrong("heading_distance", slip="degrees")
 def in_degrees(a, b, radian):
-    """Converted once too often."""
+    """Converts radians to degrees."""
     return off(a, b, radian * math.degrees(short_way(a[2], b[2])))
 
 
 @wrong("heading_distance", slip="root")
 def worth_outside_the_square(a, b, radian):
-    """radian * turn^2."""
+    """Computes radian * turn^2."""
     return sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + radian * short_way(a[2], b[2]) ** 2)
 
 
 @wrong("heading_distance", slip="place")
 def places_only(a, b, radian):
-    """The heading is forgotten."""
+    """Forgets the heading."""
     return off(a, b, 0)
 
 
 @wrong("heading_distance", slip="sum")
 def added(a, b, radian):
-    """Plus for the root of squares."""
+    """Adds instead of taking the root of the sum of squares."""
     return off(a, b, 0) + radian * abs(short_way(a[2], b[2]))
 
 
 @wrong("heading_distance", slip="square")
 def squared(a, b, radian):
-    """The root is forgotten."""
+    """Forgets the root."""
     return off(a, b, radian * short_way(a[2], b[2])) ** 2
 
 
 @wrong("heading_distance")
 def rounded(a, b, radian):
-    """Rounded."""
+    """Rounds the result."""
     return round(off(a, b, radian * short_way(a[2], b[2])), 2)
 
 
 @wrong("heading_distance", slip="chord")
 def chord(a, b, radian):
-    """Between the tips of two arrows: no wrap is needed, but it is the chord."""
+    """Measures the chord between the tips of two arrows: it needs no wrap, but it is no angle."""
     return off(a, b, radian * 2 * math.sin(short_way(a[2], b[2]) / 2))
 
 
@@ -122,6 +125,7 @@ def best(
     move=None,
     cut=None,
 ):
+    """Choose the best control; each argument that is given replaces a part."""
     apart, move, cut = apart or problem.distance, move or problem.move, cut or np.argmin
     choice, least = None, None
     for i, (v, phi) in enumerate(controls):
@@ -136,27 +140,27 @@ def best(
 
 @wrong("best_control", slip="last")
 def ends_compared(problem, q, target, controls, t, n):
-    """Cut at the last instant."""
+    """Cuts only at the last moment."""
     choice = best(problem, q, target, controls, t, 1)
     return choice and (choice[0], n)
 
 
 @wrong("best_control", slip="unchecked")
 def nothing_checked(*given):
-    """No question about contact."""
+    """Never checks for contact."""
     return best(*given, free=lambda *_: True)
 
 
 @wrong("best_control", slip="picked")
 def picked_then_checked(problem, q, target, controls, t, n):
-    """The closest of all, or nothing."""
+    """Takes the closest of all, or nothing."""
     i, k = best(problem, q, target, controls, t, n, free=lambda *_: True)
     return (i, k) if problem.is_free_drive(q, *controls[i], k * t / n) else None
 
 
 @wrong("best_control", slip="whole")
 def beyond_the_cut(problem, q, target, controls, t, n):
-    """All of the drive must be free."""
+    """Demands that the whole drive is free."""
     return best(
         problem,
         q,
@@ -170,7 +174,7 @@ def beyond_the_cut(problem, q, target, controls, t, n):
 
 @wrong("best_control", slip="end_only")
 def endpoint_only(problem, q, target, controls, t, n):
-    """The pose at the cut is free."""
+    """Checks only the pose at the cut."""
     return best(
         problem,
         q,
@@ -184,19 +188,19 @@ def endpoint_only(problem, q, target, controls, t, n):
 
 @wrong("best_control", slip="place")
 def nearest_place(*given):
-    """The heading does not count."""
+    """Ignores the heading."""
     return best(*given, apart=lambda a, b: math.dist(a[:2], b[:2]))
 
 
 @wrong("best_control", slip="no_wrap")
 def heading_not_wrapped(problem, *given):
-    """The plain difference."""
+    """Takes the plain difference of the headings."""
     return best(problem, *given, apart=lambda a, b: off(a, b, problem.radian * (b[2] - a[2])))
 
 
 @wrong("best_control", slip="dip")
 def stops_when_it_gets_worse(*given):
-    """The first dip: a control that comes round again is cut too soon."""
+    """Stops at the first dip, and so cuts a control that comes round again too soon."""
     return best(
         *given,
         cut=lambda away: next(
@@ -207,7 +211,7 @@ def stops_when_it_gets_worse(*given):
 
 @wrong("best_control", slip="shorter")
 def closest_free_step(problem, q, target, controls, t, n):
-    """What touches something is cut before that, not left out."""
+    """Cuts a control before its first contact instead of leaving it out."""
     choice, least = None, math.inf
     for i, (v, phi) in enumerate(controls):
         for k in range(1, n + 1):
@@ -219,7 +223,7 @@ def closest_free_step(problem, q, target, controls, t, n):
 
 @wrong("best_control", slip="closer")
 def must_be_closer_than_q(problem, q, target, controls, t, n):
-    """The least begins with the distance of q."""
+    """Starts its minimum with the distance of q."""
     choice = best(problem, q, target, controls, t, n)
     if choice is None:
         return None
@@ -229,27 +233,27 @@ def must_be_closer_than_q(problem, q, target, controls, t, n):
 
 @wrong("best_control", slip="standing")
 def may_stand_still(*given):
-    """Step 0 counts."""
+    """Counts step 0."""
     return best(*given, first=0)
 
 
 @wrong("best_control", slip="counted")
 def index_for_step(*given):
-    """argmin without the 1."""
+    """Forgets the 1 after argmin."""
     choice = best(*given)
     return choice and (choice[0], choice[1] - 1)
 
 
 @wrong("best_control", slip="farthest")
 def farthest_control(*given):
-    """A minus sign too many."""
+    """Has a minus sign too many."""
     problem = given[0]
     return best(*given, apart=lambda a, b: -problem.distance(a, b))
 
 
 @wrong("best_control")
 def phi_for_tan(problem, *given):
-    """The seed's own mistake: it moves by phi / L."""
+    """Moves by phi / L instead of tan(phi) / L."""
     return best(
         problem,
         *given,
@@ -259,7 +263,7 @@ def phi_for_tan(problem, *given):
 
 @wrong("best_control")
 def corners_only(problem, q, target, controls, t, n):
-    """Ten moments, four corners."""
+    """Checks four corners at ten moments."""
     rings = [ring for rings in rings_of(problem.world)[1:] for ring in rings]
 
     def free(q, v, phi, t):
@@ -281,13 +285,13 @@ def corners_only(problem, q, target, controls, t, n):
 
 @wrong("best_control")
 def first_free(problem, q, target, controls, t, n):
-    """The first that is free, not the best."""
+    """Takes the first free control, not the best."""
     return best(problem, q, target, controls, t, n, better=lambda a, b: False)
 
 
 @wrong("best_control")
 def last_free(problem, q, target, controls, t, n):
-    """The least is never updated."""
+    """Never updates its minimum."""
     return best(problem, q, target, controls, t, n, better=lambda a, b: True)
 
 
@@ -295,12 +299,14 @@ def last_free(problem, q, target, controls, t, n):
 
 
 def is_there(problem, q, wrap=True, heading=True):
+    """Whether a pose is near enough to the goal; the flags turn parts of the test off."""
     turn = short_way(q[2], problem.goal[2]) if wrap else q[2] - problem.goal[2]
     near = math.dist(q[:2], problem.goal[:2]) <= problem.tolerance
     return near and (not heading or abs(turn) <= problem.turn_tolerance)
 
 
 def place(problem, turn, rng, goal_every=4, region_every=7):
+    """Return the target of an iteration."""
     if region_every and turn % region_every == 0:
         return problem.near_goal(rng)
     return problem.goal if goal_every and turn % goal_every == 0 else problem.sample(rng)
@@ -309,7 +315,10 @@ def place(problem, turn, rng, goal_every=4, region_every=7):
 def grown(
     problem, iterations, rng, *, k=1, there=is_there, where=place, choose=None, drive=None, **more
 ):
-    """Nodes, parents, controls, durations; and the nodes at which the path may end."""
+    """Grow a tree or a roadmap; each argument that is given replaces a part.
+
+    Returns nodes, parents, controls, durations, and the nodes at which the path may end.
+    """
     first, stop, closest, seed = (
         more.get(*one) for one in (("first", 1), ("stop", True), ("closest", True), ("seed", None))
     )
@@ -340,6 +349,7 @@ def grown(
 
 
 def path_to(parent, node):
+    """Return the path from the root to a node."""
     path = [node]
     while parent[path[-1]] >= 0:
         path.append(parent[path[-1]])
@@ -347,11 +357,13 @@ def path_to(parent, node):
 
 
 def rrt(*given, **options):
+    """Return an RRT in the form of the exercise."""
     _, parent, controls, durations, ends = grown(*given, **options)
     return parent, controls, durations, path_to(parent, ends[0])
 
 
 def prm(problem, k, iterations, rng, **options):
+    """Return a PRM in the form of the exercise."""
     _, parent, controls, durations, ends = grown(
         problem, iterations, rng, **{"k": k, "stop": False, **options}
     )
@@ -364,61 +376,61 @@ def prm(problem, k, iterations, rng, **options):
 
 @wrong("kinodynamic_rrt")
 def goal_test_without_wrap(*given):
-    """The seed's own mistake."""
+    """Does not wrap the heading in the goal test."""
     return rrt(*given, there=lambda problem, q: is_there(problem, q, wrap=False))
 
 
 @wrong("kinodynamic_rrt")
 def goal_test_of_places(*given):
-    """Any heading will do."""
+    """Accepts any heading at the goal."""
     return rrt(*given, there=lambda problem, q: is_there(problem, q, heading=False))
 
 
 @wrong("kinodynamic_rrt")
 def no_region(*given):
-    """The region bias is ignored."""
+    """Ignores the region bias."""
     return rrt(*given, where=lambda problem, turn, rng: place(problem, turn, rng, region_every=0))
 
 
 @wrong("kinodynamic_rrt")
 def no_goal_bias(*given):
-    """The goal is never a target."""
+    """Never takes the goal as the target."""
     return rrt(*given, where=lambda problem, turn, rng: place(problem, turn, rng, goal_every=0))
 
 
 @wrong("kinodynamic_rrt")
 def always_the_goal(*given):
-    """Greedy."""
+    """Is greedy: always takes the goal as the target."""
     return rrt(*given, where=lambda problem, turn, rng: problem.goal)
 
 
 @wrong("kinodynamic_rrt")
 def turns_from_zero(*given):
-    """range(iterations): the region and the goal come a turn late."""
+    """Loops over range(iterations), so that region and goal come one iteration late."""
     return rrt(*given, first=0)
 
 
 @wrong("kinodynamic_rrt")
 def from_the_root(*given):
-    """Always from the start."""
+    """Always drives from the start."""
     return rrt(*given, choose=lambda order, k: [0])
 
 
 @wrong("kinodynamic_rrt")
 def from_the_farthest(*given):
-    """argmax."""
+    """Uses argmax."""
     return rrt(*given, choose=lambda order, k: order[-1:])
 
 
 @wrong("kinodynamic_rrt")
 def from_the_nearest_place(*given):
-    """The heading does not count in what is near."""
+    """Ignores the heading when it looks for the nearest node."""
     return rrt(*given, apart=lambda a, b: math.dist(a[:2], b[:2]))
 
 
 @wrong("kinodynamic_rrt")
 def no_path_without_a_goal(*given):
-    """An empty path where no node is near enough."""
+    """Returns an empty path where no node is near enough."""
     nodes, parent, controls, durations, ends = grown(*given)
     return (
         parent,
@@ -430,13 +442,13 @@ def no_path_without_a_goal(*given):
 
 @wrong("kinodynamic_rrt")
 def from_the_newest(*given):
-    """A snake, no tree."""
+    """Always drives from the newest node, which gives a chain."""
     return rrt(*given, choose=lambda order, k: [len(order) - 1])
 
 
 @wrong("kinodynamic_rrt")
 def one_control_unchecked(problem, *given):
-    """A random control, and no question about contact."""
+    """Takes a random control and never checks for contact."""
 
     def drive(q, target, rng):
         v, phi = problem.control(rng)
@@ -447,8 +459,9 @@ def one_control_unchecked(problem, *given):
 
 @wrong("kinodynamic_rrt")
 def driven_to_the_end(problem, *given):
-    """The cut is ignored: the control is held for the longest time, and what comes then is not
-    checked.
+    """Ignores the cut.
+
+    The control is applied for the longest time, and what comes after the cut is not checked.
     """
 
     def drive(q, target, rng):
@@ -460,7 +473,7 @@ def driven_to_the_end(problem, *given):
 
 @wrong("kinodynamic_rrt")
 def endpoint_checked(problem, *given):
-    """Only where it ends."""
+    """Checks only the end of a drive."""
 
     def drive(q, target, rng):
         v, phi = problem.control(rng)
@@ -475,7 +488,7 @@ def endpoint_checked(problem, *given):
 
 @wrong("kinodynamic_rrt")
 def corners_checked(problem, *given):
-    """Ten moments, four corners, and the walls of the room only."""
+    """Checks four corners at ten moments, and only against the walls of the room."""
 
     def drive(q, target, rng):
         v, phi = problem.control(rng)
@@ -497,33 +510,33 @@ def corners_checked(problem, *given):
 
 @wrong("kinodynamic_rrt")
 def random_by_the_clock(*given):
-    """A generator without a seed."""
+    """Uses a generator without a seed."""
     return rrt(*given, seed=random.SystemRandom().randrange(2**32))
 
 
 @wrong("kinodynamic_rrt")
 def global_chance(problem, iterations, rng):
-    """numpy's global chance, seeded."""
+    """Seeds NumPy's global generator."""
     np.random.seed(rng)
     return rrt(problem, iterations, int(np.random.randint(10**6)))
 
 
 @wrong("kinodynamic_rrt")
 def one_seed_for_all(problem, iterations, rng):
-    """default_rng(0)."""
+    """Uses default_rng(0)."""
     return rrt(problem, iterations, 0)
 
 
 @wrong("kinodynamic_rrt")
 def path_from_the_goal(*given):
-    """Not turned round."""
+    """Returns the path in reverse."""
     parent, controls, durations, path = rrt(*given)
     return parent, controls, durations, path[::-1]
 
 
 @wrong("kinodynamic_rrt")
 def path_to_the_last(*given):
-    """On failure the last node, not the nearest."""
+    """Returns the path to the last node, not to the nearest, on failure."""
     return rrt(*given, closest=False)
 
 
@@ -535,7 +548,7 @@ def goes_on_at_the_goal(*given):
 
 @wrong("kinodynamic_rrt")
 def times_since_the_start(*given):
-    """Durations added up."""
+    """Adds the durations up."""
     _, parent, controls, durations, ends = grown(*given)
     clock = list(durations)
     for i, p in enumerate(parent[1:], 1):
@@ -545,14 +558,14 @@ def times_since_the_start(*given):
 
 @wrong("kinodynamic_rrt")
 def phi_in_degrees(*given):
-    """Converted for the eye."""
+    """Converts the angle to degrees."""
     parent, controls, durations, path = rrt(*given)
     return parent, [(v, math.degrees(phi)) for v, phi in controls], durations, path
 
 
 @wrong("kinodynamic_prm")
 def first_that_arrives(*given):
-    """The oldest node near the goal."""
+    """Takes the oldest node near the goal."""
     problem, k, iterations, rng = given
     _, parent, controls, durations, ends = grown(problem, iterations, rng, k=k, stop=False)
     return (
@@ -565,7 +578,7 @@ def first_that_arrives(*given):
 
 @wrong("kinodynamic_prm")
 def closest_not_fastest(problem, k, iterations, rng):
-    """The node nearest to the goal, whenever it is reached."""
+    """Takes the node nearest to the goal, not the one reached first."""
     nodes, parent, controls, durations, _ = grown(problem, iterations, rng, k=k, stop=False)
     nearest = int(np.argmin([problem.distance(q, problem.goal) for q in nodes]))
     return (
@@ -578,7 +591,7 @@ def closest_not_fastest(problem, k, iterations, rng):
 
 @wrong("kinodynamic_prm")
 def fewest_drives(problem, k, iterations, rng):
-    """Breadth first."""
+    """Is a breadth-first search."""
     _, parent, controls, durations, ends = grown(problem, iterations, rng, k=k, stop=False)
     edges = [(p, i) for i, p in enumerate(parent)][1:]
     return edges, controls[1:], durations[1:], min((path_to(parent, i) for i in ends), key=len)
@@ -586,26 +599,29 @@ def fewest_drives(problem, k, iterations, rng):
 
 @wrong("kinodynamic_prm")
 def edges_turned(*given):
-    """To, from."""
+    """Stores edges as (to, from)."""
     edges, *others = prm(*given)
     return [(b, a) for a, b in edges], *others
 
 
 @wrong("kinodynamic_prm")
 def only_the_nearest(problem, k, iterations, rng):
-    """k is ignored."""
+    """Ignores k."""
     return prm(problem, 1, iterations, rng)
 
 
 @wrong("kinodynamic_prm")
 def the_farthest(*given):
-    """The last k of the order."""
+    """Takes the last k of the order."""
     return prm(*given, choose=lambda order, k: order[-k:])
 
 
 @wrong("kinodynamic_prm")
 def from_new_ones(problem, k, iterations, rng):
-    """Sorts anew after each drive: the second drive may start where the first has just ended."""
+    """Sorts again after each drive.
+
+    The second drive may then start where the first has just ended.
+    """
     rng = np.random.default_rng(rng)
     nodes, edges, controls, durations, times = [problem.start], [], [], [], [0.0]
     for turn in range(1, iterations + 1):
@@ -631,43 +647,43 @@ def from_new_ones(problem, k, iterations, rng):
 
 @wrong("kinodynamic_prm")
 def roadmap_without_region(*given):
-    """The region bias is ignored."""
+    """Ignores the region bias."""
     return prm(*given, where=lambda problem, turn, rng: place(problem, turn, rng, region_every=0))
 
 
 @wrong("kinodynamic_prm")
 def roadmap_without_wrap(*given):
-    """The goal test does not wrap."""
+    """Does not wrap the heading in the goal test."""
     return prm(*given, there=lambda problem, q: is_there(problem, q, wrap=False))
 
 
 @wrong("kinodynamic_prm")
 def stops_at_the_goal(*given):
-    """As a tree does: fewer ways to choose from."""
+    """Stops at the goal as a tree does, and so has fewer paths to choose from."""
     return prm(*given, stop=True)
 
 
 @wrong("kinodynamic_prm")
 def from_the_nearest_places(*given):
-    """The heading does not count in what is near."""
+    """Ignores the heading when it looks for the nearest nodes."""
     return prm(*given, apart=lambda a, b: math.dist(a[:2], b[:2]))
 
 
 @wrong("kinodynamic_prm")
 def one_too_many(problem, k, *given):
-    """order[: k + 1]."""
+    """Takes order[: k + 1]."""
     return prm(problem, k + 1, *given)
 
 
 @wrong("kinodynamic_prm")
 def roadmap_by_the_clock(*given):
-    """A generator without a seed."""
+    """Uses a generator without a seed."""
     return prm(*given, seed=random.SystemRandom().randrange(2**32))
 
 
 @wrong("kinodynamic_prm")
 def start_left_out(*given):
-    """The path without node 0."""
+    """Leaves node 0 out of the path."""
     edges, controls, durations, path = prm(*given)
     return edges, controls, durations, path[1:] or [len(edges)]
 
@@ -676,6 +692,7 @@ def start_left_out(*given):
 
 
 def dijkstra(n, edges, controls, durations, ends, *, rows=None):
+    """Return the fastest path, by Dijkstra's algorithm."""
     rows = [(*pair, t) for pair, t in zip(edges, durations)] if rows is None else rows
     far, parent, queue = {0: 0.0}, {0: -1}, [(0.0, 0)]
     while queue:
@@ -695,7 +712,7 @@ def dijkstra(n, edges, controls, durations, ends, *, rows=None):
 
 @wrong("fastest_drive", slip="undirected")
 def both_ways(n, edges, controls, durations, ends):
-    """The seed's own mistake."""
+    """Uses the edges in both directions."""
     rows = [(*pair, t) for pair, t in zip(edges, durations)]
     return dijkstra(
         n, edges, controls, durations, ends, rows=rows + [(b, a, t) for a, b, t in rows]
@@ -704,13 +721,13 @@ def both_ways(n, edges, controls, durations, ends):
 
 @wrong("fastest_drive", slip="fewest")
 def breadth_first(n, edges, controls, durations, ends):
-    """Each drive counts one."""
+    """Counts each drive as one."""
     return dijkstra(n, edges, controls, np.ones(len(edges)), ends)
 
 
 @wrong("fastest_drive", slip="length")
 def shortest_not_fastest(n, edges, controls, durations, ends):
-    """Lengths, though durations are asked for."""
+    """Adds lengths instead of durations."""
     return dijkstra(
         n, edges, controls, [abs(v) * t for (v, _), t in zip(controls, durations)], ends
     )
@@ -718,13 +735,13 @@ def shortest_not_fastest(n, edges, controls, durations, ends):
 
 @wrong("fastest_drive", slip="first_end")
 def one_end(n, edges, controls, durations, ends):
-    """ends[0]."""
+    """Uses ends[0] only."""
     return dijkstra(n, edges, controls, durations, ends[:1])
 
 
 @wrong("fastest_drive", slip="doubles")
 def last_of_two_rows(n, edges, controls, durations, ends):
-    """A dictionary of edges: of two drives from u to v it keeps the last."""
+    """Keeps the edges in a dictionary, and so only the last of parallel ones."""
     rows = {(int(a), int(b)): t for (a, b), t in zip(edges, durations)}
     return dijkstra(
         n, edges, controls, durations, ends, rows=[(*pair, t) for pair, t in rows.items()]
@@ -733,7 +750,7 @@ def last_of_two_rows(n, edges, controls, durations, ends):
 
 @wrong("fastest_drive", slip="passes")
 def relaxed_three_times(n, edges, controls, durations, ends):
-    """Bellman and Ford without their loop: enough where the rows stand in a good order."""
+    """Is a Bellman-Ford with too few rounds: right where the rows stand in a good order."""
     far, parent = {0: 0.0}, {0: -1}
     for _ in range(3):
         for (a, b), t in zip(edges.tolist(), durations):
@@ -745,7 +762,7 @@ def relaxed_three_times(n, edges, controls, durations, ends):
 
 @wrong("fastest_drive", slip="against")
 def against_the_arrows(n, edges, controls, durations, ends):
-    """(to, from)."""
+    """Reads edges as (to, from)."""
     return dijkstra(
         n, edges, controls, durations, ends, rows=[(b, a, t) for (a, b), t in zip(edges, durations)]
     )
@@ -753,34 +770,34 @@ def against_the_arrows(n, edges, controls, durations, ends):
 
 @wrong("fastest_drive", slip="backwards")
 def from_the_end(*given):
-    """Not turned round."""
+    """Returns the path in reverse."""
     path = dijkstra(*given)
     return path and path[::-1]
 
 
 @wrong("fastest_drive", slip="no_start")
 def without_the_start(*given):
-    """Node 0 is left out."""
+    """Leaves node 0 out."""
     path = dijkstra(*given)
     return path if path is None else path[1:]
 
 
 @wrong("fastest_drive", slip="no_end")
 def without_the_end(*given):
-    """The end is left out."""
+    """Leaves the end out."""
     path = dijkstra(*given)
     return path if path is None else path[:-1]
 
 
 @wrong("fastest_drive")
 def empty_for_none(*given):
-    """An empty list where there is no drive."""
+    """Returns an empty list where there is no drive."""
     return dijkstra(*given) or []
 
 
 @wrong("fastest_drive")
 def greedy(n, edges, controls, durations, ends):
-    """The quickest drive from each node."""
+    """Takes the quickest drive from each node."""
     path = [0]
     while path[-1] not in ends:
         on = [(t, int(b)) for (a, b), t in zip(edges, durations) if a == path[-1] and b not in path]

@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 14. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 14.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import math
@@ -16,9 +17,7 @@ from kinoedu.geometry import line_through_points, point_segment_distance
 
 
 def entering(x, v, r):
-    """The moments at which x + s v enters and leaves the disc round the origin; infinite where it
-    does not.
-    """
+    """Return when x + s v enters and leaves the disc at the origin; infinity where it does not."""
     a, b, c = v @ v, 2 * x @ v, x @ x - r * r
     square = b * b - 4 * a * c
     if a == 0 or square < 0:
@@ -27,7 +26,7 @@ def entering(x, v, r):
 
 
 def contact(x, v, r):
-    """Right, for a motion seen from the disc."""
+    """Return the right time for a motion seen from the disc."""
     if x @ x <= r * r:
         return 0.0
     s = entering(x, v, r)[0]
@@ -36,25 +35,25 @@ def contact(x, v, r):
 
 @wrong("first_contact", slip="standing")
 def disc_stands(p0, p1, c0, c1, r):
-    """The disc's motion is forgotten."""
+    """Forgets the motion of the disc."""
     return contact(p0 - c0, p1 - p0, r)
 
 
 @wrong("first_contact", slip="added")
 def adds_motions(p0, p1, c0, c1, r):
-    """A plus for a minus."""
+    """Adds the motions instead of subtracting them."""
     return contact(p0 - c0, p1 - p0 + c1 - c0, r)
 
 
 @wrong("first_contact", slip="backwards")
 def the_other_difference(p0, p1, c0, c1, r):
-    """Place by one, motion by the other."""
+    """Takes positions relative to one body and motions relative to the other."""
     return contact(p0 - c0, (c1 - c0) - (p1 - p0), r)
 
 
 @wrong("first_contact", slip="ends_only")
 def first_and_last_moment(p0, p1, c0, c1, r):
-    """A motion judged at its ends."""
+    """Checks a motion only at its ends."""
     if math.dist(p0, c0) <= r:
         return 0
     return 1 if math.dist(p1, c1) <= r else math.inf
@@ -62,7 +61,7 @@ def first_and_last_moment(p0, p1, c0, c1, r):
 
 @wrong("first_contact", slip="leaving")
 def larger_root(p0, p1, c0, c1, r):
-    """The wrong one of two roots."""
+    """Takes the larger root."""
     x, v = p0 - c0, (p1 - p0) - (c1 - c0)
     s = entering(x, v, r)[1]
     return 0.0 if x @ x <= r * r else s if 0 <= s <= 1 else math.inf
@@ -70,13 +69,13 @@ def larger_root(p0, p1, c0, c1, r):
 
 @wrong("first_contact", slip="any_time")
 def no_beginning_no_end(p0, p1, c0, c1, r):
-    """Whatever the root is."""
+    """Returns a root outside of 0 to 1."""
     return entering(p0 - c0, (p1 - p0) - (c1 - c0), r)[0]
 
 
 @wrong("first_contact", slip="nearest")
 def closest_approach(p0, p1, c0, c1, r):
-    """When they are nearest, not when they touch."""
+    """Returns when the distance is least, not when contact begins."""
     x, v = p0 - c0, (p1 - p0) - (c1 - c0)
     s = np.clip(-(x @ v) / (v @ v), 0, 1) if v.any() else 0.0
     return s if np.hypot(*(x + s * v)) <= r else math.inf
@@ -84,33 +83,33 @@ def closest_approach(p0, p1, c0, c1, r):
 
 @wrong("first_contact", slip="not_at_once")
 def inside_is_missed(p0, p1, c0, c1, r):
-    """No look at the beginning."""
+    """Does not check the beginning."""
     s = entering(p0 - c0, (p1 - p0) - (c1 - c0), r)[0]
     return s if 0 <= s <= 1 else math.inf
 
 
 @wrong("first_contact", slip="length")
 def how_far(p0, p1, c0, c1, r):
-    """The way of the point until then."""
+    """Returns the length of the point's path until contact."""
     return contact(p0 - c0, (p1 - p0) - (c1 - c0), r) * math.dist(p0, p1)
 
 
 @wrong("first_contact", slip="diameter")
 def half_the_radius(p0, p1, c0, c1, r):
-    """r taken for the diameter."""
+    """Takes r for the diameter."""
     return contact(p0 - c0, (p1 - p0) - (c1 - c0), r / 2)
 
 
 @wrong("first_contact")
 def ways_that_cross(p0, p1, c0, c1, r):
-    """The two segments are compared, without time."""
+    """Intersects the two segments without regard to time."""
     near = min(point_segment_distance(p, c0, c1) for p in np.linspace(p0, p1, 200))
     return 0.5 if near <= r else math.inf
 
 
 @wrong("first_contact")
 def ten_moments(p0, p1, c0, c1, r):
-    """Sampled."""
+    """Samples ten moments."""
     for s in np.linspace(0, 1, 11):
         if math.dist(p0 + s * (p1 - p0), c0 + s * (c1 - c0)) <= r:
             return s
@@ -119,7 +118,7 @@ def ten_moments(p0, p1, c0, c1, r):
 
 @wrong("first_contact", slip="moments")
 def a_thousand_moments(p0, p1, c0, c1, r):
-    """Sampled, and halved again and again: right to many digits, where anything is seen at all."""
+    """Samples a thousand moments and bisects: precise wherever a sample sees contact."""
     x, v = p0 - c0, (p1 - p0) - (c1 - c0)
     moments = np.linspace(0, 1, 1000)
     touched = np.hypot(*(x + moments[:, None] * v).T) <= r
@@ -134,21 +133,21 @@ def a_thousand_moments(p0, p1, c0, c1, r):
 
 @wrong("first_contact", slip="alike")
 def allclose_for_equal(p0, p1, c0, c1, r):
-    """A generous tolerance, where only zero is to be kept away from."""
+    """Uses a generous tolerance instead of a comparison with zero."""
     x, v = p0 - c0, (p1 - p0) - (c1 - c0)
     return contact(x, 0 * v if np.allclose(v, 0, atol=0.005) else v, r)
 
 
 @wrong("first_contact")
 def minus_one_for_never(p0, p1, c0, c1, r):
-    """Another sign for no contact than the one agreed on."""
+    """Returns -1 instead of infinity where there is no contact."""
     s = contact(p0 - c0, (p1 - p0) - (c1 - c0), r)
     return -1 if s == math.inf else s
 
 
 @wrong("first_contact")
 def divides_by_nothing(p0, p1, c0, c1, r):
-    """Two that move alike."""
+    """Divides by zero where both velocities are equal."""
     x, v = p0 - c0, (p1 - p0) - (c1 - c0)
     if x @ x <= r * r:
         return 0.0
@@ -163,6 +162,7 @@ def divides_by_nothing(p0, p1, c0, c1, r):
 
 
 def neighbours(moves, both=True):
+    """Return the adjacent places of each place, with durations."""
     ways = {}
     for u, v, d in moves:
         ways.setdefault(int(u), []).append((int(v), d))
@@ -184,7 +184,7 @@ def planned(
     by_interval=True,
     checks=True,
 ):
-    """Right with the arguments as they are; each of them breaks one thing."""
+    """Find the earliest arrival; each argument that is changed breaks one rule."""
     ways, done = neighbours(moves, both), set()
     k = next((k for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e), None)
     waiting = [] if k is None else [(0.0, start, k, ((start, 0.0),))]
@@ -207,55 +207,55 @@ def planned(
 
 @wrong("earliest_arrival")
 def one_arrival_for_a_place(safe, moves, start, goal):
-    """Dijkstra as in lesson 4: a place is done when it is first taken out."""
+    """Is Dijkstra's algorithm as in lesson 4: a place is done when first taken out."""
     return planned(safe, moves, start, goal, by_interval=False)
 
 
 @wrong("earliest_arrival")
 def never_waits(safe, moves, start, goal):
-    """On and on."""
+    """Leaves each place at once."""
     return planned(safe, moves, start, goal, waits=False)
 
 
 @wrong("earliest_arrival")
 def waits_anywhere(safe, moves, start, goal):
-    """The end of the interval in which it waits is not looked at."""
+    """Ignores the end of the interval in which it waits."""
     return planned(safe, moves, start, goal, until_end=False)
 
 
 @wrong("earliest_arrival")
 def first_interval_only(safe, moves, start, goal):
-    """What opens later is not seen."""
+    """Ignores all intervals but the first of each place."""
     return planned(safe, moves, start, goal, first_only=True)
 
 
 @wrong("earliest_arrival")
 def obstacles_forgotten(safe, moves, start, goal):
-    """The shortest way, as if nothing moved."""
+    """Returns the shortest path, as if nothing moved."""
     return planned(safe, moves, start, goal, checks=False, until_end=False)
 
 
 @wrong("earliest_arrival")
 def one_way_streets(safe, moves, start, goal):
-    """Moves are used in the order in which they are written."""
+    """Uses moves only in the order in which they are written."""
     return planned(safe, moves, start, goal, both=False)
 
 
 @wrong("earliest_arrival")
 def without_the_start(safe, moves, start, goal):
-    """The first row is missing."""
+    """Leaves out the first row."""
     return np.reshape(planned(safe, moves, start, goal)[1:], (-1, 2))
 
 
 @wrong("earliest_arrival")
 def from_the_goal(safe, moves, start, goal):
-    """Parents followed, and not turned round."""
+    """Returns the path in reverse."""
     return planned(safe, moves, start, goal)[::-1]
 
 
 @wrong("earliest_arrival")
 def departures_for_arrivals(safe, moves, start, goal):
-    """Each row has the moment at which the robot sets out for its place."""
+    """Writes in each row when the robot sets out for the place."""
     rows = planned(safe, moves, start, goal)
     took = {(u, v): d for u, own in neighbours(moves).items() for v, d in own}
     return rows[:1] + [(v, t - took[u, v]) for (u, _), (v, t) in zip(rows, rows[1:])]
@@ -263,7 +263,7 @@ def departures_for_arrivals(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def depth_first(safe, moves, start, goal):
-    """A way, not the earliest."""
+    """Returns some path, not the earliest."""
     ways, done = neighbours(moves), set()
     waiting = [
         (0.0, start, k, [(start, 0.0)]) for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e
@@ -285,15 +285,16 @@ def depth_first(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def fewest_moves(safe, moves, start, goal):
-    """Breadth first: moves are counted, not durations."""
+    """Is a breadth-first search: counts moves instead of durations."""
     same = [(u, v, 1.0) for u, v, _ in moves]
     return planned(safe, same, start, goal)
 
 
 @wrong("earliest_arrival")
 def waits_after_the_move(safe, moves, start, goal):
-    """It sets out at once, and has arrived when the place is safe: as if it could wait on the
-    way.
+    """Sets out at once and arrives when the place is safe.
+
+    That would be right if the robot could wait between two places.
     """
     ways, done = neighbours(moves), set()
     k = next((k for k, (b, e) in enumerate(safe[start]) if b <= 0 <= e), None)
@@ -314,7 +315,7 @@ def waits_after_the_move(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def ticks_of_a_half(safe, moves, start, goal):
-    """Time goes on in steps of 0.5."""
+    """Advances time in steps of 0.5."""
     ways, before = neighbours(moves), {(0.0, start): None}
     waiting = [(0.0, start)] if any(b <= 0 <= e for b, e in safe[start]) else []
     while waiting and waiting[0][0] < 60:
@@ -336,13 +337,13 @@ def ticks_of_a_half(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def open_ends(safe, moves, start, goal):
-    """< for <= at the end of an interval."""
+    """Has < instead of <= at the end of an interval."""
     return planned([[(b, e - 1e-9) for b, e in own] for own in safe], moves, start, goal)
 
 
 @wrong("earliest_arrival")
 def safe_for_ever(safe, moves, start, goal):
-    """At the goal it wants to stay."""
+    """Demands that the goal stays safe after the arrival."""
     return planned(
         [own[-1:] if place == goal else own for place, own in enumerate(safe)], moves, start, goal
     )
@@ -350,7 +351,7 @@ def safe_for_ever(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def begins_anyhow(safe, moves, start, goal):
-    """The first interval of the start is taken to hold the time 0."""
+    """Assumes that the first interval of the start contains the time 0."""
     held = [
         (min(b, 0.0), e) if place == start and k == 0 else (b, e)
         for place, own in enumerate(safe)
@@ -362,7 +363,7 @@ def begins_anyhow(safe, moves, start, goal):
 
 @wrong("earliest_arrival")
 def rows_for_waits(safe, moves, start, goal):
-    """A row for each departure too."""
+    """Adds a row for each departure."""
     rows = planned(safe, moves, start, goal)
     took = {(u, v): d for u, own in neighbours(moves).items() for v, d in own}
     told = []
@@ -383,84 +384,85 @@ def says_no_way(safe, moves, start, goal):
 
 
 def root(share):
+    """Return the radius that an offset of standard deviation 1 exceeds with this probability."""
     return math.sqrt(-2 * math.log(share))
 
 
 @wrong("chance_margins", slip="not_shared")
 def all_for_each(sigma, delta):
-    """No union bound."""
+    """Ignores the union bound."""
     return sigma * root(delta)
 
 
 @wrong("chance_margins", slip="one_axis")
 def two_sided_normal(sigma, delta):
-    """1.96, as in statistics."""
+    """Uses the two-sided normal quantile, such as 1.96."""
     return sigma * NormalDist().inv_cdf(1 - delta / len(sigma) / 2)
 
 
 @wrong("chance_margins", slip="one_tail")
 def one_sided_normal(sigma, delta):
-    """1.64."""
+    """Uses the one-sided normal quantile, such as 1.64."""
     return sigma * NormalDist().inv_cdf(1 - delta / len(sigma))
 
 
 @wrong("chance_margins", slip="one_number")
 def always_1_96(sigma, delta):
-    """The number that everybody remembers."""
+    """Uses 1.96 for any delta."""
     return 1.96 * sigma
 
 
 @wrong("chance_margins", slip="variance")
 def by_variance(sigma, delta):
-    """sigma taken for its square."""
+    """Takes sigma for its square."""
     return sigma**2 * root(delta / len(sigma))
 
 
 @wrong("chance_margins", slip="other_tail")
 def within(sigma, delta):
-    """The chance to be inside."""
+    """Takes the probability of being inside."""
     return sigma * math.sqrt(-2 * math.log(1 - delta / len(sigma)))
 
 
 @wrong("chance_margins", slip="no_two")
 def without_two(sigma, delta):
-    """exp(-r^2 / sigma^2)."""
+    """Uses exp(-r^2 / sigma^2)."""
     return sigma * math.sqrt(-math.log(delta / len(sigma)))
 
 
 @wrong("chance_margins", slip="no_root")
 def squares(sigma, delta):
-    """The square of the margin, over sigma."""
+    """Divides the square of the margin by sigma."""
     return sigma * (-2 * math.log(delta / len(sigma)))
 
 
 @wrong("chance_margins", slip="log_ten")
 def decimal_logarithm(sigma, delta):
-    """log10."""
+    """Uses log10."""
     return sigma * math.sqrt(-2 * math.log10(delta / len(sigma)))
 
 
 @wrong("chance_margins", slip="independent")
 def as_if_independent(sigma, delta):
-    """A product of chances."""
+    """Multiplies probabilities."""
     return sigma * root(1 - (1 - delta) ** (1 / len(sigma)))
 
 
 @wrong("chance_margins", slip="largest")
 def one_for_all(sigma, delta):
-    """The largest sigma for all."""
+    """Uses the largest sigma for all obstacles."""
     return np.full(len(sigma), max(sigma)) * root(delta / len(sigma))
 
 
 @wrong("chance_margins", slip="by_sigma")
 def shares_by_sigma(sigma, delta):
-    """Who is more uncertain may be hit more often."""
+    """Splits delta in proportion to sigma."""
     return [s * root(delta * s / sum(sigma)) for s in sigma]
 
 
 @wrong("chance_margins")
 def three_sigma(sigma, delta):
-    """A rule of thumb."""
+    """Uses the rule of three sigma."""
     return 3 * sigma
 
 
@@ -468,11 +470,12 @@ def three_sigma(sigma, delta):
 
 
 def distance(path, centre):
+    """Return the distance of a point from a path."""
     return min(point_segment_distance(centre, a, b) for a, b in zip(path, path[1:]))
 
 
 def tries(path, discs, offsets, far=distance):
-    """Whether disc j is hit in scenario s."""
+    """Return whether disc j is hit in scenario s."""
     return np.array(
         [
             [far(path, np.add(disc[:2], by)) <= disc[2] for disc, by in zip(discs, row)]
@@ -482,20 +485,21 @@ def tries(path, discs, offsets, far=distance):
 
 
 def wilson(p, n, z=1.96):
+    """Return the fraction and Wilson's interval."""
     middle, reach = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
     return p, (middle - reach) / (1 + z * z / n), (middle + reach) / (1 + z * z / n)
 
 
 @wrong("collision_probability", slip="corners")
 def points_of_the_path(path, discs, offsets):
-    """No stretches."""
+    """Checks only the points of the path."""
     hits = tries(path, discs, offsets, lambda way, c: min(math.dist(p, c) for p in way))
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="points")
 def a_hundred_points(path, discs, offsets):
-    """Each stretch by a hundred of its points."""
+    """Checks a hundred points of each segment."""
 
     def far(way, centre):
         return min(
@@ -508,42 +512,42 @@ def a_hundred_points(path, discs, offsets):
 
 @wrong("collision_probability")
 def two_deviations(path, discs, offsets):
-    """z = 2."""
+    """Uses z = 2."""
     hits = tries(path, discs, offsets)
     return wilson(hits.any(axis=1).mean(), len(hits), z=2.0)
 
 
 @wrong("collision_probability", slip="per_disc")
 def counts_contacts(path, discs, offsets):
-    """Contacts, not scenarios."""
+    """Counts contacts instead of scenarios."""
     hits = tries(path, discs, offsets)
     return wilson(min(hits.sum() / len(hits), 1.0), len(hits))
 
 
 @wrong("collision_probability", slip="pairs")
 def mean_of_all(path, discs, offsets):
-    """.mean() of the whole table."""
+    """Takes .mean() of the whole table."""
     hits = tries(path, discs, offsets)
     return wilson(hits.mean(), len(hits))
 
 
 @wrong("collision_probability", slip="every_disc")
 def all_for_any(path, discs, offsets):
-    """all where any belongs."""
+    """Uses all instead of any."""
     hits = tries(path, discs, offsets)
     return wilson(hits.all(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="missed")
 def chance_to_get_through(path, discs, offsets):
-    """The other chance."""
+    """Returns the probability of no contact."""
     hits = tries(path, discs, offsets)
     return wilson(1 - hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="normal")
 def textbook_interval(path, discs, offsets):
-    """p plus and minus 1.96 standard deviations."""
+    """Returns p plus and minus 1.96 standard deviations."""
     hits = tries(path, discs, offsets)
     p, n = hits.any(axis=1).mean(), len(hits)
     reach = 1.96 * math.sqrt(p * (1 - p) / n)
@@ -552,56 +556,56 @@ def textbook_interval(path, discs, offsets):
 
 @wrong("collision_probability", slip="one_offset")
 def all_move_alike(path, discs, offsets):
-    """offsets[s, 0] for every disc."""
+    """Uses offsets[s, 0] for every disc."""
     hits = tries(path, discs, offsets[:, :1].repeat(len(discs), axis=1))
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="minus")
 def the_other_way(path, discs, offsets):
-    """Minus the offset."""
+    """Subtracts the offset."""
     hits = tries(path, discs, -offsets)
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="expected")
 def where_expected(path, discs, offsets):
-    """The offsets are not used."""
+    """Ignores the offsets."""
     hits = tries(path, discs, 0 * offsets)
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="first_disc")
 def only_disc_0(path, discs, offsets):
-    """return in the loop."""
+    """Returns inside the loop."""
     hits = tries(path, discs[:1], offsets[:, :1])
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="last_stretch")
 def one_stretch_short(path, discs, offsets):
-    """range(len(path) - 2)."""
+    """Loops over range(len(path) - 2)."""
     hits = tries(path[:-1] if len(path) > 2 else path, discs, offsets)
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="closed")
 def like_a_polygon(path, discs, offsets):
-    """np.roll."""
+    """Closes the path with np.roll."""
     hits = tries(np.vstack([path, path[:1]]), discs, offsets)
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability", slip="beeline")
 def ends_of_the_path(path, discs, offsets):
-    """From the first point to the last."""
+    """Goes straight from the first point to the last."""
     hits = tries(path[[0, -1]], discs, offsets)
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability")
 def lines_for_segments(path, discs, offsets):
-    """A line has no ends."""
+    """Takes lines instead of segments."""
 
     def far(way, centre):
         lines = [line_through_points(a, b) for a, b in zip(way, way[1:])]
@@ -613,21 +617,21 @@ def lines_for_segments(path, discs, offsets):
 
 @wrong("collision_probability")
 def centre_for_disc(path, discs, offsets):
-    """A disc without size."""
+    """Ignores the radius."""
     hits = tries(path, np.column_stack([discs[:, :2], np.zeros(len(discs))]), offsets)
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
 @wrong("collision_probability")
 def rule_of_a_half(path, discs, offsets):
-    """Never 0, never 1: a prior that nobody asked for."""
+    """Adds a prior, so that the result is never 0 or 1."""
     hits = tries(path, discs, offsets)
     return wilson((hits.any(axis=1).sum() + 1) / (len(hits) + 2), len(hits))
 
 
 @wrong("collision_probability")
 def draws_its_own(path, discs, offsets):
-    """Scenarios of its own, by the spread of those given."""
+    """Draws scenarios of its own, with the spread of the given ones."""
     rng = random.Random(1)
     own = np.array(
         [[[rng.gauss(0, np.std(offsets)) for _ in range(2)] for _ in discs] for _ in offsets]
@@ -641,53 +645,53 @@ def draws_its_own(path, discs, offsets):
 
 @wrong("exposing_motions")
 def slow_ones():
-    """The program sees these."""
+    """Gives motions whose contact the program sees."""
     return (0, 0), (4, 0), (2, -2), (2, 2)
 
 
 @wrong("exposing_motions")
 def no_contact():
-    """They never meet."""
+    """Gives motions that never touch."""
     return (0, 0), (4, 0), (50, 50), (60, 60)
 
 
 @wrong("exposing_motions")
 def in_contact_from_the_start():
-    """Seen at the first moment."""
+    """Gives motions in contact at the first moment."""
     return (0, 0), (90, 0), (0.5, 0), (-90, 0)
 
 
 @wrong("exposing_motions")
 def too_far_away():
-    """Beyond the field."""
+    """Gives coordinates out of range."""
     return (0, 0), (0, 0), (-1000, 0), (1000, 0)
 
 
 @wrong("exposing_motions")
 def at_a_moment():
-    """Fast, but through the centre at 9/19, when the program looks."""
+    """Gives a fast disc that is at the point just when the program looks, at 9/19."""
     return (0, 0), (0, 0), (-90, 0), (100, 0)
 
 
 @wrong("exposing_motions")
 def grazes_only():
-    """Between the moments, but near the rim."""
+    """Touches between the moments, but only near the rim."""
     return (0, 0.9), (0, 0.9), (-95, 0), (95, 0)
 
 
 @wrong("exposing_motions")
 def both_move():
-    """Through the centre, but the point moves as well."""
+    """Passes through the centre, but the point moves as well."""
     return (95, 0), (-95, 0), (-95, 0), (95, 0)
 
 
 @wrong("exposing_motions")
 def forgets_the_disc():
-    """Three places."""
+    """Returns three points instead of four."""
     return (0, 0), (0, 0), (-95, 0)
 
 
 @wrong("exposing_motions")
 def ways_cross():
-    """The ways cross, at different times."""
+    """Gives paths that cross at different times."""
     return (0, 0), (100, 0), (50, -10), (50, 100)

@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 11. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 11.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import math
@@ -12,7 +13,7 @@ from kinoedu.course.bank import wrong
 
 
 def turned_until_free(problem, x, y, headings):
-    """The first free one of some headings."""
+    """Return the first of some headings that is free."""
     for theta in headings:
         if problem.is_free(np.array([x, y, theta])):
             return theta
@@ -30,57 +31,57 @@ def never_turned(problem, x, y):
 
 @wrong("free_heading")
 def degrees(problem, x, y):
-    """Whole degrees, taken for radians; 360 of them, but returned as degrees."""
+    """Checks 360 headings in whole degrees, and returns degrees."""
     theta = turned_until_free(problem, x, y, np.radians(np.arange(0, 360, 5)))
     return None if theta is None else math.degrees(theta)
 
 
 @wrong("free_heading")
 def half_way_round(problem, x, y):
-    """A half turn is enough for a symmetric robot only."""
+    """Tries half a turn, which is enough only for a symmetric robot."""
     return turned_until_free(problem, x, y, np.arange(0, np.pi, 0.1))
 
 
 @wrong("free_heading")
 def great_steps(problem, x, y):
-    """Every 30 degrees: slots are jumped over."""
+    """Tries every 30 degrees, and so misses slots."""
     return turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, np.pi / 6))
 
 
 @wrong("free_heading")
 def a_few_at_random(problem, x, y):
-    """The seed's own way, given up after ten."""
+    """Tries ten random headings and gives up."""
     return turned_until_free(problem, x, y, np.random.default_rng(0).uniform(-np.pi, np.pi, 10))
 
 
 @wrong("free_heading")
 def gives_the_last_one(problem, x, y):
-    """Returns whatever heading came last."""
+    """Returns the last heading, free or not."""
     theta = turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, 0.1))
     return 2 * math.pi if theta is None else theta
 
 
 @wrong("free_heading")
 def asks_nothing(problem, x, y):
-    """Any heading is as good as another."""
+    """Returns any heading unchecked."""
     return 0.0
 
 
 @wrong("free_heading")
 def zero_is_false(problem, x, y):
-    """A heading of 0.0 counts as none."""
+    """Takes the heading 0.0 for no heading."""
     return turned_until_free(problem, x, y, [0.0]) or None
 
 
 @wrong("free_heading")
 def turned_where_it_stands(problem, x, y):
-    """Turns at the start, not at the place."""
+    """Turns at the start, not at the given position."""
     return turned_until_free(problem, *problem.start[:2], np.arange(0, 2 * np.pi, 0.1))
 
 
 @wrong("free_heading")
 def a_truth_value(problem, x, y):
-    """Whether there is one, not which."""
+    """Returns whether a free heading exists, not which."""
     return bool(turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, 0.1)) is not None)
 
 
@@ -88,6 +89,7 @@ def a_truth_value(problem, x, y):
 
 
 def filled(nodes, joined):
+    """Return a matrix with 1 where two different configurations are joined."""
     n = len(nodes)
     A = np.zeros((n, n))
     for i in range(n):
@@ -99,13 +101,13 @@ def filled(nodes, joined):
 
 @wrong("adjacency_matrix", slip="ends_only")
 def free_ends(problem, nodes):
-    """Both configurations are free, and so all motions."""
+    """Checks only the two configurations."""
     return filled(nodes, lambda a, b: problem.is_free(a) and problem.is_free(b))
 
 
 @wrong("adjacency_matrix", slip="halfway")
 def free_ends_and_middle(problem, nodes):
-    """Three places stand for the motion."""
+    """Checks three points of the motion."""
     return filled(
         nodes,
         lambda a, b: all(
@@ -116,7 +118,7 @@ def free_ends_and_middle(problem, nodes):
 
 @wrong("adjacency_matrix")
 def a_few_places(problem, nodes):
-    """Twenty places stand for the motion."""
+    """Checks twenty points of the motion."""
     return filled(
         nodes,
         lambda a, b: all(
@@ -128,7 +130,7 @@ def a_few_places(problem, nodes):
 
 @wrong("adjacency_matrix")
 def a_hundred_places(problem, nodes):
-    """Finer, and a thin wall slips through all the same."""
+    """Checks a hundred points of the motion, and still misses a thin wall."""
     return filled(
         nodes,
         lambda a, b: all(
@@ -140,25 +142,25 @@ def a_hundred_places(problem, nodes):
 
 @wrong("adjacency_matrix", slip="touching")
 def touches_allowed(problem, nodes):
-    """Semi-free for free."""
+    """Checks for semi-free instead of free."""
     return filled(nodes, problem.is_semi_free_path)
 
 
 @wrong("adjacency_matrix", slip="one_side")
 def upper_half(problem, nodes):
-    """Each pair is written once."""
+    """Writes each pair once."""
     return np.triu(filled(nodes, problem.is_free_path))
 
 
 @wrong("adjacency_matrix", slip="loops")
 def joined_to_itself(problem, nodes):
-    """Staying is free, so the diagonal is 1."""
+    """Puts 1 on the diagonal, since staying is free."""
     return filled(nodes, problem.is_free_path) + np.eye(len(nodes))
 
 
 @wrong("adjacency_matrix", slip="contact")
 def ones_for_contact(problem, nodes):
-    """The other way round."""
+    """Swaps 0 and 1."""
     return filled(nodes, lambda a, b: not problem.is_free_path(a, b))
 
 
@@ -174,7 +176,7 @@ def each_to_the_next(problem, nodes):
 
 @wrong("adjacency_matrix")
 def last_one_forgotten(problem, nodes):
-    """range(n - 1)."""
+    """Loops over range(n - 1)."""
     A = filled(nodes, problem.is_free_path)
     A[-1, :] = A[:, -1] = 0
     return A
@@ -188,13 +190,13 @@ def without_start(problem, nodes):
 
 @wrong("adjacency_matrix")
 def lengths_for_ones(problem, nodes):
-    """Distances."""
+    """Writes distances instead of ones."""
     return filled(nodes, lambda a, b: round(problem.distance(a, b)) * problem.is_free_path(a, b))
 
 
 @wrong("adjacency_matrix")
 def heading_left_out(problem, nodes):
-    """Translates, and never turns."""
+    """Checks a translation without rotation."""
     return filled(nodes, lambda a, b: problem.is_free_path(a, np.array([*b[:2], *a[2:]])))
 
 
@@ -202,6 +204,7 @@ def heading_left_out(problem, nodes):
 
 
 def searched(A, start, goal, take):
+    """Search from the start, where `take` removes a node from the list, and return the path."""
     parent, waiting = {start: None}, deque([start])
     while waiting:
         u = take(waiting)
@@ -218,7 +221,7 @@ def searched(A, start, goal, take):
 
 
 def deep(A, start, goal):
-    """A right depth-first path."""
+    """Return a right depth-first path."""
     entered = set()
 
     def enter(u):
@@ -237,13 +240,13 @@ def deep(A, start, goal):
 
 @wrong("bfs_on_matrix", slip="deep")
 def depth_first(A, start, goal):
-    """Called shortest: the seed's own mistake."""
+    """Returns a depth-first path instead of a shortest one."""
     return deep(A, start, goal)
 
 
 @wrong("bfs_on_matrix", slip="order")
 def order_of_visit(A, start, goal):
-    """All that was taken out until the goal."""
+    """Returns all nodes that were taken out before the goal."""
     seen, queue, order = {start}, deque([start]), []
     while queue:
         u = queue.popleft()
@@ -259,45 +262,45 @@ def order_of_visit(A, start, goal):
 
 @wrong("bfs_on_matrix", slip="reversed")
 def from_goal_to_start(A, start, goal):
-    """Not turned round."""
+    """Returns the path in reverse."""
     path = searched(A, start, goal, deque.popleft)
     return path and path[::-1]
 
 
 @wrong("bfs_on_matrix")
 def newest_first(A, start, goal):
-    """pop() is a stack."""
+    """Uses pop(), which makes a stack."""
     return searched(A, start, goal, deque.pop)
 
 
 @wrong("bfs_on_matrix")
 def empty_for_none(A, start, goal):
-    """No path is an empty list."""
+    """Returns an empty list instead of None."""
     return searched(A, start, goal, deque.popleft) or []
 
 
 @wrong("bfs_on_matrix")
 def without_the_start(A, start, goal):
-    """Stops one too early."""
+    """Stops one node too early."""
     path = searched(A, start, goal, deque.popleft)
     return path and path[1:]
 
 
 @wrong("bfs_on_matrix")
 def always_straight(A, start, goal):
-    """Asks for one edge only."""
+    """Checks one edge only."""
     return [start, goal] if A[start][goal] else None
 
 
 @wrong("bfs_on_matrix")
 def nowhere_to_go(A, start, goal):
-    """Start is goal: no path."""
+    """Returns None where start and goal are the same."""
     return None if start == goal else searched(A, start, goal, deque.popleft)
 
 
 @wrong("bfs_on_matrix")
 def first_row_only(A, start, goal):
-    """Begins with node 0, whatever the start."""
+    """Begins with node 0, whatever the start is."""
     return searched(A, 0, goal, deque.popleft)
 
 
@@ -306,7 +309,7 @@ def first_row_only(A, start, goal):
 
 @wrong("dfs_on_matrix", slip="order")
 def as_entered(A, start, goal):
-    """Dead ends too."""
+    """Returns dead ends too."""
     entered = []
 
     def enter(u):
@@ -318,7 +321,7 @@ def as_entered(A, start, goal):
 
 @wrong("dfs_on_matrix", slip="never_back")
 def gives_up(A, start, goal):
-    """The first new neighbour, and on, until there is none."""
+    """Goes to the first new neighbour, and gives up in a dead end."""
     path = [start]
     while path[-1] != goal:
         new = [v for v in np.flatnonzero(A[path[-1]]).tolist() if v not in path]
@@ -330,27 +333,27 @@ def gives_up(A, start, goal):
 
 @wrong("dfs_on_matrix", slip="reversed")
 def deep_from_goal_to_start(A, start, goal):
-    """Not turned round."""
+    """Returns the path in reverse."""
     path = deep(A, start, goal)
     return path and path[::-1]
 
 
 @wrong("dfs_on_matrix")
 def deep_but_empty_for_none(A, start, goal):
-    """No path is an empty list."""
+    """Returns an empty list instead of None."""
     return deep(A, start, goal) or []
 
 
 @wrong("dfs_on_matrix")
 def deep_without_the_goal(A, start, goal):
-    """Stops before it."""
+    """Leaves the goal out."""
     path = deep(A, start, goal)
     return path and path[:-1]
 
 
 @wrong("dfs_on_matrix")
 def never_marked(A, start, goal):
-    """Marks nothing: there and back for ever."""
+    """Marks nothing, and so goes back and forth for ever."""
 
     def enter(u):
         if u == goal:
@@ -366,7 +369,7 @@ def never_marked(A, start, goal):
 
 @wrong("dfs_on_matrix")
 def seen_on_this_way_only(A, start, goal):
-    """Forgets what it has seen when it goes back: all ways are tried."""
+    """Unmarks nodes when it goes back, and so tries all simple paths."""
 
     def enter(u, path):
         if u == goal:
@@ -382,7 +385,7 @@ def seen_on_this_way_only(A, start, goal):
 
 @wrong("dfs_on_matrix")
 def deep_from_zero(A, start, goal):
-    """Begins with node 0."""
+    """Begins with node 0, whatever the start is."""
     return deep(A, 0, goal)
 
 
@@ -404,7 +407,7 @@ def grown(
     steer=None,
     turned=True,
 ):
-    """RRT, right but for what is exchanged."""
+    """Grow an RRT that is right except for what the arguments replace."""
     chance = chance or np.random.default_rng(rng)
     free, apart, steer = (
         free or problem.is_free_path,
@@ -445,13 +448,13 @@ def grown(
 
 @wrong("rrt_for_polygon")
 def asks_about_ends(problem, *given):
-    """A free configuration is joined, whatever is swept on the way."""
+    """Checks only whether the new configuration is free."""
     return grown(problem, *given, free=lambda a, b: problem.is_free(b))
 
 
 @wrong("rrt_for_polygon")
 def asks_about_points(problem, *given):
-    """Three configurations stand for the motion."""
+    """Checks three configurations of the motion."""
     return grown(
         problem,
         *given,
@@ -463,32 +466,33 @@ def asks_about_points(problem, *given):
 
 @wrong("rrt_for_polygon")
 def last_edge_unasked(problem, *given):
-    """Near the goal is there."""
+    """Takes a node near the goal for the goal."""
     return grown(problem, *given, last=lambda a, b: True)
 
 
 @wrong("rrt_for_polygon")
 def farthest_for_nearest(problem, step, goal_bias, iterations, rng):
-    """max for min; and given up early, as it gets nowhere."""
+    """Uses max instead of min, with few iterations, since it gets nowhere."""
     return grown(problem, step, goal_bias, min(iterations, 60), rng, nearest=max)
 
 
 @wrong("rrt_for_polygon")
 def from_the_root(problem, *given):
-    """Every sample is joined to the start."""
+    """Extends the start in every iteration."""
     return grown(problem, *given, nearest=lambda numbers, key: 0)
 
 
 @wrong("rrt_for_polygon")
 def headings_as_numbers(problem, *given):
-    """3.1 and -3.1 are taken for far apart."""
+    """Takes 3.1 and -3.1 for far apart."""
     return grown(problem, *given, apart=lambda a, b: np.linalg.norm(a - b))
 
 
 @wrong("rrt_for_polygon")
 def steered_as_numbers(problem, *given):
-    """A straight line in the numbers goes the long way round, and the motion that was asked about
-    is another.
+    """Interpolates headings as numbers, and so goes the long way round.
+
+    The motion that it checks is therefore another one.
     """
 
     def straight(a, b, step):
@@ -499,26 +503,26 @@ def steered_as_numbers(problem, *given):
 
 @wrong("rrt_for_polygon")
 def own_chance(problem, step, goal_bias, iterations, rng):
-    """default_rng() without a seed."""
+    """Uses default_rng() without a seed."""
     return grown(problem, step, goal_bias, iterations, rng, chance=np.random.default_rng())
 
 
 @wrong("rrt_for_polygon")
 def chance_of_all(problem, step, goal_bias, iterations, rng):
-    """Seeds and uses Python's own random numbers."""
+    """Seeds and uses Python's global generator."""
     random.seed(rng)
     return grown(problem, step, goal_bias, iterations, int(random.random() * 1e9))
 
 
 @wrong("rrt_for_polygon")
 def path_from_the_goal(problem, *given):
-    """Not turned round."""
+    """Returns the path in reverse."""
     return grown(problem, *given, turned=False)
 
 
 @wrong("rrt_for_polygon")
 def asks_about_twenty_places(problem, *given):
-    """Places stand for the motion: a thin wall slips between them."""
+    """Checks twenty points of the motion, and so misses a thin wall."""
 
     def seen(a, b):
         return all(
@@ -531,13 +535,13 @@ def asks_about_twenty_places(problem, *given):
 
 @wrong("rrt_for_polygon")
 def half_steps(problem, step, goal_bias, iterations, rng):
-    """The step taken for a diameter: the goal is a step away, and is not joined."""
+    """Takes the step for a diameter, and so does not join a goal that is a step away."""
     return grown(problem, step / 2, goal_bias, iterations, rng)
 
 
 @wrong("rrt_for_polygon")
 def never_the_goal(problem, step, goal_bias, iterations, rng):
-    """goal_bias is not used."""
+    """Ignores goal_bias."""
     return grown(problem, step, 0.0, iterations, rng)
 
 
@@ -546,41 +550,41 @@ def never_the_goal(problem, step, goal_bias, iterations, rng):
 
 @wrong("exposing_obstacle")
 def no_triangle():
-    """Three corners on a line."""
+    """Gives three corners on a line."""
     return (0, 0), (4, 0), [(1, 1), (2, 2), (3, 3)]
 
 
 @wrong("exposing_obstacle")
 def beside_the_way():
-    """The disk does not come near it."""
+    """Gives a triangle that the disk does not hit."""
     return (0, 0), (4, 0), [(1, 2), (3, 2), (2, 3)]
 
 
 @wrong("exposing_obstacle")
 def on_the_way():
-    """A chord sees it as well."""
+    """Gives a triangle that a chord hits too."""
     return (0, 0), (4, 0), [(1, -0.5), (3, -0.5), (2, 0.5)]
 
 
 @wrong("exposing_obstacle")
 def a_thin_one():
-    """Right, and thin."""
+    """Exposes the program, but with a thin triangle."""
     return (0, 0), (4, 0), [(1, 0.4), (3, 0.4), (2, 0.6)]
 
 
 @wrong("exposing_obstacle")
 def on_the_diagonal():
-    """The chords of a diagonal motion are nearer to each other."""
+    """Moves diagonally, where the chords are closer to each other."""
     return (0, 0), (9, 9), [(3.1, 3.5), (6.0, 6.4), (4.4, 5.2)]
 
 
 @wrong("exposing_obstacle")
 def too_far_away():
-    """Beyond what is asked for."""
+    """Gives coordinates out of range."""
     return (0, 0), (1e6, 0), [(1, 0.1), (9, 0.1), (5, 0.9)]
 
 
 @wrong("exposing_obstacle")
 def corner_on_the_chord():
-    """As high as the room: it touches, and that is contact."""
+    """Fills the gap between two chords, and so touches one."""
     return (0, 0), (9, 0), [(-3, 0), (12, 0), (5, 1)]

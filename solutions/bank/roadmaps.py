@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 8. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 8.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import heapq
@@ -14,12 +15,13 @@ from kinoedu.course.bank import wrong
 
 
 def turns(ring):
-    """Twice the area at each vertex, positive for a turn to the left."""
+    """Return twice the signed area at each vertex, positive for a left turn."""
     a, b = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
     return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
 
 
 def corners(problem, obstacles, keep=lambda turned: turned > 0):
+    """Return start, goal and the vertices that `keep` accepts."""
     return [
         problem.start,
         problem.goal,
@@ -28,6 +30,7 @@ def corners(problem, obstacles, keep=lambda turned: turned > 0):
 
 
 def seen(nodes, sees):
+    """Return the nodes with the pairs that see each other."""
     pairs = combinations(range(len(nodes)), 2)
     return np.array(nodes), [(i, j) for i, j in pairs if sees(nodes[i], nodes[j])]
 
@@ -37,32 +40,32 @@ def seen(nodes, sees):
 
 @wrong("visibility_roadmap", slip="every_vertex")
 def every_vertex_a_node(problem, obstacles):
-    """Reflex ones too."""
+    """Takes reflex vertices too."""
     return seen([problem.start, problem.goal, *np.vstack(obstacles)], problem.is_semi_free_path)
 
 
 @wrong("visibility_roadmap", slip="not_reflex")
 def straight_angles_kept(problem, obstacles):
-    """>= for >."""
+    """Has >= instead of >."""
     return seen(corners(problem, obstacles, lambda turned: turned >= 0), problem.is_semi_free_path)
 
 
 @wrong("visibility_roadmap", slip="no_contact")
 def free_for_semi_free(problem, obstacles):
-    """Corners cannot be reached without touching them."""
+    """Demands free motions, but corners cannot be reached without contact."""
     return seen(corners(problem, obstacles), problem.is_free_path)
 
 
 @wrong("visibility_roadmap", slip="no_ends")
 def start_and_goal_alone(problem, obstacles):
-    """Nodes without edges."""
+    """Leaves start and goal without edges."""
     nodes, pairs = seen(corners(problem, obstacles), problem.is_semi_free_path)
     return nodes, [(i, j) for i, j in pairs if i > 1]
 
 
 @wrong("visibility_roadmap", slip="between")
 def never_along_an_obstacle(problem, obstacles):
-    """Edges of obstacles are taken for obstacles."""
+    """Takes the edges of obstacles for blocked."""
     nodes = corners(problem, obstacles)
     owner = [
         -1,
@@ -75,7 +78,7 @@ def never_along_an_obstacle(problem, obstacles):
 
 @wrong("visibility_roadmap", slip="hull")
 def corners_of_the_hull(problem, obstacles):
-    """Convex taken for: on the convex hull."""
+    """Takes the corners of the convex hull for the convex vertices."""
     hulls = [set(shapely.Polygon(ring).convex_hull.exterior.coords) for ring in obstacles]
     corners = [v for ring, hull in zip(obstacles, hulls) for v in ring if tuple(v.tolist()) in hull]
     return seen([problem.start, problem.goal, *corners], problem.is_semi_free_path)
@@ -83,45 +86,45 @@ def corners_of_the_hull(problem, obstacles):
 
 @wrong("visibility_roadmap")
 def reflex_for_convex(problem, obstacles):
-    """The wrong turn."""
+    """Takes right turns instead of left turns."""
     return seen(corners(problem, obstacles, lambda turned: turned < 0), problem.is_semi_free_path)
 
 
 @wrong("visibility_roadmap")
 def goal_last(problem, obstacles):
-    """The nodes in the library's order."""
+    """Returns the nodes in the library's order."""
     nodes = corners(problem, obstacles)
     return seen([*nodes[2:], *nodes[:2]], problem.is_semi_free_path)
 
 
 @wrong("visibility_roadmap")
 def without_start_and_goal(problem, obstacles):
-    """The corners only."""
+    """Returns the corners only."""
     return seen(corners(problem, obstacles)[2:], problem.is_semi_free_path)
 
 
 @wrong("visibility_roadmap")
 def pairs_both_ways(problem, obstacles):
-    """(i, j) and (j, i)."""
+    """Returns (i, j) and (j, i)."""
     nodes, pairs = seen(corners(problem, obstacles), problem.is_semi_free_path)
     return nodes, pairs + [(j, i) for i, j in pairs]
 
 
 @wrong("visibility_roadmap")
 def everything_joined(problem, obstacles):
-    """Nobody is asked."""
+    """Checks no motion."""
     return seen(corners(problem, obstacles), lambda a, b: True)
 
 
 @wrong("visibility_roadmap")
 def middles_only(problem, obstacles):
-    """Half of the way is free, and so all of it."""
+    """Checks only the midpoint of a motion."""
     return seen(corners(problem, obstacles), lambda a, b: problem.is_free((a + b) / 2))
 
 
 @wrong("visibility_roadmap")
 def last_vertex_forgotten(problem, obstacles):
-    """The ring is not closed."""
+    """Does not close the ring."""
     kept = lambda turned: (turned > 0) & (np.arange(len(turned)) < len(turned) - 1)  # noqa: E731
     return seen(corners(problem, obstacles, kept), problem.is_semi_free_path)
 
@@ -130,7 +133,7 @@ def last_vertex_forgotten(problem, obstacles):
 
 
 def places_along(problem):
-    """Places for a motion: what is thin slips between them."""
+    """Replace the motion check by sampled points, between which thin obstacles fit."""
     return lambda a, b: all(problem.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 100))
 
 
@@ -148,13 +151,13 @@ def within(problem, nodes, near, free=None):
 
 @wrong("radius_neighbours", slip="strict")
 def less_than_r(problem, nodes, r):
-    """< for <=."""
+    """Has < instead of <=."""
     return within(problem, nodes, lambda a, b: problem.distance(a, b) < r)
 
 
 @wrong("radius_neighbours", slip="blind")
 def through_walls(problem, nodes, r):
-    """Points, not motions."""
+    """Checks points instead of motions."""
     return within(
         problem,
         nodes,
@@ -165,27 +168,27 @@ def through_walls(problem, nodes, r):
 
 @wrong("radius_neighbours", slip="twice")
 def each_pair_twice(problem, nodes, r):
-    """Two loops over all nodes."""
+    """Has two loops over all nodes."""
     pairs = within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)
     return pairs + [(j, i) for i, j in pairs]
 
 
 @wrong("radius_neighbours", slip="itself")
 def its_own_neighbour(problem, nodes, r):
-    """j begins at i."""
+    """Begins j at i."""
     pairs = within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)
     return [*pairs, *((i, i) for i in range(len(nodes)))]
 
 
 @wrong("radius_neighbours", slip="straight")
 def across_the_page(problem, nodes, r):
-    """Angles do not wrap."""
+    """Does not wrap angles."""
     return within(problem, nodes, lambda a, b: np.linalg.norm(a - b) <= r)
 
 
 @wrong("radius_neighbours", slip="touching")
 def semi_free_for_free(problem, nodes, r):
-    """Contact allowed."""
+    """Allows contact."""
     return within(
         problem, nodes, lambda a, b: problem.distance(a, b) <= r, problem.is_semi_free_path
     )
@@ -193,31 +196,31 @@ def semi_free_for_free(problem, nodes, r):
 
 @wrong("radius_neighbours", slip="sampled")
 def a_hundred_places(problem, nodes, r):
-    """Places along the page for a motion."""
+    """Checks a hundred points of a motion that does not wrap angles."""
     return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r, places_along(problem))
 
 
 @wrong("radius_neighbours", slip="squared")
 def the_square_of_the_distance(problem, nodes, r):
-    """The root forgotten on one side."""
+    """Forgets the root on one side."""
     return within(problem, nodes, lambda a, b: problem.distance(a, b) ** 2 <= r)
 
 
 @wrong("radius_neighbours", slip="diameter")
 def half_the_radius(problem, nodes, r):
-    """r taken for a diameter."""
+    """Takes r for a diameter."""
     return within(problem, nodes, lambda a, b: problem.distance(a, b) <= r / 2)
 
 
 @wrong("radius_neighbours")
 def a_box_for_a_ball(problem, nodes, r):
-    """Coordinate by coordinate."""
+    """Compares coordinate by coordinate."""
     return within(problem, nodes, lambda a, b: np.abs(a - b).max() <= r)
 
 
 @wrong("radius_neighbours")
 def in_a_row_only(problem, nodes, r):
-    """Each node and the next."""
+    """Joins each node only to the next."""
     steps = [(i, i + 1) for i in range(len(nodes) - 1)]
     return [
         (i, j)
@@ -228,7 +231,7 @@ def in_a_row_only(problem, nodes, r):
 
 @wrong("radius_neighbours")
 def coordinates_for_numbers(problem, nodes, r):
-    """The ends themselves."""
+    """Returns coordinates instead of indices."""
     return [
         (*nodes[i], *nodes[j])
         for i, j in within(problem, nodes, lambda a, b: problem.distance(a, b) <= r)
@@ -237,7 +240,7 @@ def coordinates_for_numbers(problem, nodes, r):
 
 @wrong("radius_neighbours", slip="blind")
 def middles_for_motions(problem, nodes, r):
-    """One point for a motion."""
+    """Checks one point of a motion."""
     return within(
         problem,
         nodes,
@@ -268,25 +271,25 @@ def joined(problem, nodes, pairs, free=None):
 
 @wrong("k_closest", slip="farthest")
 def the_farthest(problem, nodes, k):
-    """Sorted the wrong way round."""
+    """Sorts in the wrong order."""
     return joined(problem, nodes, rows(problem, nodes, k, sign=-1))
 
 
 @wrong("k_closest", slip="blind")
 def close_through_walls(problem, nodes, k):
-    """Points, not motions."""
+    """Checks points instead of motions."""
     return sorted({(min(i, j), max(i, j)) for i, j in rows(problem, nodes, k)})
 
 
 @wrong("k_closest", slip="itself")
 def itself_among_the_closest(problem, nodes, k):
-    """The closest node to a node is the node."""
+    """Counts the node itself as its closest node."""
     return joined(problem, nodes, [(i, j) for i, j in rows(problem, nodes, k, skip=0) if i != j])
 
 
 @wrong("k_closest", slip="replaced")
 def the_closest_free_ones(problem, nodes, k):
-    """Asks before it cuts."""
+    """Checks motions before it takes the K closest."""
     pairs = []
     for i in range(len(nodes)):
         others = [
@@ -300,20 +303,20 @@ def the_closest_free_ones(problem, nodes, k):
 
 @wrong("k_closest", slip="mutual")
 def close_both_ways(problem, nodes, k):
-    """and for or."""
+    """Has `and` instead of `or`."""
     named = set(rows(problem, nodes, k))
     return joined(problem, nodes, [(i, j) for i, j in named if (j, i) in named])
 
 
 @wrong("k_closest", slip="lost")
 def seen_before(problem, nodes, k):
-    """Takes (i, j) with j < i for one that was asked before."""
+    """Takes (i, j) with j < i for a pair that was already checked."""
     return joined(problem, nodes, [(i, j) for i, j in rows(problem, nodes, k) if i < j])
 
 
 @wrong("k_closest", slip="later")
 def among_later_nodes(problem, nodes, k):
-    """j from i + 1 on."""
+    """Loops over j from i + 1 on."""
     pairs = []
     for i in range(len(nodes)):
         later = sorted(range(i + 1, len(nodes)), key=lambda j: problem.distance(nodes[i], nodes[j]))
@@ -323,7 +326,7 @@ def among_later_nodes(problem, nodes, k):
 
 @wrong("k_closest", slip="straight")
 def closest_on_the_page(problem, nodes, k):
-    """Angles do not wrap."""
+    """Does not wrap angles."""
     return joined(
         problem, nodes, rows(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b))
     )
@@ -331,25 +334,25 @@ def closest_on_the_page(problem, nodes, k):
 
 @wrong("k_closest", slip="touching")
 def closest_with_contact(problem, nodes, k):
-    """Contact allowed."""
+    """Allows contact."""
     return joined(problem, nodes, rows(problem, nodes, k), problem.is_semi_free_path)
 
 
 @wrong("k_closest", slip="sampled")
 def closest_by_places(problem, nodes, k):
-    """Places along the page for a motion."""
+    """Checks sampled points of a motion that does not wrap angles."""
     return joined(problem, nodes, rows(problem, nodes, k), places_along(problem))
 
 
 @wrong("k_closest", slip="one")
 def the_nearest_alone(problem, nodes, k):
-    """K is ignored."""
+    """Ignores K."""
     return joined(problem, nodes, rows(problem, nodes, 1))
 
 
 @wrong("k_closest")
 def at_most_k_edges(problem, nodes, k):
-    """A node that has K edges takes no more."""
+    """Accepts no more edges at a node that has K."""
     degree, pairs = [0] * len(nodes), []
     for i, j in joined(problem, nodes, rows(problem, nodes, k)):
         if degree[i] < k and degree[j] < k:
@@ -361,7 +364,7 @@ def at_most_k_edges(problem, nodes, k):
 
 @wrong("k_closest")
 def last_of_equals(problem, nodes, k):
-    """Of equally far ones the higher number."""
+    """Breaks ties in favour of the higher index."""
     pairs = []
     for i in range(len(nodes)):
         others = [j for j in range(len(nodes) - 1, -1, -1) if j != i]
@@ -373,7 +376,7 @@ def last_of_equals(problem, nodes, k):
 
 @wrong("k_closest")
 def as_lists_of_neighbours(problem, nodes, k):
-    """For each node a list."""
+    """Returns a list for each node."""
     return [[j for a, j in rows(problem, nodes, k) if a == i] for i in range(len(nodes))]
 
 
@@ -398,61 +401,61 @@ def by_components(problem, nodes, k, free=None, distance=None, goes_on=False, on
 
 @wrong("component_k_closest", slip="blind")
 def components_through_walls(problem, nodes, k):
-    """Points, not motions."""
+    """Checks points instead of motions."""
     return by_components(problem, nodes, k, free=lambda a, b: True)
 
 
 @wrong("component_k_closest", slip="goes_on")
 def all_k_of_a_component(problem, nodes, k):
-    """No break."""
+    """Has no break."""
     return by_components(problem, nodes, k, goes_on=True)
 
 
 @wrong("component_k_closest", slip="one_component")
 def the_nearest_component(problem, nodes, k):
-    """Stops too soon."""
+    """Stops after one component."""
     return by_components(problem, nodes, k, one=True)
 
 
 @wrong("component_k_closest", slip="nearest_only")
 def one_try_each(problem, nodes, k):
-    """K is ignored."""
+    """Ignores K."""
     return by_components(problem, nodes, 1)
 
 
 @wrong("component_k_closest", slip="any_number")
 def as_many_tries_as_it_takes(problem, nodes, k):
-    """K is infinite."""
+    """Tries more than K nodes."""
     return by_components(problem, nodes, len(nodes))
 
 
 @wrong("component_k_closest", slip="closest")
 def the_rule_before(problem, nodes, k):
-    """K-closest."""
+    """Is the K-closest rule."""
     return joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("component_k_closest", slip="straight")
 def components_on_the_page(problem, nodes, k):
-    """Angles do not wrap."""
+    """Does not wrap angles."""
     return by_components(problem, nodes, k, distance=lambda a, b: np.linalg.norm(a - b))
 
 
 @wrong("component_k_closest", slip="touching")
 def components_with_contact(problem, nodes, k):
-    """Contact allowed."""
+    """Allows contact."""
     return by_components(problem, nodes, k, free=problem.is_semi_free_path)
 
 
 @wrong("component_k_closest", slip="sampled")
 def components_by_places(problem, nodes, k):
-    """Places along the page for a motion."""
+    """Checks sampled points of a motion that does not wrap angles."""
     return by_components(problem, nodes, k, free=places_along(problem))
 
 
 @wrong("component_k_closest")
 def never_merged(problem, nodes, k):
-    """Each node joins the first component that takes it, and bridges are forgotten."""
+    """Adds each node to the first component that it joins, and never merges components."""
     components, pairs = [], []
     for i in range(len(nodes)):
         home = None
@@ -471,7 +474,7 @@ def never_merged(problem, nodes, k):
 
 @wrong("component_k_closest", slip="one_component")
 def k_closest_without_circles(problem, nodes, k):
-    """The K closest of all before it, not of each component."""
+    """Tries the K closest of all earlier nodes, not of each component."""
     part, pairs = list(range(len(nodes))), []
     for i in range(1, len(nodes)):
         for j in sorted(range(i), key=lambda j: problem.distance(nodes[i], nodes[j]))[:k]:
@@ -483,13 +486,13 @@ def k_closest_without_circles(problem, nodes, k):
 
 @wrong("component_k_closest")
 def larger_number_first(problem, nodes, k):
-    """(i, j) with j < i."""
+    """Returns (i, j) with j < i."""
     return [(i, j) for j, i in by_components(problem, nodes, k)]
 
 
 @wrong("component_k_closest")
 def any_node_of_a_component(problem, nodes, k):
-    """The first ones, not the closest."""
+    """Tries the first nodes of a component, not the closest."""
     return by_components(problem, nodes, k, distance=lambda a, b: 0.0)
 
 
@@ -508,14 +511,14 @@ def built(problem, n, k, rng, sample=None, keep=None):
 
 @wrong("sampled_roadmap")
 def samples_in_obstacles(problem, n, k, rng):
-    """Nobody asks whether a sample is free."""
+    """Does not check that a sample is free."""
     nodes = built(problem, n, k, np.random.default_rng(rng), keep=lambda q: True)
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("sampled_roadmap")
 def fewer_samples(problem, n, k, rng):
-    """n tries, not n free samples."""
+    """Draws n samples instead of n free samples."""
     chance = np.random.default_rng(rng)
     nodes = np.array(
         [
@@ -529,28 +532,28 @@ def fewer_samples(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def ends_checked_not_edges(problem, n, k, rng):
-    """Free nodes, and edges through walls."""
+    """Checks the nodes, but not the edges."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     return nodes, sorted({(min(i, j), max(i, j)) for i, j in rows(problem, nodes, k)})
 
 
 @wrong("sampled_roadmap")
 def edges_that_touch(problem, n, k, rng):
-    """Contact allowed."""
+    """Allows contact."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     return nodes, joined(problem, nodes, rows(problem, nodes, k), problem.is_semi_free_path)
 
 
 @wrong("sampled_roadmap")
 def edges_by_places(problem, n, k, rng):
-    """Places for a motion."""
+    """Checks sampled points of a motion."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     return nodes, joined(problem, nodes, rows(problem, nodes, k), places_along(problem))
 
 
 @wrong("sampled_roadmap")
 def the_room_measured_by_eye(problem, n, k, rng):
-    """Samples of the room that the first cases show."""
+    """Samples the room that the first cases show."""
     nodes = built(
         problem, n, k, np.random.default_rng(rng), sample=lambda rng: rng.uniform((0, 0), (16, 10))
     )
@@ -559,21 +562,21 @@ def the_room_measured_by_eye(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def another_generator(problem, n, k, rng):
-    """New numbers at every call."""
+    """Uses a generator without a seed."""
     nodes = built(problem, n, k, np.random.default_rng())
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("sampled_roadmap")
 def always_the_same_seed(problem, n, k, rng):
-    """rng is ignored."""
+    """Ignores rng."""
     nodes = built(problem, n, k, np.random.default_rng(0))
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
 
 
 @wrong("sampled_roadmap")
 def global_numbers(problem, n, k, rng):
-    """numpy's own state."""
+    """Uses NumPy's global generator."""
     np.random.seed(rng)
     nodes = built(problem, n, k, rng, sample=lambda _: np.array([16, 10]) * np.random.random(2))
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
@@ -581,7 +584,7 @@ def global_numbers(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def pythons_numbers(problem, n, k, rng):
-    """Python's own state."""
+    """Uses Python's global generator."""
     random.seed(rng)
     nodes = built(
         problem, n, k, rng, sample=lambda _: np.array([16 * random.random(), 10 * random.random()])
@@ -591,7 +594,7 @@ def pythons_numbers(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def a_generator_for_each_sample(problem, n, k, rng):
-    """The same sample again and again."""
+    """Draws the same sample again and again."""
     nodes = built(
         problem,
         n,
@@ -605,7 +608,7 @@ def a_generator_for_each_sample(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def in_one_half(problem, n, k, rng):
-    """Samples on the start's side."""
+    """Samples only on the start's side."""
     nodes = built(
         problem, n, k, np.random.default_rng(rng), keep=lambda q: problem.is_free(q) and q[0] < 8
     )
@@ -614,7 +617,7 @@ def in_one_half(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def start_and_goal_left_out(problem, n, k, rng):
-    """Only the samples are joined."""
+    """Joins the samples only."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     pairs = joined(problem, nodes[2:], rows(problem, nodes[2:], k))
     return nodes, [(i + 2, j + 2) for i, j in pairs]
@@ -622,7 +625,7 @@ def start_and_goal_left_out(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def goal_at_the_end(problem, n, k, rng):
-    """Start, samples, goal."""
+    """Returns start, samples, goal."""
     nodes = np.roll(built(problem, n, k, np.random.default_rng(rng)), -1, axis=0)
     nodes = np.vstack([nodes[-1:], nodes[1:-1], nodes[:1]])
     return nodes, joined(problem, nodes, rows(problem, nodes, k))
@@ -630,14 +633,14 @@ def goal_at_the_end(problem, n, k, rng):
 
 @wrong("sampled_roadmap")
 def only_the_nearest(problem, n, k, rng):
-    """K = 1."""
+    """Uses K = 1."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     return nodes, joined(problem, nodes, rows(problem, nodes, 1))
 
 
 @wrong("sampled_roadmap")
 def everybody_joined(problem, n, k, rng):
-    """No rule."""
+    """Joins all pairs."""
     nodes = built(problem, n, k, np.random.default_rng(rng))
     return nodes, joined(problem, nodes, combinations(range(len(nodes)), 2))
 
@@ -646,7 +649,7 @@ def everybody_joined(problem, n, k, rng):
 
 
 def searched(nodes, edges, start, goal, weigh=None, estimate=None, one_way=False):
-    """The path by Dijkstra's algorithm and its cost, by given weights."""
+    """Find a path by Dijkstra's algorithm with given weights, and its cost."""
     cost_of = weigh or (lambda a, b: float(np.linalg.norm(a - b)))
     leads = {}
     for i, j in np.asarray(edges).tolist():
@@ -672,6 +675,7 @@ def searched(nodes, edges, start, goal, weigh=None, estimate=None, one_way=False
 
 
 def measured(nodes, path):
+    """Return the length of a path."""
     return (
         math.inf
         if path is None
@@ -681,71 +685,71 @@ def measured(nodes, path):
 
 @wrong("shortest_path", slip="fewest")
 def fewest_edges(nodes, edges, start, goal):
-    """Breadth-first."""
+    """Is a breadth-first search."""
     path, _ = searched(nodes, edges, start, goal, weigh=lambda a, b: 1.0)
     return path, measured(nodes, path)
 
 
 @wrong("shortest_path", slip="counted")
 def edges_counted(nodes, edges, start, goal):
-    """The number of edges for a length."""
+    """Returns the number of edges as the length."""
     return searched(nodes, edges, start, goal, weigh=lambda a, b: 1.0)
 
 
 @wrong("shortest_path", slip="squared")
 def squares_added(nodes, edges, start, goal):
-    """No root."""
+    """Forgets the root."""
     return searched(nodes, edges, start, goal, weigh=lambda a, b: float(((a - b) ** 2).sum()))
 
 
 @wrong("shortest_path", slip="one_way")
 def edges_one_way(nodes, edges, start, goal):
-    """(i, j) is no way back."""
+    """Uses (i, j) in one direction only."""
     return searched(nodes, edges, start, goal, one_way=True)
 
 
 @wrong("shortest_path", slip="plane")
 def two_coordinates(nodes, edges, start, goal):
-    """Only the plane."""
+    """Uses only two coordinates."""
     return searched(nodes[:, :2], edges, start, goal)
 
 
 @wrong("shortest_path", slip="straight")
 def as_the_crow_flies(nodes, edges, start, goal):
-    """The distance from start to goal."""
+    """Returns the distance from start to goal."""
     return searched(nodes, edges, start, goal)[0], float(np.linalg.norm(nodes[start] - nodes[goal]))
 
 
 @wrong("shortest_path")
 def from_goal_to_start(nodes, edges, start, goal):
-    """The path is not turned round."""
+    """Returns the path in reverse."""
     path, far = searched(nodes, edges, start, goal)
     return (None if path is None else path[::-1]), far
 
 
 @wrong("shortest_path")
 def empty_where_there_is_none(nodes, edges, start, goal):
-    """An empty path."""
+    """Returns an empty path instead of None."""
     path, far = searched(nodes, edges, start, goal)
     return path or [], far
 
 
 @wrong("shortest_path")
 def zero_where_there_is_none(nodes, edges, start, goal):
-    """None, but a length."""
+    """Returns None with the length 0."""
     path, far = searched(nodes, edges, start, goal)
     return path, far if path else 0.0
 
 
 @wrong("shortest_path")
 def path_alone(nodes, edges, start, goal):
-    """One value for two."""
+    """Returns one value instead of two."""
     return searched(nodes, edges, start, goal)[0]
 
 
 @wrong("shortest_path")
 def greedy(nodes, edges, start, goal):
-    """Always the node that is nearest to the goal."""
+    """Always goes to the neighbour nearest to the goal."""
     path, _ = searched(
         nodes, edges, start, goal, estimate=lambda q: float(np.linalg.norm(q - nodes[goal]))
     )
@@ -754,13 +758,13 @@ def greedy(nodes, edges, start, goal):
 
 @wrong("shortest_path")
 def straight_to_the_goal(nodes, edges, start, goal):
-    """Off the roadmap."""
+    """Leaves the roadmap."""
     return [start, goal], float(np.linalg.norm(nodes[start] - nodes[goal]))
 
 
 @wrong("shortest_path")
 def coordinates_of_the_path(nodes, edges, start, goal):
-    """Places, not numbers."""
+    """Returns coordinates instead of indices."""
     path, far = searched(nodes, edges, start, goal)
     return (None if path is None else nodes[path]), far
 
@@ -770,13 +774,13 @@ def coordinates_of_the_path(nodes, edges, start, goal):
 
 @wrong("exposing_sight")
 def a_square():
-    """Its diagonal is seen to be inside."""
+    """Gives a square, whose diagonal the program judges rightly."""
     return [[(0, 0), (4, 0), (4, 4), (0, 4)]]
 
 
 @wrong("exposing_sight")
 def three_in_a_line():
-    """It is wrong, but with eleven vertices."""
+    """Exposes the program, but with eleven vertices."""
     return [
         [(0, 0), (2, 2), (0, 4), (-2, 2)],
         [(0, 10), (2, 12), (0, 14), (-2, 12)],
@@ -786,35 +790,35 @@ def three_in_a_line():
 
 @wrong("exposing_sight")
 def a_square_and_a_triangle():
-    """Wrong with seven."""
+    """Exposes the program, but with seven vertices."""
     return [[(0, 0), (2, -2), (4, 0), (2, 2)], [(20, 0), (22, -1), (22, 1)]]
 
 
 @wrong("exposing_sight")
 def clockwise():
-    """The right polygon, the wrong way round."""
+    """Gives the right polygon in clockwise order."""
     return [[(3, 2), (6, 0), (2, 0), (1, -1), (0, 0)]]
 
 
 @wrong("exposing_sight")
 def crossing_itself():
-    """No polygon."""
+    """Gives a polygon that crosses itself."""
     return [[(0, 0), (4, 4), (4, 0), (0, 4), (-3, 2)]]
 
 
 @wrong("exposing_sight")
 def no_obstacles():
-    """Nothing there."""
+    """Gives no obstacles."""
     return []
 
 
 @wrong("exposing_sight")
 def halves():
-    """Not whole numbers."""
+    """Gives coordinates that are not whole numbers."""
     return [[(0, 0), (1, -1), (2, 0), (6.5, 0), (3, 2)]]
 
 
 @wrong("exposing_sight")
 def touching():
-    """Two triangles that touch."""
+    """Gives two triangles that touch."""
     return [[(0, 0), (2, -2), (2, 2)], [(2, 0), (5, -2), (5, 2)]]

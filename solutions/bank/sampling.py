@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 6. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 6.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import math
@@ -11,6 +12,7 @@ from kinoedu.course.bank import wrong
 
 
 def whole_root(n, d):
+    """Return k with k^d = n, or raise a ValueError."""
     k = round(n ** (1 / d))
     if k**d != n:
         raise ValueError("no grid has so many points")
@@ -18,6 +20,7 @@ def whole_root(n, d):
 
 
 def combined(along, d):
+    """Return all combinations of d coordinates."""
     return list(product(along, repeat=d))
 
 
@@ -26,54 +29,54 @@ def combined(along, d):
 
 @wrong("corner_grid", slip="both_ends")
 def from_end_to_end(n, d):
-    """linspace includes its end."""
+    """Uses linspace, which includes both ends."""
     return combined(np.linspace(0, 1, whole_root(n, d)), d)
 
 
 @wrong("corner_grid", slip="centres")
 def centres_for_corners(n, d):
-    """The other grid."""
+    """Is Sukharev's grid."""
     k = whole_root(n, d)
     return combined([(i + 0.5) / k for i in range(k)], d)
 
 
 @wrong("corner_grid", slip="upper")
 def counted_from_one(n, d):
-    """i = 1, ..., k."""
+    """Loops over i = 1, ..., k."""
     k = whole_root(n, d)
     return combined([i / k for i in range(1, k + 1)], d)
 
 
 @wrong("corner_grid", slip="unscaled")
 def numbers_of_cells(n, d):
-    """Forgets to divide."""
+    """Forgets to divide by k."""
     return combined(range(whole_root(n, d)), d)
 
 
 @wrong("corner_grid", slip="diagonal")
 def one_loop(n, d):
-    """i with i."""
+    """Pairs i with i."""
     k = whole_root(n, d)
     return [[i / k] * d for i in range(k)]
 
 
 @wrong("corner_grid", slip="all_along")
 def n_points_in_one_loop(n, d):
-    """As many as asked for, but along the diagonal."""
+    """Returns n points along the diagonal."""
     whole_root(n, d)
     return [[i / n] * d for i in range(n)]
 
 
 @wrong("corner_grid")
 def n_along_each_side(n, d):
-    """n for k."""
+    """Uses n instead of k."""
     whole_root(n, d)
     return combined([i / n for i in range(n)], d) if n**d < 20_000 else []
 
 
 @wrong("corner_grid")
 def root_cut_off(n, d):
-    """int(64 ** (1/3)) is 3."""
+    """Truncates the root: int(64 ** (1/3)) is 3."""
     k = int(n ** (1 / d))
     if k**d != n:
         raise ValueError("no grid has so many points")
@@ -82,35 +85,35 @@ def root_cut_off(n, d):
 
 @wrong("corner_grid")
 def always_in_the_plane(n, d):
-    """d is ignored."""
+    """Ignores d."""
     k = whole_root(n, 2)
     return combined([i / k for i in range(k)], 2)
 
 
 @wrong("corner_grid")
 def as_many_as_fit(n, d):
-    """Never refuses."""
+    """Never raises."""
     k = math.floor(n ** (1 / d) + 1e-9)
     return combined([i / k for i in range(k)], d)
 
 
 @wrong("corner_grid")
 def numbers_on_a_line_flat(n, d):
-    """In one dimension a row of numbers, not rows of one number."""
+    """Returns a flat array in one dimension."""
     k = whole_root(n, d)
     return [i / k for i in range(k)] if d == 1 else combined([i / k for i in range(k)], d)
 
 
 @wrong("corner_grid")
 def two_arrays(n, d):
-    """The seed's form: xpoints, ypoints."""
+    """Returns xpoints and ypoints."""
     k = whole_root(n, d)
     return np.meshgrid(*[np.arange(k) / k] * d)
 
 
 @wrong("corner_grid")
 def added_up(n, d):
-    """Ten times 0.1 is a little less than 1 on a computer: one step too many."""
+    """Adds up the step: ten times 0.1 is a little less than 1, which makes one point too many."""
     k, along, x = whole_root(n, d), [], 0.0
     while x < 1:
         along.append(x)
@@ -131,53 +134,53 @@ def power_two_or_nothing(n, d):
 
 @wrong("sukharev_grid", slip="corners")
 def corners_for_centres(n, d):
-    """The other grid."""
+    """Is the corner grid."""
     k = whole_root(n, d)
     return combined([i / k for i in range(k)], d)
 
 
 @wrong("sukharev_grid", slip="both_ends")
 def on_the_walls(n, d):
-    """linspace includes both ends."""
+    """Uses linspace, which includes both ends."""
     return combined(np.linspace(0, 1, whole_root(n, d)), d)
 
 
 @wrong("sukharev_grid", slip="wide_margin")
 def equal_gaps(n, d):
-    """As far from the walls as from each other."""
+    """Keeps as far from the walls as from other points."""
     return combined(np.linspace(0, 1, whole_root(n, d) + 2)[1:-1], d)
 
 
 @wrong("sukharev_grid", slip="half")
 def half_a_side(n, d):
-    """i / k + 1 / 2."""
+    """Computes i / k + 1 / 2."""
     k = whole_root(n, d)
     return combined([i / k + 1 / 2 for i in range(k)], d)
 
 
 @wrong("sukharev_grid", slip="half_of_n")
 def half_a_share_of_n(n, d):
-    """1 / (2 n) for 1 / (2 k)."""
+    """Has 1 / (2 n) instead of 1 / (2 k)."""
     k = whole_root(n, d)
     return combined([i / k + 1 / (2 * n) for i in range(k)], d)
 
 
 @wrong("sukharev_grid", slip="unscaled")
 def half_undivided(n, d):
-    """i + 1/2, not divided by k."""
+    """Computes i + 1/2, and does not divide by k."""
     return combined([i + 0.5 for i in range(whole_root(n, d))], d)
 
 
 @wrong("sukharev_grid", slip="diagonal")
 def centres_in_one_loop(n, d):
-    """i with i."""
+    """Pairs i with i."""
     k = whole_root(n, d)
     return [[(i + 0.5) / k] * d for i in range(k)]
 
 
 @wrong("sukharev_grid")
 def middles_between_corners(n, d):
-    """k points on the walls have k - 1 middles between them."""
+    """Takes the midpoints of k points from wall to wall, which are only k - 1."""
     k = whole_root(n, d)
     walls = np.linspace(0, 1, k)
     return combined((walls[:-1] + walls[1:]) / 2, d)
@@ -185,21 +188,21 @@ def middles_between_corners(n, d):
 
 @wrong("sukharev_grid")
 def moved_along_one_axis(n, d):
-    """Half a cell to the right only."""
+    """Moves by half a cell to the right only."""
     k = whole_root(n, d)
     return [(x + 0.5 / k, *rest) for x, *rest in combined([i / k for i in range(k)], d)]
 
 
 @wrong("sukharev_grid")
 def refuses_with_a_message(n, d):
-    """Prints and returns None, as the seed does."""
+    """Prints a message and returns None."""
     k = round(n ** (1 / d))
     return combined([(i + 0.5) / k for i in range(k)], d) if k**d == n else None
 
 
 @wrong("sukharev_grid")
 def root_not_rounded(n, d):
-    """64 ** (1/3) is no whole number on a computer."""
+    """Does not round the root: 64 ** (1/3) is not whole on a computer."""
     k = n ** (1 / d)
     if k != int(k):
         raise ValueError("no grid has so many points")
@@ -211,111 +214,111 @@ def root_not_rounded(n, d):
 
 @wrong("uniform_random")
 def k_for_n(n, d, rng):
-    """Draws as many as a grid has along a side: the seed's own mistake."""
+    """Draws only as many numbers as a grid has along a side."""
     return np.random.default_rng(rng).random((math.ceil(math.sqrt(n)), d))
 
 
 @wrong("uniform_random")
 def whole_numbers(n, d, rng):
-    """Draws whole numbers: the seed's other mistake."""
+    """Draws whole numbers."""
     return np.random.default_rng(rng).integers(1, 7, (n, d))
 
 
 @wrong("uniform_random")
 def places_of_a_lattice(n, d, rng):
-    """Whole numbers, divided."""
+    """Draws whole numbers and divides them."""
     return np.random.default_rng(rng).integers(0, 10, (n, d)) / 10
 
 
 @wrong("uniform_random")
 def rounded(n, d, rng):
-    """Two decimals look tidier."""
+    """Rounds to two decimals."""
     return np.round(np.random.default_rng(rng).random((n, d)), 2)
 
 
 @wrong("uniform_random")
 def without_a_seed(n, d, rng):
-    """Never the same again."""
+    """Uses a generator without a seed."""
     return np.random.random((n, d))
 
 
 @wrong("uniform_random")
 def seed_taken_for_a_generator(n, d, rng):
-    """A whole number draws nothing."""
+    """Calls a method of a generator on the seed."""
     return rng.random((n, d))
 
 
 @wrong("uniform_random")
 def own_seed(n, d, rng):
-    """Always the same."""
+    """Uses a fixed seed."""
     return np.random.default_rng(0).random((n, d))
 
 
 @wrong("uniform_random")
 def new_generator_for_each_coordinate(n, d, rng):
-    """The same numbers again and again."""
+    """Draws the same numbers for each coordinate."""
     return np.column_stack([np.random.default_rng(rng).random(n) for _ in range(d)])
 
 
 @wrong("uniform_random")
 def new_generator_for_each_number(n, d, rng):
-    """All equal."""
+    """Draws the same number again and again."""
     return [[np.random.default_rng(rng).random() for _ in range(d)] for _ in range(n)]
 
 
 @wrong("uniform_random")
 def seeds_in_a_row_for_points(n, d, rng):
-    """rng + 1 gives all of these points again but one."""
+    """Uses seeds rng, rng + 1, ...: rng + 1 gives all points but one again."""
     return [np.random.default_rng(rng + i).random(d) for i in range(n)]
 
 
 @wrong("uniform_random")
 def seeds_in_a_row_for_coordinates(n, d, rng):
-    """The y of this rng are the x of the next."""
+    """Uses seeds rng and rng + 1: the y of this rng are the x of the next."""
     return np.column_stack([np.random.default_rng(rng + j).random(n) for j in range(d)])
 
 
 @wrong("uniform_random")
 def cut_off_at_the_walls(n, d, rng):
-    """Normal numbers, and what lies outside is moved to the wall."""
+    """Draws normal numbers and clips them."""
     return np.clip(np.random.default_rng(rng).normal(0.5, 0.2, (n, d)), 0, 1)
 
 
 @wrong("uniform_random")
 def bell_curve(n, d, rng):
-    """Normal numbers, cut."""
+    """Draws normal numbers and wraps them into the unit interval."""
     drawn = np.random.default_rng(rng).normal(0.5, 0.2, (n, d))
     return drawn % 1.0
 
 
 @wrong("uniform_random")
 def standard_normal(n, d, rng):
-    """normal for random."""
+    """Uses normal instead of random."""
     return np.random.default_rng(rng).normal(size=(n, d))
 
 
 @wrong("uniform_random")
 def mean_of_two(n, d, rng):
-    """More random is less uniform."""
+    """Averages two random numbers, which is less uniform."""
     generator = np.random.default_rng(rng)
     return (generator.random((n, d)) + generator.random((n, d))) / 2
 
 
 @wrong("uniform_random")
 def from_minus_one(n, d, rng):
-    """The square from -1 to 1."""
+    """Draws from the square from -1 to 1."""
     return np.random.default_rng(rng).uniform(-1, 1, (n, d))
 
 
 @wrong("uniform_random")
 def rows_for_columns(n, d, rng):
-    """Shape (d, n)."""
+    """Returns shape (d, n)."""
     return np.random.default_rng(rng).random((d, n))
 
 
 @wrong("uniform_random")
 def one_in_each_slice(n, d, rng):
-    """Each coordinate has one number in each of n equal parts: too even."""
+    """Draws one coordinate in each of n equal parts, which is too even."""
     generator = np.random.default_rng(rng)
     return np.column_stack([(generator.permutation(n) + generator.random(n)) / n for _ in range(d)])
 
@@ -325,7 +328,7 @@ def one_in_each_slice(n, d, rng):
 
 @wrong("radical_inverse", slip="forward")
 def not_mirrored(i, base):
-    """0.110 for 110."""
+    """Returns 0.110 for 110."""
     size = 1
     while base**size <= i:
         size += 1
@@ -334,7 +337,7 @@ def not_mirrored(i, base):
 
 @wrong("radical_inverse", slip="left")
 def first_digit_before_the_point(i, base):
-    """The weight begins at 1."""
+    """Begins the weight at 1."""
     total, weight = 0, 1
     while i > 0:
         total += i % base * weight
@@ -344,7 +347,7 @@ def first_digit_before_the_point(i, base):
 
 @wrong("radical_inverse", slip="right")
 def one_place_too_far(i, base):
-    """The weight is divided twice at first."""
+    """Divides the weight twice at first."""
     total, weight = 0, 1 / base
     while i > 0:
         weight /= base
@@ -355,7 +358,7 @@ def one_place_too_far(i, base):
 
 @wrong("radical_inverse", slip="whole")
 def mirrored_before_the_point(i, base):
-    """A whole number."""
+    """Returns a whole number."""
     total = 0
     while i > 0:
         total = total * base + i % base
@@ -365,7 +368,7 @@ def mirrored_before_the_point(i, base):
 
 @wrong("radical_inverse", slip="decimal")
 def read_as_a_decimal(i, base):
-    """0.011 is taken for eleven thousandths."""
+    """Takes 0.011 for eleven thousandths."""
     text = ""
     while i > 0:
         text += str(i % base)
@@ -375,14 +378,14 @@ def read_as_a_decimal(i, base):
 
 @wrong("radical_inverse", slip="base_two")
 def always_binary(i, base):
-    """bin() knows one base."""
+    """Uses bin(), which knows only base 2."""
     text = bin(i)[2:][::-1]
     return sum(int(c) / 2 ** (k + 1) for k, c in enumerate(text))
 
 
 @wrong("radical_inverse", slip="next")
 def one_further(i, base):
-    """Counts from 0 what counts from 1."""
+    """Returns the inverse of i + 1."""
     total, weight, i = 0, 1 / base, i + 1
     while i > 0:
         total += i % base * weight
@@ -402,20 +405,20 @@ def stops_early(i, base):
 
 @wrong("radical_inverse", slip="first_lost")
 def digits_counted_by_logarithm(i, base):
-    """log(243) / log(3) is 4.999999999999999 on a computer."""
+    """Counts digits by log(243) / log(3), which is 4.999999999999999."""
     size = int(math.log(i) / math.log(base)) + 1 if i > 0 else 0
     return sum(i // base**k % base / base ** (k + 1) for k in range(size))
 
 
 @wrong("radical_inverse", slip="last_only")
 def no_loop(i, base):
-    """An if where a while was meant."""
+    """Has an `if` instead of a `while`."""
     return i % base / base if i > 0 else 0
 
 
 @wrong("radical_inverse", slip="divided")
 def fraction_left_over(i, base):
-    """/ for //."""
+    """Has / instead of //."""
     total, weight = 0, 1
     while i > 0 and weight > 0:
         weight /= base
@@ -426,7 +429,7 @@ def fraction_left_over(i, base):
 
 @wrong("radical_inverse")
 def ten_digits(i, base):
-    """A loop of fixed length."""
+    """Has a loop of fixed length."""
     total = 0
     for k in range(10):
         total += i // base**k % base / base ** (k + 1)
@@ -435,7 +438,7 @@ def ten_digits(i, base):
 
 @wrong("radical_inverse")
 def digits_as_letters(i, base):
-    """A digit beyond 9 is two letters."""
+    """Writes a digit beyond 9 with two characters."""
     text = ""
     while i > 0:
         text += str(i % base)
@@ -445,7 +448,7 @@ def digits_as_letters(i, base):
 
 @wrong("radical_inverse")
 def nothing_for_zero(i, base):
-    """log(0)."""
+    """Computes log(0)."""
     return sum(i // base**k % base / base ** (k + 1) for k in range(int(math.log(i, base)) + 2))
 
 
@@ -453,6 +456,7 @@ def nothing_for_zero(i, base):
 
 
 def mirrored(i, base):
+    """Return the radical inverse."""
     total, weight = 0, 1 / base
     while i > 0:
         total += i % base * weight
@@ -462,85 +466,85 @@ def mirrored(i, base):
 
 @wrong("halton", slip="from_zero")
 def begins_in_the_corner(n, primes):
-    """range(n)."""
+    """Loops over range(n)."""
     return [[mirrored(i, p) for p in primes] for i in range(n)]
 
 
 @wrong("halton", slip="from_two")
 def begins_with_two(n, primes):
-    """i + 2."""
+    """Uses i + 2."""
     return [[mirrored(i + 2, p) for p in primes] for i in range(n)]
 
 
 @wrong("halton", slip="one_base")
 def one_base_for_all(n, primes):
-    """The first."""
+    """Uses the first prime for all coordinates."""
     return [[mirrored(i, primes[0]) for _ in primes] for i in range(1, n + 1)]
 
 
 @wrong("halton", slip="own_bases")
 def two_three_four(n, primes):
-    """Bases that are no primes."""
+    """Uses bases that are not primes."""
     return [[mirrored(i, base) for base in range(2, 2 + len(primes))] for i in range(1, n + 1)]
 
 
 @wrong("halton", slip="own_primes")
 def primes_not_read(n, primes):
-    """The usual ones."""
+    """Uses the first primes instead of the given ones."""
     return [[mirrored(i, p) for p in (2, 3, 5, 7, 11, 13)[: len(primes)]] for i in range(1, n + 1)]
 
 
 @wrong("halton", slip="sorted")
 def primes_sorted(n, primes):
-    """In order of size."""
+    """Sorts the primes."""
     return [[mirrored(i, p) for p in sorted(primes)] for i in range(1, n + 1)]
 
 
 @wrong("halton", slip="backwards")
 def last_prime_first(n, primes):
-    """The columns are exchanged."""
+    """Swaps the columns."""
     return [[mirrored(i, p) for p in reversed(primes)] for i in range(1, n + 1)]
 
 
 @wrong("halton", slip="forward")
 def digits_not_mirrored(n, primes):
-    """0.110 for 110."""
+    """Returns 0.110 for 110."""
     return [[not_mirrored.function(i, p) for p in primes] for i in range(1, n + 1)]
 
 
 @wrong("halton")
 def a_row_for_each_prime(n, primes):
-    """Shape (d, n)."""
+    """Returns shape (d, n)."""
     return [[mirrored(i, p) for i in range(1, n + 1)] for p in primes]
 
 
 @wrong("halton")
 def k_points(n, primes):
-    """As many as a grid has along a side: the seed's plots."""
+    """Returns only as many points as a grid has along a side."""
     return [[mirrored(i, p) for p in primes] for i in range(1, math.ceil(math.sqrt(n)) + 1)]
 
 
 @wrong("halton")
 def one_too_few(n, primes):
-    """range(1, n)."""
+    """Loops over range(1, n)."""
     return [[mirrored(i, p) for p in primes] for i in range(1, n)]
 
 
 @wrong("halton")
 def sorted_points(n, primes):
-    """From left to right."""
+    """Sorts the points from left to right."""
     return sorted([mirrored(i, p) for p in primes] for i in range(1, n + 1))
 
 
 @wrong("halton")
 def two_coordinates_only(n, primes):
-    """The plane is all there is."""
+    """Returns two coordinates only."""
     return [[mirrored(i, p) for p in primes[:2]] for i in range(1, n + 1)]
 
 
 @wrong("halton")
 def a_grid_of_both(n, primes):
-    """Every number of the one with every number of the other."""
+    """Combines every number of one sequence with every number of the other."""
     k = math.ceil(n ** (1 / len(primes)))
     return list(product(*[[mirrored(i, p) for i in range(1, k + 1)] for p in primes]))[:n]
 
@@ -552,42 +556,45 @@ HALF = math.sqrt(2) / 80  # half the diagonal of a cell
 
 
 def probes(m=40):
+    """Return the centres of m x m cells."""
     along = (np.arange(m) + 0.5) / m
     return np.array(list(product(along, repeat=2)))
 
 
 def gaps(places, points):
+    """Return the absolute differences of coordinates of places and points, (n, m, 2)."""
     return np.abs(places[:, None] - points[None])
 
 
 def farthest(places, points):
+    """Return the greatest distance of a place from its nearest point."""
     return np.sqrt((gaps(places, points) ** 2).sum(axis=2)).min(axis=1).max()
 
 
 @wrong("dispersion_bounds")
 def nothing_added(points):
-    """The probes are taken for all there is."""
+    """Takes the probes for the whole square."""
     low = farthest(probes(), points)
     return low, low
 
 
 @wrong("dispersion_bounds")
 def half_a_side_added(points):
-    """Half the side of a cell instead of half its diagonal."""
+    """Adds half the side of a cell instead of half its diagonal."""
     low = farthest(probes(), points)
     return low, low + 1 / 80
 
 
 @wrong("dispersion_bounds")
 def too_few_probes(points):
-    """Right, but wide apart."""
+    """Returns right bounds that are far apart."""
     low = farthest(probes(10), points)
     return low, low + math.sqrt(2) / 20
 
 
 @wrong("dispersion_bounds")
 def half_the_way_between_points(points):
-    """Looks from point to point, never at the walls."""
+    """Measures between points, never at the walls."""
     nearest = [
         min((math.dist(p, q) for q in points if (p != q).any()), default=1.0) for p in points
     ]
@@ -596,84 +603,84 @@ def half_the_way_between_points(points):
 
 @wrong("dispersion_bounds")
 def farthest_point_of_all(points):
-    """max for min."""
+    """Uses max instead of min."""
     low = np.sqrt((gaps(probes(), points) ** 2).sum(axis=2)).max()
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def sup_norm(points):
-    """The larger of the two differences."""
+    """Takes the larger of the two differences."""
     low = gaps(probes(), points).max(axis=2).min(axis=1).max()
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def root_forgotten(points):
-    """The square of the distance."""
+    """Takes the square of the distance."""
     low = (gaps(probes(), points) ** 2).sum(axis=2).min(axis=1).max()
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def half_the_diagonal_without_brackets(points):
-    """sqrt(2) / 2 * m for sqrt(2) / (2 * m)."""
+    """Computes sqrt(2) / 2 * m instead of sqrt(2) / (2 * m)."""
     low = farthest(probes(), points)
     return low, low + math.sqrt(2) / 2 * 40
 
 
 @wrong("dispersion_bounds")
 def corner_probes(points):
-    """Probes at the corners of the cells: the upper and right walls are a whole cell away."""
+    """Puts probes at lower corners, a whole cell away from the upper and right walls."""
     low = farthest(probes() - 1 / 80, points)
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def along_the_streets(points):
-    """The sum of the two differences."""
+    """Takes the sum of the two differences."""
     low = gaps(probes(), points).sum(axis=2).min(axis=1).max()
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def high_before_low(points):
-    """In the wrong order."""
+    """Returns the bounds in the wrong order."""
     low = farthest(probes(), points)
     return low + HALF, low
 
 
 @wrong("dispersion_bounds")
 def around_the_estimate(points):
-    """Half the error below, half above."""
+    """Puts half of the error below and half above."""
     middle = farthest(probes(), points)
     return middle - 0.01, middle + 0.01
 
 
 @wrong("dispersion_bounds")
 def probes_inside_only(points):
-    """Keeps away from the walls."""
+    """Keeps the probes away from the walls."""
     low = farthest(0.1 + 0.8 * probes(), points)
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def diameter(points):
-    """How wide a hole is, for how far it reaches."""
+    """Returns the diameter of the hole instead of its radius."""
     low = 2 * farthest(probes(), points)
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def mean_distance(points):
-    """The mean for the largest."""
+    """Takes the mean instead of the largest distance."""
     low = np.sqrt((gaps(probes(), points) ** 2).sum(axis=2)).min(axis=1).mean()
     return low, low + HALF
 
 
 @wrong("dispersion_bounds")
 def one_number(points):
-    """Not two."""
+    """Returns one number instead of two."""
     return farthest(probes(), points)
 
 
@@ -682,47 +689,47 @@ def one_number(points):
 
 @wrong("exposing_corridor")
 def between_the_points_of_the_finest(*_):
-    """Forgets that coarser grids lie between."""
+    """Ignores the points of coarser grids."""
     return 1 / 32, 0, 3 / 32, 1
 
 
 @wrong("exposing_corridor")
 def too_narrow(*_):
-    """Hidden, but not as wide as can be."""
+    """Is hidden, but not as wide as possible."""
     return 0.51, 0, 0.53, 1
 
 
 @wrong("exposing_corridor")
 def not_across(*_):
-    """A room, not a corridor."""
+    """Gives a rectangle that is not a corridor."""
     return 0.001, 0.1, 0.03, 0.9
 
 
 @wrong("exposing_corridor")
 def in_the_middle(*_):
-    """Where the first point is."""
+    """Gives a corridor at the first point."""
     return 0, 0.49, 1, 0.522
 
 
 @wrong("exposing_corridor")
 def corners_exchanged(*_):
-    """Upper right corner first."""
+    """Gives the upper right corner first."""
     return 1 / 16, 1, 1 / 32, 0
 
 
 @wrong("exposing_corridor")
 def centre_and_size(*_):
-    """Another way to write a rectangle."""
+    """Gives centre and size of the rectangle."""
     return 3 / 64, 1 / 2, 1 / 32, 1
 
 
 @wrong("exposing_corridor")
 def beyond_the_square(*_):
-    """Outside there is no point at all."""
+    """Gives a corridor outside the square."""
     return -0.1, 0, 0.03, 1
 
 
 @wrong("exposing_corridor")
 def two_corners(*_):
-    """As two points."""
+    """Gives two points."""
     return [(1 / 32, 0), (1 / 16, 1)]

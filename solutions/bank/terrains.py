@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 10. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 10.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import heapq
@@ -14,7 +15,7 @@ from kinoedu.course.bank import wrong
 
 
 def rrt(problem, step, spacing, goal_bias, failures, rng, **how):
-    """A right RRT, for those that go wrong in one place."""
+    """Grow a right RRT, for wrong answers whose mistake is in one place."""
     chance = how.get("chance") or np.random.default_rng(rng)
     nodes, parent, failed = [problem.start], [-1], 0
     free = how.get("free", problem.is_free_path)
@@ -56,25 +57,25 @@ def rrt(problem, step, spacing, goal_bias, failures, rng, **how):
 
 @wrong("rrt_on_terrain")
 def last_edge_unchecked(*given):
-    """The document's own mistake: near the goal is taken for there."""
+    """Takes a node near the goal for the goal, as the document does."""
     return rrt(*given, ends=lambda a, b: True)
 
 
 @wrong("rrt_on_terrain")
 def nothing_checked(*given):
-    """No motion is asked for."""
+    """Checks no motion."""
     return rrt(*given, free=lambda a, b: True)
 
 
 @wrong("rrt_on_terrain")
 def ends_only(problem, *given):
-    """The new configuration is free; the motion to it may not be."""
+    """Checks the new configuration, but not the motion to it."""
     return rrt(problem, *given, free=lambda a, b: problem.is_free(b))
 
 
 @wrong("rrt_on_terrain")
 def every_half_cell(problem, *given):
-    """The document's check, edges sampled every half cell, with long gaps."""
+    """Checks samples half a cell apart, as the document does."""
 
     def sampled(a, b):
         n = int(problem.distance(a, b) / 2.5)
@@ -85,7 +86,7 @@ def every_half_cell(problem, *given):
 
 @wrong("rrt_on_terrain")
 def farthest_node(*given):
-    """argmax for argmin."""
+    """Uses argmax instead of argmin."""
     return rrt(*given, pick=np.argmax)
 
 
@@ -97,14 +98,15 @@ def newest_node(*given):
 
 @wrong("rrt_on_terrain")
 def failures_in_all(*given):
-    """The count is never set back to zero."""
+    """Never resets the count of failures."""
     return rrt(*given, in_all=True)
 
 
 @wrong("rrt_on_terrain")
 def no_spacing(*given):
-    """New nodes may be anywhere; where there is no way it grows for ever, so it ends with the nodes
-    it may have.
+    """Ignores the spacing.
+
+    Without a path such a tree would grow for ever, so it ends at the allowed number of nodes.
     """
     problem, step, _, goal_bias, _, rng = given
     return rrt(problem, step, 0.0, goal_bias, 8, rng)
@@ -112,13 +114,13 @@ def no_spacing(*given):
 
 @wrong("rrt_on_terrain")
 def half_spacing(*given):
-    """Refuses only what is nearer than half the spacing."""
+    """Refuses only nodes nearer than half the spacing."""
     return rrt(*given, spaced=0.5)
 
 
 @wrong("rrt_on_terrain")
 def global_chance(problem, step, spacing, goal_bias, failures, rng):
-    """Decides by Python's own random numbers when to try the goal."""
+    """Uses Python's global generator to decide when to try the goal."""
 
     class Chance:
         own = np.random.default_rng(rng)
@@ -145,45 +147,45 @@ def global_chance(problem, step, spacing, goal_bias, failures, rng):
 
 @wrong("rrt_on_terrain")
 def one_seed_for_all(problem, step, spacing, goal_bias, failures, rng):
-    """default_rng(0), whatever rng is."""
+    """Uses default_rng(0), whatever rng is."""
     return rrt(problem, step, spacing, goal_bias, failures, 0)
 
 
 @wrong("rrt_on_terrain")
 def path_from_the_goal(*given):
-    """The path is not turned round."""
+    """Returns the path in reverse."""
     nodes, parent, path = rrt(*given)
     return nodes, parent, None if path is None else path[::-1]
 
 
 @wrong("rrt_on_terrain")
 def without_the_goal(*given):
-    """Stops at the node before it."""
+    """Ends the path one node before the goal."""
     nodes, parent, path = rrt(*given)
     return nodes, parent, None if path is None else path[:-1]
 
 
 @wrong("rrt_on_terrain")
 def two_strides(*given):
-    """Steps twice as long as asked for."""
+    """Takes steps that are twice as long."""
     return rrt(*given, stride=2 * given[1])
 
 
 @wrong("rrt_on_terrain")
 def goal_not_tried_from_the_start(*given):
-    """The goal is looked for after a node has been added."""
+    """Tries the goal only after a node has been added."""
     return rrt(*given, first=1)
 
 
 @wrong("rrt_on_terrain")
 def never_draws_the_goal(*given):
-    """goal_bias is not used."""
+    """Ignores goal_bias."""
     return rrt(*given, at_goal=False)
 
 
 @wrong("rrt_on_terrain")
 def bias_the_other_way(problem, step, spacing, goal_bias, failures, rng):
-    """> for <."""
+    """Has > instead of <."""
     return rrt(problem, step, spacing, 1.0 - goal_bias, failures, rng)
 
 
@@ -191,7 +193,7 @@ def bias_the_other_way(problem, step, spacing, goal_bias, failures, rng):
 
 
 def prm(problem, n, rng, **how):
-    """A right PRM, for those that go wrong in one place."""
+    """Build a right PRM, for wrong answers whose mistake is in one place."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
         q = how.get("sample", problem.sample)(chance)
@@ -204,7 +206,7 @@ def prm(problem, n, rng, **how):
 
 
 def way(problem, nodes, edges, one_way=False, weight=None, **_):
-    """Dijkstra's algorithm from node 0 to node 1."""
+    """Find the path from node 0 to node 1 by Dijkstra's algorithm."""
     cost, parent, heap = {0: 0.0}, {0: None}, [(0.0, 0)]
     around = {i: [] for i in range(len(nodes))}
     for i, j in edges:
@@ -229,31 +231,31 @@ def way(problem, nodes, edges, one_way=False, weight=None, **_):
 
 @wrong("prm_on_terrain")
 def fewest_edges(*given):
-    """Breadth-first search counts edges."""
+    """Counts edges instead of lengths."""
     return prm(*given, weight=lambda a, b: 1.0)
 
 
 @wrong("prm_on_terrain")
 def edges_one_way(*given):
-    """Goes along an edge from the smaller number to the larger only."""
+    """Uses an edge only from the smaller index to the larger."""
     return prm(*given, one_way=True)
 
 
 @wrong("prm_on_terrain")
 def nodes_unchecked(*given):
-    """Samples in rocks are nodes too."""
+    """Keeps samples in rocks."""
     return prm(*given, is_free=lambda q: True)
 
 
 @wrong("prm_on_terrain")
 def free_ends_are_enough(*given):
-    """Joins all nodes: both ends are free."""
+    """Joins all nodes, since both ends are free."""
     return prm(*given, free=lambda a, b: True)
 
 
 @wrong("prm_on_terrain")
 def ten_closest(problem, n, rng):
-    """Joins only what is near."""
+    """Joins only near nodes."""
     return prm(
         problem,
         n,
@@ -270,13 +272,13 @@ def ends_joined_last(*given):
 
 @wrong("prm_on_terrain")
 def too_few_nodes(problem, n, rng):
-    """n tries, not n free samples: start and goal are among the n."""
+    """Counts start and goal among the n samples."""
     return prm(problem, n - 2, rng)
 
 
 @wrong("prm_on_terrain")
 def goal_first(*given):
-    """The goal is node 0."""
+    """Makes the goal node 0."""
     nodes, edges, path = prm(*given)
     return [nodes[1], nodes[0], *nodes[2:]], edges, path
 
@@ -297,13 +299,13 @@ def each_pair_twice(*given):
 
 @wrong("prm_on_terrain")
 def seedless(problem, n, rng):
-    """A generator without a seed."""
+    """Uses a generator without a seed."""
     return prm(problem, n, None)
 
 
 @wrong("prm_on_terrain")
 def lower_half(problem, n, rng):
-    """Samples one half of the terrain."""
+    """Samples only one half of the terrain."""
     return prm(problem, n, rng, sample=lambda chance: problem.sample(chance) * (1.0, 0.5))
 
 
@@ -311,31 +313,32 @@ def lower_half(problem, n, rng):
 
 
 def all_repeats(table, same):
+    """Return all (i, j, column) with i < j for which same(i, j, column) holds."""
     n, m = np.shape(table)
     return [(i, j, c) for i in range(n) for j in range(i + 1, n) for c in range(m) if same(i, j, c)]
 
 
 @wrong("repeated_rows", slip="neighbours")
 def next_row_only(table):
-    """Compares each row with the one after it."""
+    """Compares each row only with the next."""
     return all_repeats(table, lambda i, j, c: j == i + 1 and table[i][c] == table[j][c])
 
 
 @wrong("repeated_rows", slip="whole")
 def whole_rows_only(table):
-    """Reports rows that are the same as a whole."""
+    """Reports only rows that are entirely equal."""
     return all_repeats(table, lambda i, j, c: (table[i] == table[j]).all())
 
 
 @wrong("repeated_rows", slip="first_column")
 def first_column_only(table):
-    """Looks at the lengths only."""
+    """Looks only at the lengths."""
     return all_repeats(table, lambda i, j, c: c == 0 and table[i][c] == table[j][c])
 
 
 @wrong("repeated_rows", slip="from_one")
 def counted_from_one(table):
-    """As a person counts."""
+    """Counts from 1."""
     return [
         (i + 1, j + 1, c + 1)
         for i, j, c in all_repeats(table, lambda i, j, c: table[i][c] == table[j][c])
@@ -344,7 +347,7 @@ def counted_from_one(table):
 
 @wrong("repeated_rows", slip="both_ways")
 def every_pair_twice(table):
-    """i and j in either order."""
+    """Reports i and j in both orders."""
     n, m = table.shape
     return [
         (i, j, c)
@@ -357,7 +360,7 @@ def every_pair_twice(table):
 
 @wrong("repeated_rows", slip="itself")
 def with_itself(table):
-    """j begins at i."""
+    """Begins j at i."""
     n, m = table.shape
     return [
         (i, j, c)
@@ -370,31 +373,31 @@ def with_itself(table):
 
 @wrong("repeated_rows", slip="missing")
 def as_text(table):
-    """Compares what is printed: nan looks like nan."""
+    """Compares texts, in which nan equals nan."""
     return all_repeats(table, lambda i, j, c: str(table[i][c]) == str(table[j][c]))
 
 
 @wrong("repeated_rows", slip="close")
 def nearly_the_same(table):
-    """Takes near numbers for equal."""
+    """Takes close numbers for equal."""
     return all_repeats(table, lambda i, j, c: abs(table[i][c] - table[j][c]) < 0.51)
 
 
 @wrong("repeated_rows", slip="close")
 def is_close(table):
-    """numpy's own idea of equal."""
+    """Uses NumPy's tolerance."""
     return all_repeats(table, lambda i, j, c: np.isclose(table[i][c], table[j][c]))
 
 
 @wrong("repeated_rows", slip="close")
 def seven_digits(table):
-    """Compares what is printed, rounded."""
+    """Compares rounded texts."""
     return all_repeats(table, lambda i, j, c: f"{table[i][c]:.7g}" == f"{table[j][c]:.7g}" != "nan")
 
 
 @wrong("repeated_rows", slip="one_each")
 def a_triple_for_each_pair(table):
-    """Stops at the first column that is the same."""
+    """Stops at the first equal column."""
     n = len(table)
     shared = [
         (i, j, np.flatnonzero(table[i] == table[j])) for i in range(n) for j in range(i + 1, n)
@@ -404,7 +407,7 @@ def a_triple_for_each_pair(table):
 
 @wrong("repeated_rows")
 def first_of_each(table):
-    """Remembers where a number was first, and reports pairs with that only."""
+    """Remembers only the first row of a number, and reports only pairs with it."""
     first, found = {}, []
     for i, row in enumerate(table):
         for c, value in enumerate(row):
@@ -416,7 +419,7 @@ def first_of_each(table):
 
 @wrong("repeated_rows")
 def across_columns(table):
-    """Compares every number of a row with every one of the other."""
+    """Compares every number of a row with every number of the other."""
     n, m = table.shape
     return [
         (i, j, c)
@@ -431,10 +434,12 @@ def across_columns(table):
 
 
 def asked(run, planners, seeds):
+    """Return the lengths of all runs."""
     return [[run(planner, seed) for seed in seeds] for planner in planners]
 
 
 def row(runs, found=None, quarters=(0.25, 0.5, 0.75)):
+    """Return the statistics of a planner's runs."""
     found = [length for length in runs if isfinite(length)] if found is None else found
     return [
         sum(map(isfinite, runs)) / len(runs),
@@ -444,7 +449,7 @@ def row(runs, found=None, quarters=(0.25, 0.5, 0.75)):
 
 @wrong("compare_planners", slip="mean")
 def mean_for_median(run, planners, seeds):
-    """The mean in the middle."""
+    """Takes the mean instead of the median."""
     rows = [row(runs) for runs in asked(run, planners, seeds)]
     for one, runs in zip(rows, asked(run, planners, seeds)):
         found = [length for length in runs if isfinite(length)]
@@ -454,14 +459,14 @@ def mean_for_median(run, planners, seeds):
 
 @wrong("compare_planners", slip="with_failures")
 def infinite_among_them(run, planners, seeds):
-    """Quartiles of all, failures as well."""
+    """Takes quartiles of all runs, also of failures."""
     with np.errstate(all="ignore"):
         return [row(runs, found=runs) for runs in asked(run, planners, seeds)]
 
 
 @wrong("compare_planners", slip="failures_are_zero")
 def zero_for_none(run, planners, seeds):
-    """A failure has length 0."""
+    """Gives a failure the length 0."""
     return [
         row(runs, found=[x if isfinite(x) else 0.0 for x in runs])
         for runs in asked(run, planners, seeds)
@@ -470,7 +475,7 @@ def zero_for_none(run, planners, seeds):
 
 @wrong("compare_planners", slip="percent")
 def in_percent(run, planners, seeds):
-    """100 for all."""
+    """Returns 100 for all seeds."""
     return [
         [100 * share, *rest] for share, *rest in (row(runs) for runs in asked(run, planners, seeds))
     ]
@@ -478,13 +483,13 @@ def in_percent(run, planners, seeds):
 
 @wrong("compare_planners", slip="whole_spread")
 def from_least_to_most(run, planners, seeds):
-    """The shortest and the longest path."""
+    """Returns the shortest and the longest path."""
     return [row(runs, quarters=(0, 0.5, 1)) for runs in asked(run, planners, seeds)]
 
 
 @wrong("compare_planners", slip="deviation")
 def standard_deviations(run, planners, seeds):
-    """Mean, and one standard deviation to both sides."""
+    """Returns the mean and one standard deviation to both sides."""
     rows = []
     for runs in asked(run, planners, seeds):
         found = [length for length in runs if isfinite(length)]
@@ -495,13 +500,13 @@ def standard_deviations(run, planners, seeds):
 
 @wrong("compare_planners", slip="one_seed")
 def once_is_enough(run, planners, seeds):
-    """One run each: the document's way."""
+    """Runs each planner once, as the document does."""
     return [row([run(planner, seeds[0])]) for planner in planners]
 
 
 @wrong("compare_planners", slip="counts")
 def how_many(run, planners, seeds):
-    """A count for a share."""
+    """Returns a count instead of a fraction."""
     return [
         [share * len(seeds), *rest]
         for share, *rest in (row(runs) for runs in asked(run, planners, seeds))
@@ -510,7 +515,7 @@ def how_many(run, planners, seeds):
 
 @wrong("compare_planners", slip="not_between")
 def one_of_the_lengths(run, planners, seeds):
-    """No interpolation."""
+    """Does not interpolate."""
     rows = [row(runs) for runs in asked(run, planners, seeds)]
     for one, runs in zip(rows, asked(run, planners, seeds)):
         found = sorted(length for length in runs if isfinite(length))
@@ -524,19 +529,19 @@ def one_of_the_lengths(run, planners, seeds):
 
 @wrong("compare_planners")
 def seeds_from_zero(run, planners, seeds):
-    """range(len(seeds)) for the seeds."""
+    """Uses range(len(seeds)) instead of the seeds."""
     return [row([run(planner, seed) for seed in range(len(seeds))]) for planner in planners]
 
 
 @wrong("compare_planners")
 def no_path_no_row(run, planners, seeds):
-    """A planner that never finds a path has no row."""
+    """Leaves out planners that never find a path."""
     return [row(runs) for runs in asked(run, planners, seeds) if any(map(isfinite, runs))]
 
 
 @wrong("compare_planners")
 def share_of_found(run, planners, seeds):
-    """The share is always 1: failures were thrown away first."""
+    """Drops failures first, so that the fraction is always 1."""
     return [[1.0, *row(runs)[1:]] for runs in asked(run, planners, seeds)]
 
 
@@ -544,7 +549,7 @@ def share_of_found(run, planners, seeds):
 
 
 def pieces(cost, a, b):
-    """The cells of a motion and the length in each."""
+    """Return the cells of a motion with its length in each."""
     shares = {0.0, 1.0}
     for p, q in zip(a, b):
         if p != q:
@@ -559,26 +564,26 @@ def pieces(cost, a, b):
 
 @wrong("cost_along", slip="ends")
 def mean_of_the_ends(cost, a, b):
-    """Half the sum of the costs at both ends."""
+    """Takes the mean of the costs at both ends."""
     return hypot(*(b - a)) * (cost[int(a[1]), int(a[0])] + cost[int(b[1]), int(b[0])]) / 2
 
 
 @wrong("cost_along", slip="middle")
 def at_the_middle(cost, a, b):
-    """One look, halfway."""
+    """Looks up one cost, at the midpoint."""
     x, y = (a + b) / 2
     return hypot(*(b - a)) * cost[int(y), int(x)]
 
 
 @wrong("cost_along", slip="start")
 def at_the_start(cost, a, b):
-    """One look, at the beginning."""
+    """Looks up one cost, at the start."""
     return hypot(*(b - a)) * cost[int(a[1]), int(a[0])]
 
 
 @wrong("cost_along", slip="sampled")
 def every_half_unit(cost, a, b):
-    """A sum over samples."""
+    """Sums over samples."""
     whole, total, s = hypot(*(b - a)), 0.0, 0.0
     while s < whole:
         x, y = a + (b - a) * s / whole
@@ -588,7 +593,7 @@ def every_half_unit(cost, a, b):
 
 @wrong("cost_along", slip="transposed")
 def column_first(cost, a, b):
-    """cost[x, y]."""
+    """Reads cost[x, y]."""
     return sum(
         cost[i, j] * s for i, j, s in pieces(cost, a, b) if i < len(cost) and j < len(cost[0])
     )
@@ -596,25 +601,25 @@ def column_first(cost, a, b):
 
 @wrong("cost_along", slip="upside_down")
 def from_the_top(cost, a, b):
-    """Row 0 on top, as in a picture."""
+    """Has row 0 on top, as in an image."""
     return sum(cost[len(cost) - 1 - j, i] * s for i, j, s in pieces(cost, a, b))
 
 
 @wrong("cost_along", slip="length")
 def only_the_length(cost, a, b):
-    """The ground does not count."""
+    """Ignores the costs."""
     return hypot(*(b - a))
 
 
 @wrong("cost_along", slip="share")
 def cost_per_length(cost, a, b):
-    """The mean on the way."""
+    """Returns the mean cost."""
     return sum(cost[j, i] * s for i, j, s in pieces(cost, a, b)) / (hypot(*(b - a)) or np.nan)
 
 
 @wrong("cost_along", slip="cells")
 def sum_of_cells(cost, a, b):
-    """Every cell counts once, however short the way through it."""
+    """Counts every cell once, however short the motion in it is."""
     return (
         sum(cost[j, i] for i, j, s in pieces(cost, a, b))
         if (a != b).any()
@@ -624,7 +629,7 @@ def sum_of_cells(cost, a, b):
 
 @wrong("cost_along", slip="first_end")
 def where_a_piece_begins(cost, a, b):
-    """The cell of a piece's first end, not of its middle."""
+    """Looks up the cell at a piece's beginning instead of its midpoint."""
     shares = {0.0, 1.0}
     for p, q in zip(a, b):
         shares |= {
@@ -639,7 +644,7 @@ def where_a_piece_begins(cost, a, b):
 
 @wrong("cost_along", slip="whole_x_only")
 def cut_at_columns_only(cost, a, b):
-    """Forgets the whole y."""
+    """Does not cut at whole y."""
     shares = [0.0, 1.0]
     if a[0] != b[0]:
         shares += [
@@ -655,7 +660,7 @@ def cut_at_columns_only(cost, a, b):
 
 @wrong("cost_along")
 def forward_only(cost, a, b):
-    """range(ceil(a), ...) is empty on the way back."""
+    """Loops over range(ceil(a), ...), which is empty for motions to the left."""
     shares = [0.0, 1.0]
     for p, q in zip(a, b):
         shares += [(line - p) / (q - p) for line in range(ceil(p), floor(q) + 1) if p != q]
@@ -671,41 +676,41 @@ def forward_only(cost, a, b):
 
 @wrong("exposing_motion")
 def a_motion_that_is_seen():
-    """A sample stands in the rock."""
+    """Gives a motion with a sample in the rock."""
     return [[1, 0, 1]], (0.5, 0.5), (2.5, 0.5)
 
 
 @wrong("exposing_motion")
 def a_free_motion():
-    """Past the rock."""
+    """Gives a motion that misses the rock."""
     return [[1, 1], [1, 0]], (0.5, 0.5), (1.5, 0.5)
 
 
 @wrong("exposing_motion")
 def a_shallow_cut():
-    """A corner, cut off by very little."""
+    """Cuts off a very small corner."""
     return [[1, 0], [1, 1]], (0.95, 0.85), (1.5, 1.4)
 
 
 @wrong("exposing_motion")
 def outside_the_terrain():
-    """b lies on the rim."""
+    """Ends the motion on the rim."""
     return [[1, 1], [1, 0]], (0.5, 0.5), (2.0, 1.5)
 
 
 @wrong("exposing_motion")
 def grey_cells():
-    """Cells are free or blocked."""
+    """Gives cells that are neither free nor blocked."""
     return [[1, 0.5]], (0.5, 0.5), (1.5, 0.5)
 
 
 @wrong("exposing_motion")
 def a_large_terrain():
-    """Too many cells to look at."""
+    """Gives too many cells."""
     return np.ones((100, 100)), (0.5, 0.5), (1.5, 0.5)
 
 
 @wrong("exposing_motion")
 def a_middling_cut():
-    """Nearly deep enough."""
+    """Cuts nearly deep enough."""
     return [[1, 0], [1, 1]], (0.98, 0.68), (1.5, 1.2)

@@ -1,5 +1,6 @@
-"""Wrong answers to the exercises of lesson 9. Each is one that students give; the slip is what a
-check must recognise in it.
+"""Wrong answers to the exercises of lesson 9.
+
+Each is a mistake that students make; `slip` is the misconception that a check must recognise.
 """
 
 import random
@@ -10,10 +11,12 @@ from kinoedu.course.bank import wrong
 
 
 def nearest(problem, nodes, q):
+    """Return the index of the nearest node."""
     return int(np.argmin([problem.distance(node, q) for node in nodes]))
 
 
 def way_up(nodes, parent, node):
+    """Return the nodes from a node to the root."""
     path = []
     while node >= 0:
         path.append(nodes[node])
@@ -25,6 +28,7 @@ def way_up(nodes, parent, node):
 
 
 def planted(problem, expand, iterations, rng, accepts, number=lambda node, nodes: node):
+    """Grow a tree by `expand`; the arguments replace parts."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
@@ -36,24 +40,25 @@ def planted(problem, expand, iterations, rng, accepts, number=lambda node, nodes
 
 
 def is_free_path(problem, a, b):
+    """Whether the motion is free."""
     return problem.is_free_path(a, b)
 
 
 @wrong("tree_roadmap", slip="unchecked")
 def every_edge(problem, expand, iterations, rng):
-    """Adds what expand proposes."""
+    """Adds whatever expand proposes."""
     return planted(problem, expand, iterations, rng, lambda problem, a, b: True)
 
 
 @wrong("tree_roadmap", slip="ends_only")
 def free_ends(problem, expand, iterations, rng):
-    """Points for edges."""
+    """Checks points instead of motions."""
     return planted(problem, expand, iterations, rng, lambda problem, a, b: problem.is_free(b))
 
 
 @wrong("tree_roadmap")
 def eleven_points(problem, expand, iterations, rng):
-    """Points along the edge."""
+    """Checks eleven points of the motion."""
     return planted(
         problem,
         expand,
@@ -65,13 +70,13 @@ def eleven_points(problem, expand, iterations, rng):
 
 @wrong("tree_roadmap", slip="from_one")
 def numbers_from_one(problem, expand, iterations, rng):
-    """MATLAB's numbers."""
+    """Numbers nodes from 1, as MATLAB does."""
     return planted(problem, expand, iterations, rng, is_free_path, lambda node, nodes: node + 1)
 
 
 @wrong("tree_roadmap", slip="chained")
 def one_long_chain(problem, expand, iterations, rng):
-    """The last one is the parent."""
+    """Makes the last node the parent."""
     return planted(
         problem, expand, iterations, rng, is_free_path, lambda node, nodes: len(nodes) - 2
     )
@@ -79,13 +84,13 @@ def one_long_chain(problem, expand, iterations, rng):
 
 @wrong("tree_roadmap")
 def everything_on_the_root(problem, expand, iterations, rng):
-    """A star."""
+    """Makes the root the parent of every node."""
     return planted(problem, expand, iterations, rng, is_free_path, lambda node, nodes: 0)
 
 
 @wrong("tree_roadmap")
 def stops_at_the_first_wall(problem, expand, iterations, rng):
-    """break for continue."""
+    """Has `break` instead of `continue`."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
@@ -99,7 +104,7 @@ def stops_at_the_first_wall(problem, expand, iterations, rng):
 
 @wrong("tree_roadmap")
 def counts_nodes(problem, expand, iterations, rng):
-    """As many nodes as iterations."""
+    """Goes on until there are as many nodes as iterations."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     while len(nodes) <= iterations:
@@ -112,7 +117,7 @@ def counts_nodes(problem, expand, iterations, rng):
 
 @wrong("tree_roadmap")
 def new_chance_each_time(problem, expand, iterations, rng):
-    """The generator begins anew in every iteration."""
+    """Makes a new generator with the same seed in every iteration."""
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
         node, q = expand(problem, np.array(nodes), np.random.default_rng(rng))
@@ -124,7 +129,7 @@ def new_chance_each_time(problem, expand, iterations, rng):
 
 @wrong("tree_roadmap")
 def no_root(problem, expand, iterations, rng):
-    """Returns what was added."""
+    """Returns only what was added."""
     nodes, parent = planted(problem, expand, iterations, rng, is_free_path)
     return nodes[1:], parent[1:]
 
@@ -146,6 +151,7 @@ def rrt_by(
     steer=lambda problem, a, b, step: problem.steer(a, b, step),
     number=lambda near: near,
 ):
+    """Grow an RRT; each argument that is given replaces a part."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for i in range(iterations + 1):
@@ -166,7 +172,7 @@ def rrt_by(
 
 @wrong("rrt")
 def last_edge_unchecked(problem, step, goal_bias, iterations, rng):
-    """Near the goal is enough."""
+    """Takes a node near the goal for the goal."""
     return rrt_by(
         problem, step, goal_bias, iterations, rng, accepts_goal=lambda problem, a, b: True
     )
@@ -174,7 +180,7 @@ def last_edge_unchecked(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def points_for_edges(problem, step, goal_bias, iterations, rng):
-    """Asks about the new node alone."""
+    """Checks only the new node."""
 
     def free_end(problem, a, b):
         return problem.is_free(b)
@@ -186,7 +192,7 @@ def points_for_edges(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def ten_points_of_an_edge(problem, step, goal_bias, iterations, rng):
-    """A resolution."""
+    """Checks ten points of the motion."""
 
     def sampled(problem, a, b):
         return all(problem.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 11))
@@ -196,13 +202,13 @@ def ten_points_of_an_edge(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def always_the_root(problem, step, goal_bias, iterations, rng):
-    """A star as large as a step."""
+    """Always extends the root, so that no node is farther than a step."""
     return rrt_by(problem, step, goal_bias, iterations, rng, choose=lambda problem, nodes, q: 0)
 
 
 @wrong("rrt")
 def root_with_long_steps(problem, step, goal_bias, iterations, rng):
-    """Every sample joined to the start."""
+    """Joins every sample to the start."""
     return rrt_by(
         problem,
         step,
@@ -216,7 +222,7 @@ def root_with_long_steps(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def farthest_for_nearest(problem, step, goal_bias, iterations, rng):
-    """argmax."""
+    """Uses argmax."""
     return rrt_by(
         problem,
         step,
@@ -229,7 +235,7 @@ def farthest_for_nearest(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def the_last_node(problem, step, goal_bias, iterations, rng):
-    """A random walk."""
+    """Always extends the last node, which gives a random walk."""
     return rrt_by(
         problem, step, goal_bias, iterations, rng, choose=lambda problem, nodes, q: len(nodes) - 1
     )
@@ -237,7 +243,7 @@ def the_last_node(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def nearest_to_the_goal(problem, step, goal_bias, iterations, rng):
-    """Greedy."""
+    """Always extends the node nearest to the goal."""
     return rrt_by(
         problem,
         step,
@@ -250,13 +256,13 @@ def nearest_to_the_goal(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def whole_way_to_the_sample(problem, step, goal_bias, iterations, rng):
-    """No steering."""
+    """Does not steer."""
     return rrt_by(problem, step, goal_bias, iterations, rng, steer=lambda problem, a, b, step: b)
 
 
 @wrong("rrt")
 def unit_steps(problem, step, goal_bias, iterations, rng):
-    """Goes a step even where the sample is nearer, and past the sample."""
+    """Takes a whole step even past a sample that is nearer."""
     return rrt_by(
         problem,
         step,
@@ -277,7 +283,7 @@ def corner_samples(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def samples_near_the_start(problem, step, goal_bias, iterations, rng):
-    """Half of the room."""
+    """Draws from half of the room."""
     return rrt_by(
         problem,
         step,
@@ -290,41 +296,41 @@ def samples_near_the_start(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def only_towards_the_goal(problem, step, goal_bias, iterations, rng):
-    """The bias the wrong way round, all of it."""
+    """Always draws the goal."""
     return rrt_by(problem, step, 1.0, min(iterations, 300), rng)
 
 
 @wrong("rrt")
 def parents_from_one(problem, step, goal_bias, iterations, rng):
-    """Off by one, in the tree alone."""
+    """Returns parents that are one too large."""
     nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
     return nodes, [-1, *(p + 1 for p in parent[1:])], path
 
 
 @wrong("rrt")
 def backwards(problem, step, goal_bias, iterations, rng):
-    """From the goal to the start."""
+    """Returns the path in reverse."""
     nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
     return nodes, parent, None if path is None else path[::-1]
 
 
 @wrong("rrt")
 def nearly_there(problem, step, goal_bias, iterations, rng):
-    """Claims the goal without the last node."""
+    """Ends the path before the goal."""
     nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
     return (nodes, parent, None) if path is None else (nodes[:-1], parent[:-1], path[:-1])
 
 
 @wrong("rrt")
 def all_nodes_for_the_path(problem, step, goal_bias, iterations, rng):
-    """The path is the list of nodes."""
+    """Returns all nodes as the path."""
     nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
     return nodes, parent, None if path is None else nodes
 
 
 @wrong("rrt")
 def straight_at_the_end(problem, step, goal_bias, iterations, rng):
-    """A path where there is none: from the nearest node straight on."""
+    """Goes straight from the nearest node to the goal where no path was found."""
     nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
     if path is None:
         path = [*way_up(nodes, parent, nearest(problem, nodes, problem.goal))[::-1], problem.goal]
@@ -333,39 +339,39 @@ def straight_at_the_end(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def start_left_out(problem, step, goal_bias, iterations, rng):
-    """while parent[node] != -1."""
+    """Stops at parent[node] != -1."""
     nodes, parent, path = rrt_by(problem, step, goal_bias, iterations, rng)
     return nodes, parent, None if path is None else (path[1:] if len(path) > 1 else path)
 
 
 @wrong("rrt")
 def global_chance(problem, step, goal_bias, iterations, rng):
-    """numpy's own generator."""
+    """Uses NumPy's global generator."""
     return rrt_by(problem, step, goal_bias, iterations, np.random.randint(10**6))
 
 
 @wrong("rrt")
 def seeds_the_world(problem, step, goal_bias, iterations, rng):
-    """Python's own generator, seeded."""
+    """Seeds and uses Python's global generator."""
     random.seed(rng)
     return rrt_by(problem, step, goal_bias, iterations, random.randrange(10**6))
 
 
 @wrong("rrt")
 def never_the_same(problem, step, goal_bias, iterations, rng):
-    """A generator without a seed."""
+    """Uses a generator without a seed."""
     return rrt_by(problem, step, goal_bias, iterations, None)
 
 
 @wrong("rrt")
 def always_the_same(problem, step, goal_bias, iterations, rng):
-    """Seed zero."""
+    """Uses the seed 0."""
     return rrt_by(problem, step, goal_bias, iterations, 0)
 
 
 @wrong("rrt")
 def many_nodes_at_once(problem, step, goal_bias, iterations, rng):
-    """Runs on as long as it can, in every iteration."""
+    """Extends as far as possible in every iteration."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
@@ -383,13 +389,13 @@ def many_nodes_at_once(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def ignores_the_bias(problem, step, goal_bias, iterations, rng):
-    """Every sample is drawn."""
+    """Ignores goal_bias."""
     return rrt_by(problem, step, 0.0, iterations, rng)
 
 
 @wrong("rrt")
 def asks_for_the_whole_way(problem, step, goal_bias, iterations, rng):
-    """Adds the step if the motion to the sample is free, far beyond the step."""
+    """Checks the motion to the sample, far beyond the step that it adds."""
     rng = np.random.default_rng(rng)
     nodes, parent = [problem.start], [-1]
     for _ in range(iterations):
@@ -409,7 +415,7 @@ def asks_for_the_whole_way(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def waits_for_the_goal_as_a_sample(problem, step, goal_bias, iterations, rng):
-    """Reaches the goal only when the goal is drawn, and steps on it."""
+    """Reaches the goal only by a step towards a sample that is the goal."""
     return rrt_by(
         problem,
         step,
@@ -422,7 +428,7 @@ def waits_for_the_goal_as_a_sample(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def half_a_step(problem, step, goal_bias, iterations, rng):
-    """Steps of half the length."""
+    """Takes steps of half the length."""
     return rrt_by(
         problem,
         step,
@@ -435,7 +441,7 @@ def half_a_step(problem, step, goal_bias, iterations, rng):
 
 @wrong("rrt")
 def gives_up_soon(problem, step, goal_bias, iterations, rng):
-    """Ten iterations."""
+    """Makes ten iterations."""
     return rrt_by(problem, step, goal_bias, 10, rng)
 
 
@@ -453,6 +459,7 @@ def two_trees(
     accepts_last=is_free_path,
     choose=nearest,
 ):
+    """Grow two trees; each argument that is given replaces a part."""
     rng = np.random.default_rng(rng)
     trees = [([problem.start], [-1]), ([problem.goal], [-1])]
     for turn in range(iterations):
@@ -480,19 +487,19 @@ def two_trees(
 
 @wrong("rrt_connect")
 def bridge_unchecked(problem, step, iterations, rng):
-    """The step that joins them is not asked about."""
+    """Does not check the motion that joins the trees."""
     return two_trees(problem, step, iterations, rng, accepts_last=lambda problem, a, b: True)
 
 
 @wrong("rrt_connect")
 def one_step_each(problem, step, iterations, rng):
-    """Extends where it should connect."""
+    """Extends by one step where it should connect."""
     return two_trees(problem, step, iterations, rng, steps=1)
 
 
 @wrong("rrt_connect")
 def free_places(problem, step, iterations, rng):
-    """Points for edges."""
+    """Checks points instead of motions."""
 
     def free_end(problem, a, b):
         return problem.is_free(b)
@@ -502,7 +509,7 @@ def free_places(problem, step, iterations, rng):
 
 @wrong("rrt_connect")
 def from_the_newest(problem, step, iterations, rng):
-    """Grows from the last node, not from the nearest."""
+    """Grows from the last node instead of the nearest."""
     return two_trees(
         problem, step, min(iterations, 200), rng, choose=lambda problem, nodes, q: len(nodes) - 1
     )
@@ -517,7 +524,7 @@ def swapped_after_a_turn(problem, step, iterations, rng):
 
 @wrong("rrt_connect")
 def second_half_reversed(problem, step, iterations, rng):
-    """Goes on from the goal to the meeting place."""
+    """Goes on from the goal to the meeting point."""
     a, b, c, d, path = two_trees(problem, step, iterations, rng)
     if path is None:
         return a, b, c, d, None
@@ -526,46 +533,46 @@ def second_half_reversed(problem, step, iterations, rng):
 
 @wrong("rrt_connect")
 def from_goal_to_start(problem, step, iterations, rng):
-    """The whole path reversed."""
+    """Returns the path in reverse."""
     *trees, path = two_trees(problem, step, iterations, rng)
     return *trees, None if path is None else path[::-1]
 
 
 @wrong("rrt_connect")
 def up_to_the_meeting_place(problem, step, iterations, rng):
-    """Forgets the goal's half."""
+    """Leaves out the goal's half."""
     a, b, c, d, path = two_trees(problem, step, iterations, rng)
     return a, b, c, d, None if path is None else way_up(a, b, len(a) - 1)[::-1]
 
 
 @wrong("rrt_connect")
 def jump_across(problem, step, iterations, rng):
-    """Joins the newest nodes of both trees in the end, whatever is between."""
+    """Joins the newest nodes of both trees at the end, whatever is between."""
     a, b, c, d, _ = two_trees(problem, step, iterations, rng)
     return a, b, c, d, [*way_up(a, b, len(a) - 1)[::-1], *way_up(c, d, len(c) - 1)]
 
 
 @wrong("rrt_connect")
 def chance_without_seed(problem, step, iterations, rng):
-    """Another answer each time."""
+    """Returns another answer each time."""
     return two_trees(problem, step, iterations, None)
 
 
 @wrong("rrt_connect")
 def one_seed_for_all(problem, step, iterations, rng):
-    """The same answer for every seed."""
+    """Returns the same answer for every seed."""
     return two_trees(problem, step, iterations, 7)
 
 
 @wrong("rrt_connect")
 def steps_twice_as_long(problem, step, iterations, rng):
-    """From one end and from the other."""
+    """Takes steps of twice the length."""
     return two_trees(problem, 2 * step, iterations, rng)
 
 
 @wrong("rrt_connect")
 def one_tree_alone(problem, step, iterations, rng):
-    """RRT, and the goal for the other tree."""
+    """Is an RRT, with only the goal as the other tree."""
     nodes, parent, path = rrt_by(problem, step, 0.0, iterations, rng)
     return nodes, parent, [problem.goal], [-1], path
 
@@ -574,6 +581,7 @@ def one_tree_alone(problem, step, iterations, rng):
 
 
 def put_in(problem, nodes, parent, cost, q_new, radius, *, price=lambda c, d: c + d, depth=10**6):
+    """Insert a node as RRT* does; each argument that is given replaces a part."""
     n, parent, cost = len(nodes), list(parent), list(cost)
     apart = [problem.distance(q, q_new) for q in nodes]
     near = [i for i in range(n) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)]
@@ -597,13 +605,13 @@ def put_in(problem, nodes, parent, cost, q_new, radius, *, price=lambda c, d: c 
 
 @wrong("insert", slip="nearest")
 def nearest_parent(*given):
-    """As RRT does."""
+    """Takes the nearest neighbour as the parent, as RRT does."""
     return put_in(*given, price=lambda c, d: d)
 
 
 @wrong("insert", slip="no_rewiring")
 def parent_only(problem, nodes, parent, cost, q_new, radius):
-    """The half of it."""
+    """Does not rewire."""
     apart = [problem.distance(q, q_new) for q in nodes]
     near = [
         i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)
@@ -614,13 +622,13 @@ def parent_only(problem, nodes, parent, cost, q_new, radius):
 
 @wrong("insert", slip="not_below")
 def cost_not_propagated(*given):
-    """Descendants keep their costs."""
+    """Does not update the costs of descendants."""
     return put_in(*given, depth=0)
 
 
 @wrong("insert", slip="unchecked")
 def through_walls(problem, nodes, parent, cost, q_new, radius):
-    """Distances are all it knows."""
+    """Checks no motion."""
 
     class NoWalls:
         distance = staticmethod(problem.distance)
@@ -634,19 +642,19 @@ def through_walls(problem, nodes, parent, cost, q_new, radius):
 
 @wrong("insert")
 def children_but_not_theirs(*given):
-    """Propagates to the children only."""
+    """Updates the costs of children only."""
     return put_in(*given, depth=1)
 
 
 @wrong("insert")
 def cheapest_node(*given):
-    """The neighbour that costs least, wherever it is."""
+    """Takes the neighbour of least cost, however far away it is."""
     return put_in(*given, price=lambda c, d: c)
 
 
 @wrong("insert")
 def all_neighbours_rewired(problem, nodes, parent, cost, q_new, radius):
-    """Whether it is cheaper or not."""
+    """Rewires neighbours even where that is more expensive."""
     parents, costs = put_in(problem, nodes, parent, cost, q_new, radius)
     for i in range(1, len(nodes)):
         apart = problem.distance(nodes[i], q_new)
@@ -657,33 +665,33 @@ def all_neighbours_rewired(problem, nodes, parent, cost, q_new, radius):
 
 @wrong("insert")
 def costs_not_updated(problem, nodes, parent, cost, q_new, radius):
-    """Only the parents change."""
+    """Changes parents, but not costs."""
     parents, costs = put_in(problem, nodes, parent, cost, q_new, radius)
     return parents, [*cost, costs[-1]]
 
 
 @wrong("insert")
 def new_from_one(*given):
-    """Off by one."""
+    """Counts the new node from 1."""
     parents, costs = put_in(*given)
     return [p + 1 if p == len(parents) - 1 else p for p in parents[:-1]] + [parents[-1] + 1], costs
 
 
 @wrong("insert")
 def everybody_is_a_neighbour(problem, nodes, parent, cost, q_new, radius):
-    """Forgets the radius."""
+    """Ignores the radius."""
     return put_in(problem, nodes, parent, cost, q_new, 1e9)
 
 
 @wrong("insert")
 def nearer_than_the_radius(problem, nodes, parent, cost, q_new, radius):
-    """A node exactly as far away as the radius is none of its neighbours."""
+    """Leaves out a node that is exactly at the radius."""
     return put_in(problem, nodes, parent, cost, q_new, np.nextafter(radius, 0.0))
 
 
 @wrong("insert")
 def costs_in_order_of_numbers(problem, nodes, parent, cost, q_new, radius):
-    """Adds up all costs once more, as if every parent came before its child."""
+    """Recomputes all costs in order, as if every parent came before its child."""
     parents, costs = put_in(problem, nodes, parent, cost, q_new, radius, depth=0)
     for i in range(len(nodes)):
         if 0 <= parents[i] < len(nodes):
@@ -693,7 +701,7 @@ def costs_in_order_of_numbers(problem, nodes, parent, cost, q_new, radius):
 
 @wrong("insert")
 def neighbours_of_the_start(problem, nodes, parent, cost, q_new, radius):
-    """Adds the distance to the start for the cost."""
+    """Takes the distance to the start for the cost."""
     parents, costs = put_in(problem, nodes, parent, cost, q_new, radius)
     return parents, [*costs[:-1], problem.distance(nodes[0], q_new)]
 
@@ -703,7 +711,7 @@ def neighbours_of_the_start(problem, nodes, parent, cost, q_new, radius):
 
 @wrong("follow", slip="to_the_corner")
 def on_to_the_next_corner(problem, path, horizon):
-    """Whole motions."""
+    """Follows whole motions only."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         if horizon <= 0 or not problem.is_free_path(a, b):
@@ -715,7 +723,7 @@ def on_to_the_next_corner(problem, path, horizon):
 
 @wrong("follow", slip="before_the_corner")
 def last_corner_before(problem, path, horizon):
-    """No part of a motion."""
+    """Does not follow a part of a motion."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         horizon -= problem.distance(a, b)
@@ -727,7 +735,7 @@ def last_corner_before(problem, path, horizon):
 
 @wrong("follow", slip="trusting")
 def trusts_the_plan(problem, path, horizon):
-    """Never asks."""
+    """Checks no motion."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         if horizon <= 0:
@@ -739,7 +747,7 @@ def trusts_the_plan(problem, path, horizon):
 
 @wrong("follow", slip="each_within")
 def horizon_for_each(problem, path, horizon):
-    """Forgets to subtract."""
+    """Forgets to subtract from the horizon."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, horizon)
@@ -753,7 +761,7 @@ def horizon_for_each(problem, path, horizon):
 
 @wrong("follow")
 def as_the_crow_flies(problem, path, horizon):
-    """Measures from where it stands to every corner."""
+    """Measures from the robot straight to every corner."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, horizon - problem.distance(path[0], a))
@@ -765,7 +773,7 @@ def as_the_crow_flies(problem, path, horizon):
 
 @wrong("follow", slip="asking_beyond")
 def whole_motion_asked(problem, path, horizon):
-    """Asks about what lies beyond the horizon too."""
+    """Checks motions also beyond the horizon."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         if horizon <= 0 or not problem.is_free_path(a, b):
@@ -777,19 +785,19 @@ def whole_motion_asked(problem, path, horizon):
 
 @wrong("follow")
 def end_only(problem, path, horizon):
-    """The place where it stops, and no way there."""
+    """Returns only the last point."""
     return trusts_the_plan.function(problem, path, horizon)[-1:]
 
 
 @wrong("follow")
 def without_the_beginning(problem, path, horizon):
-    """Leaves out where it stands."""
+    """Leaves out the first point."""
     return trusts_the_plan.function(problem, path, horizon)[1:]
 
 
 @wrong("follow")
 def same_row_again(problem, path, horizon):
-    """At the horizon it goes on by nothing."""
+    """Adds a motion of length 0 at the horizon."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, max(horizon, 0.0)) if horizon > 0 else a
@@ -802,7 +810,7 @@ def same_row_again(problem, path, horizon):
 
 @wrong("follow")
 def jumps_over_what_is_in_the_way(problem, path, horizon):
-    """continue for break."""
+    """Has `continue` instead of `break`."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, horizon)
@@ -818,35 +826,35 @@ def jumps_over_what_is_in_the_way(problem, path, horizon):
 
 @wrong("exposing_room")
 def all_is_free():
-    """A triangle out of the way."""
+    """Gives a triangle that is in no motion's way."""
     return (1, 1), (9, 9), [(4, 1), (6, 1), (5, 2)]
 
 
 @wrong("exposing_room")
 def goal_in_the_triangle():
-    """No problem at all."""
+    """Gives an invalid problem."""
     return (1, 1), (5, 5), [(4, 4), (6, 4), (5, 7)]
 
 
 @wrong("exposing_room")
 def thick_wall():
-    """The goal is farther than a step from every other place."""
+    """Gives a goal farther than a step from every reachable point."""
     return (1, 1), (9.5, 9.5), [(4, 12), (12, 4), (6, 6)]
 
 
 @wrong("exposing_room")
 def one_line():
-    """A triangle without an inside."""
+    """Gives a triangle without an interior."""
     return (1, 1), (9, 1), [(5, 0), (5, 5), (5, 9)]
 
 
 @wrong("exposing_room")
 def round_the_end():
-    """It goes through the wall, but one can go round it."""
+    """Blocks the straight motion, but not the path around the wall."""
     return (4.8, 5), (5.4, 5), [(5, 2), (5.2, 2), (5.1, 8)]
 
 
 @wrong("exposing_room")
 def outside():
-    """The goal is not in the room."""
+    """Gives a goal outside the room."""
     return (1, 1), (11, 5), [(9, 4), (9.5, 4), (9.2, 6)]

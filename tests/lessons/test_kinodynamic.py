@@ -1,4 +1,4 @@
-"""Lesson 13: what its exercises hand out and claim, against independent computations."""
+"""Lesson 13: its exercises' problems and references against independent computations."""
 
 import csv
 import json
@@ -20,7 +20,7 @@ from kinoedu.course.lessons.kinodynamic import (
     kinodynamic_prm,
     kinodynamic_rrt,
 )
-from kinoedu.course.lessons.kinodynamic.driven_trees import near_ones, why_not_driven
+from kinoedu.course.lessons.kinodynamic.driven_trees import find_drive_fault, find_near_goal
 from kinoedu.curves.integrators import runge_kutta
 from kinoedu.experiments import read_experiment
 from kinoedu.robots.trajectory import DrivenTree
@@ -31,7 +31,7 @@ EXPERIMENTS = Path(__file__).resolve().parent.parent.parent / "notebooks" / "exp
 
 @pytest.mark.parametrize("name", garages.KINDS)
 def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
-    """Through JSON, and through what a student copies; made anew, of it nothing has been asked."""
+    """A problem survives JSON and `eval(repr(...))`, and `anew` resets its counts."""
     problem = garages.GARAGES[name]
     sent = DrivenTask().decode(json.loads(json.dumps(DrivenTask().encode(problem))))
     copied = eval(repr(problem), {"drivable": drivable})
@@ -45,9 +45,7 @@ def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
 
 
 def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest():
-    """What the problem answers, against Runge and Kutta; the best drive is no farther at its cut
-    than at any other of its steps.
-    """
+    """Moves agree with Runge-Kutta steps, and no step of a drive is closer than its cut."""
     problem, rng = garages.GARAGES["room"], np.random.default_rng(1)
     for _ in range(10):
         v, phi = problem.problem.control(rng)
@@ -65,20 +63,18 @@ def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest()
 
 
 def test_distances_of_poses_by_complex_numbers():
-    """The short way is the angle of a quotient."""
+    """The difference of two headings is the angle of a quotient of complex numbers."""
     for case in heading_distance.HeadingDistance().cases(np.random.default_rng(5)):
         a, b, radian = case.given.values()
         turn = np.angle(np.exp(1j * (a[2] - b[2])))
-        assert heading_distance.pose_distance(a, b, radian) == pytest.approx(
+        assert heading_distance.measure_distance(a, b, radian) == pytest.approx(
             np.linalg.norm([*(a - b)[:2], radian * turn])
         )
 
 
 @pytest.mark.parametrize("seed", range(2))
 def test_cases_of_the_best_control_are_as_stated(seed):
-    """By all pairs of a control and a step: the closest step of each control, then the closest
-    control that is free.
-    """
+    """The reference agrees with brute force over all controls and steps."""
     for case in best_control.BestControl().cases(np.random.default_rng(seed)):
         problem, q, target, controls, t, n = case.given.values()
         away = np.array(
@@ -91,30 +87,33 @@ def test_cases_of_the_best_control_are_as_stated(seed):
         free = [problem.is_free_drive(q, *u, k * t / n) for u, k in zip(controls, cuts)]
         left = np.where(free, away.min(axis=1), np.inf)
         best = int(left.argmin())
-        assert best_control.best_of_controls(*case.given.values()) == (
+        assert best_control.choose_best_control(*case.given.values()) == (
             (best, cuts[best]) if any(free) else None
         )
 
 
 def test_fastest_drives_by_relaxing_again_and_again():
-    """Against Bellman's and Ford's algorithm."""
+    """The reference agrees with the Bellman-Ford algorithm."""
     for case in fastest_drive.FastestDrive().cases(np.random.default_rng(3)):
         n, edges, _, durations, ends = case.given.values()
         time = np.where(np.arange(n) == 0, 0.0, np.inf)
         for _ in range(n):
             for (u, v), t in zip(edges, durations):
                 time[v] = min(time[v], time[u] + t)
-        way, least = fastest_drive.fastest(*case.given.values()), time[ends].min(initial=np.inf)
+        way = fastest_drive.find_fastest(*case.given.values())
+        least = time[ends].min(initial=np.inf)
         assert (way is None) == (least == np.inf)
-        assert way is None or fastest_drive.lasts(way, edges, durations) == pytest.approx(least)
+        if way is not None:
+            found = fastest_drive.measure_duration(way, edges, durations)
+            assert found == pytest.approx(least)
 
 
 def test_replayed_trees_touch_nothing():
-    """Bodies along every drive of a tree among posts, by shapely."""
+    """Along every drive of a tree among posts the car touches none of them, by shapely."""
     problem = garages.GARAGES["thin"]
-    parent, controls, durations, path = kinodynamic_rrt.own_kinodynamic_rrt(problem, 80, 4)
+    parent, controls, durations, path = kinodynamic_rrt.grow_tree(problem, 80, 4)
     tree = DrivenTree(None, np.array(parent), np.array(controls), np.array(durations))
-    fault, nodes = why_not_driven(problem, tree)
+    fault, nodes = find_drive_fault(problem, tree)
     assert fault is None
     solid = shapely.union_all([shapely.Polygon(post) for post in garages.POSTS])
     for i in range(1, len(nodes)):
@@ -140,39 +139,40 @@ def test_near_enough_is_judged_across_pi():
             (x + 5.1, y, math.pi),
         ]
     )
-    assert near_ones(problem, poses).tolist() == [0, 1]
+    assert find_near_goal(problem, poses).tolist() == [0, 1]
     assert abs(short_way(wrapped(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
 
 
 @pytest.mark.parametrize("name", garages.OPEN)
 def test_no_wall_can_be_reached_where_every_turn_is_counted(name):
-    """All turns together lead less far than the nearest wall is away."""
+    """All drives together are shorter than the distance to the nearest wall."""
     problem, world = garages.GARAGES[name], garages.GARAGES[name].problem.world
-    reach = drives.TURNS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
+    reach = drives.ITERATIONS[name] * problem.longest * np.abs(garages.CAR.speeds).max() + 30.0
     assert (world.lo + reach < problem.start[:2]).all()
     assert (problem.start[:2] < world.hi - reach).all()
 
 
 @pytest.mark.parametrize("name", garages.OPEN)
 def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
-    """In turns 28, 56, ... the goal is as right as its region."""
+    """In iterations 28, 56, ... the goal is as right a target as its region."""
 
     def goal_first(problem, turn, rng):
-        return (
-            problem.goal
-            if turn % 4 == 0
-            else problem.near_goal(rng)
-            if turn % 7 == 0
-            else problem.sample(rng)
-        )
+        if turn % 4 == 0:
+            return problem.goal
+        return problem.near_goal(rng) if turn % 7 == 0 else problem.sample(rng)
 
     for module in (kinodynamic_prm, kinodynamic_rrt):
-        monkeypatch.setattr(module, "place_to_go", goal_first)
+        monkeypatch.setattr(module, "choose_target", goal_first)
     tree, roadmap = kinodynamic_rrt.KinodynamicRrt(), kinodynamic_prm.KinodynamicPrm()
     for exercise, more in ((tree, {}), (roadmap, {"k": 2})):
         case = Case(
             name,
-            {"problem": garages.GARAGES[name], **more, "iterations": drives.TURNS[name], "rng": 3},
+            {
+                "problem": garages.GARAGES[name],
+                **more,
+                "iterations": drives.ITERATIONS[name],
+                "rng": 3,
+            },
         )
         assert (
             exercise.fault(case, [np.array(part) for part in exercise.source(*case.given.values())])
@@ -181,7 +181,7 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
 
 
 def test_the_stored_table_is_of_the_experiment_beside_it():
-    """Its problems, planners and seeds; and all of them were run."""
+    """The table has the problems, planners and seeds of the experiment, and every run."""
     asked = read_experiment(EXPERIMENTS / "driving.toml")
     with open(EXPERIMENTS / "driving.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
@@ -197,5 +197,5 @@ def test_the_stored_table_is_of_the_experiment_beside_it():
 
 @pytest.mark.parametrize("name", ["driving_tuning", "driving_obstacles"])
 def test_the_other_experiments_can_be_read(name):
-    """Every file that they name is there, and every argument is known."""
+    """Every file that an experiment names exists, and every argument is known."""
     assert len(read_experiment(EXPERIMENTS / f"{name}.toml").contestants) >= 2

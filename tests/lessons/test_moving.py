@@ -1,4 +1,4 @@
-"""Lesson 14: what its exercises and boards claim, against independent computations."""
+"""Lesson 14: its exercises and boards against independent computations."""
 
 import math
 
@@ -22,27 +22,27 @@ WORLD = MovingWorld(HALL, [Moving(1.0, [0, 10], [(9, 3), (-1, 3)])])
 
 
 def test_the_first_contact_is_where_dense_sampling_sees_it():
-    """Before it all is apart, at it they are at the radius; where there is none, all is apart."""
+    """Samples before the contact are apart; at the contact the distance is the radius."""
     for case in first_contact.FirstContact().cases(np.random.default_rng(1)):
         p0, p1, c0, c1, r = case.given.values()
         x, v = p0 - c0, (p1 - p0) - (c1 - c0)
         nearest = np.clip(
             -(x @ v) / max(v @ v, 1e-300), 0, 1
-        )  # a contact may be too short for any grid
+        )  # a contact may be too short for any sampling
         s = np.sort(np.append(np.linspace(0, 1, 4001), nearest))
         gaps = np.hypot(*(x + s[:, None] * v).T) - r
-        moment = first_contact.contact_time(*case.given.values())
+        moment = first_contact.find_contact(*case.given.values())
         touched = np.flatnonzero(gaps <= 0)
         assert (len(touched) == 0) == (moment == math.inf)
         assert moment == math.inf or abs(s[touched[0]] - moment) < 1e-3
 
 
-TICKS = 16  # in a unit of time: all times in the cases are multiples of one
+TICKS = 16  # ticks in a unit of time; all times of the cases are multiples of a tick
 
 
 def stepped(safe, moves, start, goal):
-    """The earliest arrival, by stepping through all ticks."""
-    ways = earliest_arrival.two_ways(moves)
+    """Return the earliest arrival by stepping through all ticks."""
+    ways = earliest_arrival.find_adjacent_places(moves)
     interval = [
         {
             t: k
@@ -68,27 +68,28 @@ def stepped(safe, moves, start, goal):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_schedules_are_the_earliest(seed):
-    """No later and no earlier than a search that steps through time; and every rule is kept. Kinds
-    are as stated.
+    """Schedules keep every rule and arrive as early as a search by time steps finds.
+
+    Each case is of the kind that it states.
     """
     for case in earliest_arrival.EarliestArrival().cases(np.random.default_rng(seed)):
         given = (
             [np.asarray(own).tolist() for own in case.given["safe"]],
             *list(case.given.values())[1:],
         )
-        rows = earliest_arrival.schedule(*given)
+        rows = earliest_arrival.find_schedule(*given)
         assert (rows[-1][1] if rows else math.inf) == stepped(*given)
         if rows:
-            assert earliest_arrival.first_fault(*given, rows) == ""
+            assert earliest_arrival.find_schedule_fault(*given, rows) == ""
         assert (case.kind == "none") == (not rows)
         if case.kind == "aside":
             assert len({place for place, _ in rows}) < len(rows)
         if case.kind == "again":
-            assert earliest_arrival.earliest_once(*given) > rows[-1][1]
+            assert earliest_arrival.search_one_arrival_each(*given) > rows[-1][1]
 
 
 def test_a_schedule_that_breaks_a_rule_is_told_which():
-    """Each rule by a schedule that breaks it and no other before it."""
+    """A schedule that breaks one rule, and none before it, gets that rule."""
     safe, moves = [[(0, 30)], [(0, 3), (6, 30)], [(0, 1), (7, 30)]], [(0, 1, 2), (1, 2, 2)]
     for rule, rows in (
         ("", [(0, 0), (1, 6), (2, 8)]),
@@ -100,22 +101,27 @@ def test_a_schedule_that_breaks_a_rule_is_told_which():
         ("unsafe", [(0, 0), (1, 4), (2, 8)]),
         ("goal", [(0, 0), (1, 6)]),
     ):
-        assert earliest_arrival.first_fault(safe, moves, 0, 2, rows) == rule
+        assert earliest_arrival.find_schedule_fault(safe, moves, 0, 2, rows) == rule
     assert (
-        earliest_arrival.first_fault([[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)])
+        earliest_arrival.find_schedule_fault(
+            [[(2, 30)], *safe[1:]], moves, 0, 2, [(0, 0), (1, 6), (2, 8)]
+        )
         == "begin"
     )
 
 
 def test_a_rule_that_was_misread_is_named():
-    """By what the search finds without it; where nothing fits, none."""
+    """A misread rule is recognised by the arrival it leads to; otherwise none is named."""
     touching = [[(0, 4), (7, 30)], [(0, 30)], [(0, 1), (10, 30)]], [(0, 1, 2), (0, 2, 1)]
-    assert earliest_arrival.misread(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)]) == "closed"
-    short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
-    assert earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
     assert (
-        earliest_arrival.misread(*short, 0, 1, [(0, 0), (1, 7)])
-        == earliest_arrival.misread(*short, 0, 1, [])
+        earliest_arrival.find_misread_rule(*touching, 0, 2, [(0, 0), (1, 2), (0, 7), (2, 10)])
+        == "closed"
+    )
+    short = [[(0, 30)], [(0, 3), (6, 30)]], [(0, 1, 2)]
+    assert earliest_arrival.find_misread_rule(*short, 0, 1, [(0, 0), (1, 6)]) == "forever"
+    assert (
+        earliest_arrival.find_misread_rule(*short, 0, 1, [(0, 0), (1, 7)])
+        == earliest_arrival.find_misread_rule(*short, 0, 1, [])
         == ""
     )
 
@@ -124,22 +130,22 @@ def test_scenario_cases_are_clear_of_touching():
     """No case is decided by rounding, and the example is as stated."""
     for case in collision_probability.CollisionProbability().cases(np.random.default_rng(0)):
         assert (
-            np.abs(collision_probability.gaps(*case.given.values())).min()
+            np.abs(collision_probability.measure_gaps(*case.given.values())).min()
             > collision_probability.CLEAR
         )
     first = next(collision_probability.CollisionProbability().cases(np.random.default_rng(0)))
-    assert collision_probability.tried(*first.given.values()) == pytest.approx(
+    assert collision_probability.estimate_probability(*first.given.values()) == pytest.approx(
         [0.25, 0.0456, 0.6994], abs=5e-5
     )
 
 
 def test_the_program_to_break_is_right_for_slow_motions():
-    """It sees what moves less than a radius between its moments."""
+    """The program sees every contact of motions shorter than a radius between samples."""
     rng = np.random.default_rng(0)
     for _ in range(100):
         p0, c0 = rng.uniform(-9, 9, (2, 2))
         p1, c1 = p0 + rng.uniform(-0.5, 0.5, 2), c0 + rng.uniform(-0.5, 0.5, 2)
-        truth = exposing_motions.nearest(p0, p1, c0, c1)
+        truth = exposing_motions.find_least_distance(p0, p1, c0, c1)
         assert (
             exposing_motions.touch_by_moments(p0, p1, c0, c1, 1.0) == (truth <= 1.0)
             or abs(truth - 1.0) < 0.01
@@ -147,9 +153,7 @@ def test_the_program_to_break_is_right_for_slow_motions():
 
 
 def test_the_board_of_time_plans_anew():
-    """A faster robot is there earlier; a goal in a wall is a warning; what has been dragged is
-    planned for.
-    """
+    """A faster robot arrives earlier, a goal in a wall is a warning, and dragging plans again."""
     board = moving_board(TimedProblem(Disk(0.5), WORLD, start=(1, 3), goal=(9, 3)), nodes=60)
     first = board.plan.cost
     assert board.canvas.drawing.total == STEPS and len(board.canvas.drawing.step_texts) == STEPS
@@ -161,7 +165,7 @@ def test_the_board_of_time_plans_anew():
     assert board.plan is None and "not free" in board.canvas.drawing.warning
     assert [layer.kind for layer in board.canvas.drawing.layers] == [
         "bodies"
-    ]  # what moves is still there to be seen
+    ]  # the moving obstacles are still drawn
     board.canvas.arrange({**scene, "handles": [scene["handles"][0], {**goal, "at": [9.0, 5.0]}]})
     assert np.array_equal(board.plan.path[-1, :2], [9, 5])
     assert board.picture().startswith(b"\x89PNG")
@@ -178,7 +182,7 @@ def test_the_board_of_time_plans_anew():
 
 
 def test_the_board_of_chances_keeps_its_promise():
-    """Bound and estimate are below delta; a chance that no path keeps is said to have none."""
+    """Bound and estimate are below delta; without such a path the board says so."""
     world = UncertainWorld(
         [(0, 0), (9, 0), (9, 6), (0, 6)], [((4.5, 3), 1), [(6, 4), (7, 4), (6.5, 5)]], [0.5, 0.2]
     )

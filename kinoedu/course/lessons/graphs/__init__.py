@@ -1,6 +1,4 @@
-"""Lesson 4: Graph search, or how to know that one has seen enough. Its exercises, as the notebook
-asks for them.
-"""
+"""The exercises of lesson 4, graph search, in the order of the notebook."""
 
 from .astar import Astar
 from .bfs_path import BfsPath

@@ -22,14 +22,14 @@ from ..shared.random_graphs import (
     random_graphs,
 )
 from .bfs_tree import NEIGHBOURS
-from .paths import PathExercise, as_list
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, both_ways
+from .paths import PathExercise, convert_path
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, make_undirected
 
 REOPENED = [(0, 1, 1), (0, 2, 3), (1, 2, 1), (2, 3, 4)]
 
 
 class Astar(PathExercise):
-    """A path of least cost, any of them."""
+    """Find a path of least cost with A*; any such path is right."""
 
     name = "astar"
     kinds = ("small", "estimate", "inconsistent", "directed", "unreachable", "start_is_goal")
@@ -59,11 +59,14 @@ class Astar(PathExercise):
         ),
         Slip(
             "summed",
-            lambda n, w, estimate, s, g: best_path(n, summed(n, w, estimate), [0.0] * len(n), s, g),
+            lambda n, w, estimate, s, g: best_path(
+                n, add_estimates(n, w, estimate), [0.0] * len(n), s, g
+            ),
         ),
         Slip("edges", lambda n, w, estimate, s, g: tree_path(n, s, g)),
         Slip(
-            "undirected", lambda n, w, estimate, s, g: best_path(*both_ways(n, w), estimate, s, g)
+            "undirected",
+            lambda n, w, estimate, s, g: best_path(*make_undirected(n, w), estimate, s, g),
         ),
         Slip(
             "reversed",
@@ -75,15 +78,13 @@ class Astar(PathExercise):
     def reference(
         neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int
     ) -> list[int] | None:
-        """The library's path."""
-        return as_list(graphs.astar(as_graph(neighbours, weights), start, goal, estimate)[0])
+        """Return the path that the library finds."""
+        return convert_path(graphs.astar(as_graph(neighbours, weights), start, goal, estimate)[0])
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Graphs that fit on a finger first; estimates of zero, good ones, and lower bounds that
-        jump.
-        """
+        """Yield small graphs with zero, close and inconsistent estimates, then random ones."""
         for kind, n, rows, estimate, start, goal in (
             ("small", 2, [(0, 1, 3)], [0, 0], 0, 1),
             ("small", 3, DETOUR, [0, 0, 0], 0, 2),
@@ -102,7 +103,7 @@ class Astar(PathExercise):
             )
         for shape, neighbours, weights in random_graphs(rng):
             start, goal = (lost_pair if shape == "parts" else far_pair)(neighbours, rng)
-            truth = left(neighbours, weights, goal)
+            truth = find_costs_to_goal(neighbours, weights, goal)
             jumping = np.floor(truth * rng.choice([0.0, 1.0], len(truth))).tolist()
             kinds = {
                 "tree": ["small"],
@@ -122,33 +123,34 @@ class Astar(PathExercise):
                 )
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """Of the least cost."""
-        return self.near(cost_of(case, path), cost_of(case, self.truth(case)))
+        """Whether the path has the least cost."""
+        return self.near(measure_cost(case, path), measure_cost(case, self.truth(case)))
 
     def wanted(self, case: Case) -> str:
-        """One such path, and its cost."""
+        """Describe one shortest path and its cost."""
         truth = self.truth(case)
         if truth is None or len(truth) < 2:
             return spoken(truth)
-        return say("astar.wanted", value=spoken(truth), cost=spoken(cost_of(case, truth)))
+        return say("astar.wanted", value=spoken(truth), cost=spoken(measure_cost(case, truth)))
 
 
-def summed(neighbours: Neighbours, weights: Weights, estimate: list[float]) -> Weights:
-    """The weights, each with the estimate of the node that the edge leads to: what counts where
-    estimates are added up.
+def add_estimates(neighbours: Neighbours, weights: Weights, estimate: list[float]) -> Weights:
+    """Add to each weight the estimate of the node that its edge leads to.
+
+    A search on these weights makes the mistake of adding up the estimates along the way.
     """
     return [
         [w + estimate[v] for v, w in zip(row, beside)] for row, beside in zip(neighbours, weights)
     ]
 
 
-def left(neighbours: Neighbours, weights: Weights, goal: int) -> Any:
-    """What remains from each node to the goal, shape (n,); 5 where no path leads there."""
+def find_costs_to_goal(neighbours: Neighbours, weights: Weights, goal: int) -> Any:
+    """Return the cost from each node to the goal, shape (n,); 5 where no path exists."""
     costs = as_graph(neighbours, weights).cost_to_go(goal)
     return np.where(np.isfinite(costs), costs, 5.0)
 
 
-def cost_of(case: Case, path: list[int]) -> float:
-    """The sum of the weights along a path that goes along edges."""
+def measure_cost(case: Case, path: list[int]) -> float:
+    """Return the sum of the weights along a path whose steps are all edges."""
     neighbours, weights = case.given["neighbours"], case.given["weights"]
     return sum((weights[u][neighbours[u].index(v)] for u, v in zip(path[:-1], path[1:])), 0.0)

@@ -7,20 +7,26 @@ from ....graphs.bfs import breadth_first
 from ...exercise import Case, Slip
 from ..shared.graph_slips import first_in, followed, tree_path, undirected
 from ..shared.random_graphs import Neighbours, as_graph
-from .paths import PathExercise, as_list, deep_path
+from .paths import PathExercise, convert_path, search_depth_first
+
+
+def find_visit_order(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """Return the order of visit of breadth-first search up to the goal, mistaken for a path."""
+    order = first_in(neighbours, start)[1]
+    return order[: order.index(goal) + 1] if goal in order else None
 
 
 class BfsPath(PathExercise):
-    """A path of the fewest edges, any of them."""
+    """Find a path with the fewest edges; any such path is right."""
 
     name = "bfs_path"
     last_rule = "fewest"
     shown = staticmethod(breadth_first)
     slips: ClassVar[tuple[Slip, ...]] = (
         Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
-        Slip("deep", lambda neighbours, start, goal: deep_path(neighbours, start, goal)),
+        Slip("deep", search_depth_first),
         Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
-        Slip("order", lambda neighbours, start, goal: visited(neighbours, start, goal)),
+        Slip("order", find_visit_order),
         Slip(
             "reversed",
             lambda neighbours, start, goal: (
@@ -51,17 +57,11 @@ class BfsPath(PathExercise):
 
     @staticmethod
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-        """The library's path."""
-        return as_list(graphs.bfs_path(as_graph(neighbours), start, goal))
+        """Return the path that the library finds."""
+        return convert_path(graphs.bfs_path(as_graph(neighbours), start, goal))
 
     source = reference
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """Of the fewest edges."""
+        """Whether the path has the fewest edges."""
         return len(path) == len(self.truth(case))
-
-
-def visited(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """The order of visit of a breadth-first search up to the goal, for a path."""
-    order = first_in(neighbours, start)[1]
-    return order[: order.index(goal) + 1] if goal in order else None

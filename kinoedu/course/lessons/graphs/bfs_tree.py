@@ -14,20 +14,19 @@ from ...shapes import Listed, Record
 from ...whole_shapes import Whole
 from ..shared.graph_slips import depths, first_in, undirected
 from ..shared.random_graphs import Neighbours, as_graph, lists, random_graphs
-from .on_graphs import NODES, OnGraph
+from .on_graphs import NODES, GraphExercise
 from .pictures import draw_tree_answer
 
 NEIGHBOURS = Listed(NODES)
-
-
 LINE, RING = [(0, 1), (1, 2)], [(0, 1), (1, 2), (2, 3), (0, 3)]
-
-
 ROUND_TRIP, TRIANGLE = [(0, 1), (1, 2), (2, 0)], [(0, 1), (0, 2), (1, 2)]
 
 
-class BfsTree(OnGraph):
-    """Adjacency lists and a start to the parents in any breadth-first tree."""
+class BfsTree(GraphExercise):
+    """Compute the parents of a breadth-first tree from adjacency lists and a start.
+
+    Any breadth-first tree is right, unless a variant says which parent to choose.
+    """
 
     name = "bfs_tree"
     kinds = ("small", "cycle", "directed", "unreachable")
@@ -41,9 +40,9 @@ class BfsTree(OnGraph):
         Slip("late", lambda neighbours, start: first_in(neighbours, start, late=True)[0]),
         Slip(
             "own_parent",
-            lambda neighbours, start: with_start(first_in(neighbours, start)[0], start, start),
+            lambda neighbours, start: replace_parent(first_in(neighbours, start)[0], start, start),
         ),
-        Slip("zeros", lambda neighbours, start: unmarked(neighbours, start)),
+        Slip("zeros", lambda neighbours, start: mark_unreached_zero(neighbours, start)),
         Slip("from_one", lambda neighbours, start: [p + 1 for p in first_in(neighbours, start)[0]]),
         Slip("distances", depths),
         Slip("undirected", lambda neighbours, start: first_in(undirected(neighbours), start)[0]),
@@ -51,13 +50,13 @@ class BfsTree(OnGraph):
 
     @staticmethod
     def reference(neighbours: Neighbours, start: int) -> list[int]:
-        """The library's tree."""
+        """Return the parents that the library finds."""
         return [int(p) for p in graphs.bfs_tree(as_graph(neighbours), start)]
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Graphs that fit on a finger first."""
+        """Yield graphs that can be searched by hand, then random ones."""
         for kind, n, edges, start in (
             ("small", 2, [(0, 1)], 0),
             ("small", 3, LINE, 0),
@@ -80,48 +79,44 @@ class BfsTree(OnGraph):
             )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Each reached node's parent has an edge to it, and is one edge nearer to the start; ties
-        go as the contract says.
+        """Judge that each parent has an edge to its child and is one edge nearer to the start.
+
+        With a variant, each parent must also be the one that the contract names.
         """
-        rule = tree_fault(case.given["neighbours"], case.given["start"], value)
+        rule = find_tree_fault(case.given["neighbours"], case.given["start"], value)
         if not rule and self.variant and list(value) != self.truth(case):
             rule = CONTRACT
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def truth(self, case: Case) -> Any:
-        """One such tree: the library's, or the contract's."""
+        """Return one right tree: the library's, or the one that the contract names."""
         if not self.variant:
             return super().truth(case)
-        return tree_of_extremes(
-            case.given["neighbours"],
-            case.given["start"],
-            min if self.variant == "smallest" else max,
-        )
+        choose = min if self.variant == "smallest" else max
+        return choose_parents(case.given["neighbours"], case.given["start"], choose)
 
     def wanted(self, case: Case) -> str:
-        """One such tree."""
+        """Describe one right tree."""
         if self.variant:
             return spoken(self.truth(case))
         return say("bfs_tree.wanted", value=spoken(self.truth(case)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph, how far each node is, and the student's arrows from parents to children."""
+        """Draw the graph, each node's distance from the start, and the student's tree."""
         from ....figures import plane
 
         far = graphs.bfs(as_graph(case.given["neighbours"]), case.given["start"]).cost
-        value, wanted = (
-            outcome.value if isinstance(outcome, Answer) else None,
-            self.truth(case) if self.variant else None,
-        )
+        value = outcome.value if isinstance(outcome, Answer) else None
+        wanted = self.truth(case) if self.variant else None
         draw_tree_answer(self, case, value, far, ax, wanted)
         if self.judge(case, outcome).rule == CONTRACT:
             plane.title(self.words("pictures.contract"), ax)
 
 
-def tree_of_extremes(
+def choose_parents(
     neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]
 ) -> list[int]:
-    """The breadth-first tree in which each node chooses among all that could be its parent."""
+    """Build the breadth-first tree whose parents are picked among all candidates by `choose`."""
     far = graphs.bfs(as_graph(neighbours), start).cost
     able: list[list[int]] = [[] for _ in neighbours]
     for v, row in enumerate(neighbours):
@@ -131,21 +126,19 @@ def tree_of_extremes(
     return [choose(nodes) if nodes else -1 for nodes in able]
 
 
-def with_start(parent: list[int], start: int, value: int) -> list[int]:
-    """The parents with another one for the start."""
+def replace_parent(parent: list[int], start: int, value: int) -> list[int]:
+    """Return the parents with another value at the start."""
     return [*parent[:start], value, *parent[start + 1 :]]
 
 
-def unmarked(neighbours: Neighbours, start: int) -> list[int]:
-    """Parents that were 0 before the search began, where -1 was meant; that of the start is
-    right.
-    """
+def mark_unreached_zero(neighbours: Neighbours, start: int) -> list[int]:
+    """Return parents that are 0 instead of -1 for unreached nodes."""
     parent, order = first_in(neighbours, start)
     return [parent[u] if u in order else 0 for u in range(len(neighbours))]
 
 
-def tree_fault(neighbours: Neighbours, start: int, parent: list[int]) -> str:
-    """The rule that parents break, or ""."""
+def find_tree_fault(neighbours: Neighbours, start: int, parent: list[int]) -> str:
+    """Return the rule that the parents break, or ""."""
     far = graphs.bfs(as_graph(neighbours), start).cost
     if len(parent) != len(neighbours):
         return "length"

@@ -7,11 +7,11 @@ from ....graphs.dfs import depth_first
 from ...exercise import Case, Slip
 from ..shared.graph_slips import entered, never_back, undirected, walked
 from ..shared.random_graphs import Neighbours, as_graph
-from .paths import PathExercise, as_list, deep_path
+from .paths import PathExercise, convert_path, search_depth_first
 
 
 class DfsPath(PathExercise):
-    """Any path that meets no node twice."""
+    """Find a path that meets no node twice; any such path is right."""
 
     name = "dfs_path"
     last_rule = "simple"
@@ -23,28 +23,28 @@ class DfsPath(PathExercise):
         Slip(
             "reversed",
             lambda neighbours, start, goal: (
-                (deep_path(neighbours, start, goal) or [])[::-1] or None
+                (search_depth_first(neighbours, start, goal) or [])[::-1] or None
             ),
         ),
         Slip(
             "undirected",
-            lambda neighbours, start, goal: deep_path(undirected(neighbours), start, goal),
+            lambda neighbours, start, goal: search_depth_first(undirected(neighbours), start, goal),
         ),
         Slip(
             "nowhere",
             lambda neighbours, start, goal: (
-                deep_path(neighbours, start, goal) if start != goal else None
+                search_depth_first(neighbours, start, goal) if start != goal else None
             ),
         ),
     )
 
     @staticmethod
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-        """The library's path."""
-        return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))
+        """Return the path that the library finds."""
+        return convert_path(graphs.dfs_path(as_graph(neighbours), start, goal))
 
     source = reference
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """No node twice."""
+        """Whether the path meets no node twice."""
         return len(set(path)) == len(path)

@@ -15,13 +15,13 @@ from ..shared.graph_slips import best_first, depths, in_turn, lightest_first
 from ..shared.random_graphs import Neighbours, Weights, as_graph, lists, random_graphs
 from .bfs_tree import NEIGHBOURS
 from .pictures import draw_costs
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, both_ways
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, make_undirected
 
 LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
 
 
 class Dijkstra(ValueExercise):
-    """Adjacency lists with weights and a start to the least cost of every node."""
+    """Compute the least cost of every node from adjacency lists, weights and a start."""
 
     name = "dijkstra"
     lesson = "04_graph_search"
@@ -58,19 +58,19 @@ class Dijkstra(ValueExercise):
         Slip("lightest_first", lightest_first),
         Slip(
             "undirected",
-            lambda neighbours, weights, start: best_first(*both_ways(neighbours, weights), start)[
-                0
-            ],
+            lambda neighbours, weights, start: best_first(
+                *make_undirected(neighbours, weights), start
+            )[0],
         ),
         Slip(
             "minus_one",
-            lambda neighbours, weights, start: finite_or(
+            lambda neighbours, weights, start: replace_infinity(
                 best_first(neighbours, weights, start)[0], -1.0
             ),
         ),
         Slip(
             "zero",
-            lambda neighbours, weights, start: finite_or(
+            lambda neighbours, weights, start: replace_infinity(
                 best_first(neighbours, weights, start)[0], 0.0
             ),
         ),
@@ -78,13 +78,19 @@ class Dijkstra(ValueExercise):
 
     @staticmethod
     def reference(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
-        """The library's costs; a ValueError where a weight is negative."""
+        """Return the library's costs.
+
+        Raises
+        ------
+        ValueError
+            Where a weight is negative.
+        """
         return graphs.dijkstra(as_graph(neighbours, weights), start).cost.tolist()
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Graphs that fit on a finger first."""
+        """Yield graphs that can be searched by hand, then random ones, also negative weights."""
         for kind, n, rows, start in (
             ("small", 2, [(0, 1, 3)], 0),
             ("small", 3, [(0, 1, 2), (1, 2, 3)], 0),
@@ -114,12 +120,12 @@ class Dijkstra(ValueExercise):
                 )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph with its weights, and both costs of every node."""
+        """Draw the graph with its weights, and the true and the student's cost of every node."""
         draw_costs(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
 
 
-def finite_or(costs: list[float], other: float) -> list[float]:
-    """The costs, with another number for infinite ones."""
+def replace_infinity(costs: list[float], other: float) -> list[float]:
+    """Return the costs with infinite ones replaced by `other`."""
     return [cost if np.isfinite(cost) else other for cost in costs]

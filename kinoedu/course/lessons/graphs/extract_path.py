@@ -12,12 +12,12 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record
 from ...whole_shapes import Whole
 from ..shared.graph_slips import followed
-from .on_graphs import NODES, OnGraph
+from .on_graphs import NODES, GraphExercise
 from .pictures import draw_pointers
 
 
-class ExtractPath(OnGraph):
-    """Parents and a goal to the nodes from the root to it."""
+class ExtractPath(GraphExercise):
+    """Follow parents from a goal to its root, and return the nodes from the root to the goal."""
 
     name = "extract_path"
     kinds = ("root", "tree", "forest", "circle")
@@ -37,7 +37,7 @@ class ExtractPath(OnGraph):
 
     @staticmethod
     def reference(parent: list[int], goal: int) -> list[int] | None:
-        """The library's path; None where it says that parents lead to no root."""
+        """Return the library's path, or None where the parents lead to no root."""
         try:
             return [int(u) for u in graphs.extract_path(np.array(parent, np.int64), goal)]
         except InvalidGraph:
@@ -46,7 +46,7 @@ class ExtractPath(OnGraph):
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A few parents by hand; then trees, forests and circles with tails."""
+        """Yield a few parents written by hand, then random trees, forests and cycles with tails."""
         for kind, parent, goal in (
             ("root", [-1, 0], 0),
             ("tree", [-1, 0, 1], 2),
@@ -62,21 +62,22 @@ class ExtractPath(OnGraph):
         for n in (4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
             for kind in self.kinds:
                 yield Case(
-                    kind, {"parent": (found := random_parents(kind, n, rng))[0], "goal": found[1]}
+                    kind, {"parent": (found := draw_parents(kind, n, rng))[0], "goal": found[1]}
                 )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Each node and the arrow from its parent to it; the path, and the student's."""
+        """Draw an arrow from each parent to its child, the right path and the student's."""
         draw_pointers(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
 
 
-def random_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
-    """Parents of n nodes, numbered at random, and a goal.
+def draw_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
+    """Draw parents of n nodes, numbered at random, and a goal.
 
-    "root": one tree, whose root it is; "tree": low in it; "forest": low in the second of two;
-    "circle": in a circle, or on a tail.
+    Where the goal is depends on the kind. "root": the root of the only tree. "tree": near the
+    end of the only tree. "forest": near the end of the second of two trees. "circle": on a
+    cycle or on its tail.
     """
     name, low = rng.permutation(n), n // 2 if kind == "forest" else 0
     parent = [-1] * n

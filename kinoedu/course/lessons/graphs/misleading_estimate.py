@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 4: an estimate that leads A* to a path that is not the
-shortest.
-"""
+"""The exercise "break it" of lesson 4: an estimate with which A* misses the shortest path."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -15,7 +13,7 @@ from ...shapes import Listed, Number, Record, Together
 from ...whole_shapes import Whole
 from ..shared.random_graphs import as_graph
 from .bfs_tree import NEIGHBOURS
-from .paths import as_list
+from .paths import convert_path
 from .pictures import draw_misled
 from .weighted import WEIGHTS
 
@@ -23,7 +21,7 @@ MOST_NODES = 20
 
 
 class MisleadingEstimate(Exercise):
-    """Break it: a graph and an estimate for which A* returns a path that is not the shortest."""
+    """Give a graph and an estimate for which A* returns a path that is not the shortest."""
 
     name = "misleading_estimate"
     lesson = "04_graph_search"
@@ -32,40 +30,38 @@ class MisleadingEstimate(Exercise):
     answer = Together((NEIGHBOURS, WEIGHTS, Listed(Number()), Whole(), Whole()))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A graph with an estimate; that misleads our A*; of three nodes."""
-        rule = graph_fault(*value)
+        """Judge that the graph is valid, that it misleads A*, and that it has three nodes."""
+        rule = find_graph_fault(*value)
         if not rule and case.kind != "valid":
             found, best = both_costs(*value)
-            rule = (
-                "path"
-                if np.isinf(best)
-                else "misleads"
-                if found <= best + 1e-6 * (1.0 + best)
-                else ""
-            )
-            rule = rule or ("smallest" if case.kind == "smallest" and len(value[0]) > 3 else "")
+            if np.isinf(best):
+                rule = "path"
+            elif found <= best + 1e-6 * (1.0 + best):
+                rule = "misleads"
+            elif case.kind == "smallest" and len(value[0]) > 3:
+                rule = "smallest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"misleading_estimate.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph, what A* returns and what is shortest."""
+        """Draw the graph, the path that A* returns, and a shortest path."""
         value = (
             outcome.value
-            if isinstance(outcome, Answer) and not graph_fault(*outcome.value)
+            if isinstance(outcome, Answer) and not find_graph_fault(*outcome.value)
             else None
         )
-        draw_misled(self, value, (None, None) if value is None else both_paths(*value), ax)
+        draw_misled(self, value, (None, None) if value is None else find_both_paths(*value), ax)
 
 
-def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
-    """The rule that keeps it from being a question for A*, or ""."""
+def find_graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
+    """Return the rule that makes this an invalid input of A*, or ""."""
     n = len(neighbours)
     if (
         not 0 < n <= MOST_NODES
@@ -86,12 +82,12 @@ def graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: 
     return "at_goal" if estimate[goal] != 0.0 else ""
 
 
-def both_paths(
+def find_both_paths(
     neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
 ) -> tuple[Any, Any]:
-    """The path of our A* by that estimate, and a shortest one; None where there is none."""
+    """Return the path of A* with this estimate, and a shortest one; None where there is none."""
     graph = as_graph(neighbours, weights)
-    return as_list(graphs.astar(graph, start, goal, estimate)[0]), as_list(
+    return convert_path(graphs.astar(graph, start, goal, estimate)[0]), convert_path(
         graphs.astar(graph, start, goal)[0]
     )
 
@@ -99,8 +95,11 @@ def both_paths(
 def both_costs(
     neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
 ) -> tuple[float, float]:
-    """The cost of the path that A* returns by this estimate, and of a cheapest one; infinite where
-    there is none.
+    """Return the cost of the path that A* finds with an estimate, and the least cost.
+
+    Returns
+    -------
+    (found, best) : two floats; infinite where no path exists.
     """
     graph = as_graph(neighbours, weights)
     found, best = graphs.astar(graph, start, goal, estimate)[1], graphs.astar(graph, start, goal)[1]

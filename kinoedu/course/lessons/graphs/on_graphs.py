@@ -1,6 +1,4 @@
-"""Shared by the exercises on trees in graphs: the breadth-first tree, and the paths that parents
-hold. Bullo & Smith, chapter 2.
-"""
+"""The base class of the exercises on graphs. Bullo & Smith, chapter 2."""
 
 from typing import Any
 
@@ -11,11 +9,11 @@ from ...whole_shapes import Whole
 NODES = Listed(Whole())
 
 
-class OnGraph(ValueExercise):
-    """An exercise of lesson 4, whose answers are lists of nodes, or None."""
+class GraphExercise(ValueExercise):
+    """An exercise of lesson 4 whose answer is a list of nodes, or None."""
 
     lesson = "04_graph_search"
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same nodes in the same order."""
+        """Whether both hold the same nodes in the same order, or both are None."""
         return (None if value is None else list(value)) == (None if truth is None else list(truth))

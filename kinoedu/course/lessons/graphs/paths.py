@@ -1,5 +1,6 @@
-"""Shared by the exercises on paths in graphs without weights. Bullo & Smith, chapter 2; LaValle,
-section 2.2.
+"""The base class of the exercises on paths in graphs.
+
+Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
@@ -14,17 +15,15 @@ from ...shapes import Maybe, Record
 from ...whole_shapes import Whole
 from ..shared.random_graphs import Neighbours, as_graph, far_pair, lists, lost_pair, random_graphs
 from .bfs_tree import LINE, NEIGHBOURS, RING, ROUND_TRIP, TRIANGLE
-from .on_graphs import NODES, OnGraph
+from .on_graphs import NODES, GraphExercise
 from .pictures import draw_path_answer
 
 FORK = [(0, 1), (1, 2), (0, 3)]
-
-
 KINDS = ("small", "cycle", "directed", "unreachable", "start_is_goal")
 
 
-class PathExercise(OnGraph):
-    """An exercise that asks for a path between two nodes, or None."""
+class PathExercise(GraphExercise):
+    """An exercise whose answer is a path between two nodes, or None."""
 
     kinds: ClassVar[tuple[str, ...]] = KINDS
     given: ClassVar[Record] = Record(neighbours=NEIGHBOURS, start=Whole(), goal=Whole())
@@ -32,7 +31,7 @@ class PathExercise(OnGraph):
     last_rule: ClassVar[str] = ""
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Graphs that fit on a finger first."""
+        """Yield graphs that can be searched by hand, then random ones."""
         for kind, n, edges, start, goal in (
             ("small", 2, [(0, 1)], 0, 1),
             ("small", 3, LINE, 0, 2),
@@ -48,37 +47,38 @@ class PathExercise(OnGraph):
             ("unreachable", 3, [(0, 1)], 0, 2),
             ("start_is_goal", 1, [], 0, 0),
         ):
-            yield from self.asked(
+            yield from self.make_case(
                 kind, lists(n, edges, directed=kind == "directed")[0], start, goal
             )
-        yield from self.asked("unreachable", [[], [0]], 0, 1)  # against the only edge
+        # the only edge leads the other way
+        yield from self.make_case("unreachable", [[], [0]], 0, 1)
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
-            yield from self.asked(
+            yield from self.make_case(
                 kind, neighbours, *(lost_pair if shape == "parts" else far_pair)(neighbours, rng)
             )
             if shape == "cycle":
-                yield from self.asked(
+                yield from self.make_case(
                     "start_is_goal", neighbours, *(int(rng.integers(len(neighbours))),) * 2
                 )
 
-    def asked(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
+    def make_case(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
         """The case of a question."""
         yield Case(kind, {"neighbours": neighbours, "start": start, "goal": goal})
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Every edge of the path is verified; then what this exercise asks of it."""
-        rule = path_fault(case, value, self.truth(case)) or (
+        """Judge that every step is an edge, and then what this exercise demands besides."""
+        rule = find_path_fault(case, value, self.truth(case)) or (
             self.last_rule if value and not self.is_good(case, value) else ""
         )
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def is_good(self, case: Case, path: list[int]) -> bool:
-        """Whether a path from start to goal along edges is one that is asked for."""
+        """Whether a path along edges from start to goal is what this exercise asks for."""
         raise NotImplementedError
 
     def wanted(self, case: Case) -> str:
-        """One such path."""
+        """Describe one right path."""
         truth = self.truth(case)
         return (
             spoken(truth)
@@ -87,14 +87,14 @@ class PathExercise(OnGraph):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph, a right path and the student's."""
+        """Draw the graph, a right path and the student's."""
         draw_path_answer(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
 
 
-def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
-    """What keeps it from being a path from start to goal: the rule, or ""."""
+def find_path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> str:
+    """Return the rule that a path from start to goal breaks, or ""."""
     neighbours, start, goal = (case.given[name] for name in ("neighbours", "start", "goal"))
     if path is None:
         return "" if truth is None else "missing"
@@ -110,11 +110,11 @@ def path_fault(case: Case, path: list[int] | None, truth: list[int] | None) -> s
     )
 
 
-def as_list(path: Any) -> list[int] | None:
-    """A path of the library's as plain numbers."""
+def convert_path(path: Any) -> list[int] | None:
+    """Convert a path of the library to a list of ints; None stays None."""
     return None if path is None else [int(u) for u in path]
 
 
-def deep_path(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
-    """The path of a depth-first search."""
-    return as_list(graphs.dfs_path(as_graph(neighbours), start, goal))
+def search_depth_first(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+    """Return the path of a depth-first search, or None."""
+    return convert_path(graphs.dfs_path(as_graph(neighbours), start, goal))

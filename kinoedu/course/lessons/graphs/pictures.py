@@ -1,5 +1,6 @@
-"""Pictures of failing cases on graphs. What is true is solid and green, what the student's program
-says dashed and orange.
+"""Pictures of failing cases on graphs.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 from typing import Any
@@ -10,9 +11,9 @@ from ....words import say
 from ...exercise import Case, Exercise, spoken
 from ..shared.random_graphs import as_graph, symmetric
 
-MOST_LABELS = 30  # nodes with words beside them
-MOST_STEPS = 100  # of a path: a longer one is told in words
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+MOST_LABELS = 30  # nodes that get labels
+MOST_STEPS = 100  # edges of a path that are drawn; a longer path is only described
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_tree_answer(
@@ -23,22 +24,25 @@ def draw_tree_answer(
     ax: Any,
     wanted: list[int] | None = None,
 ) -> None:
-    """The graph, at each node how many edges away it is, and the student's arrows from parents to
-    children. wanted : the one tree that is right, where ties do not go either way.
+    """Draw a graph, each node's distance from the start, and the student's tree.
+
+    Parameters
+    ----------
+    far : distance of each node from the start in edges, infinite where it is not reached.
+    wanted : the only right parents; None where ties may be broken either way.
     """
     from ....figures import palette
 
     neighbours, start = case.given["neighbours"], case.given["start"]
-    places = draw_ground(case, ax, highlight=[start])
+    places = draw_grey_graph(case, ax, highlight=[start])
     for u, d in enumerate(far):
-        words = (
-            say("graph_picture.start")
-            if u == start
-            else say("graph_picture.far", d=f"{d:.0f}")
-            if d < np.inf
-            else ""
-        )
-        beside(places, u, words or say("graph_picture.unreached"), ax, palette.START)
+        if u == start:
+            text = say("graph_picture.start")
+        elif d < np.inf:
+            text = say("graph_picture.far", d=f"{d:.0f}")
+        else:
+            text = say("graph_picture.unreached")
+        draw_label(places, u, text, ax, palette.START)
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
             if 0 <= p < len(value) and p != u:
@@ -47,40 +51,40 @@ def draw_tree_answer(
                     and far[p] + 1 == far[u]
                     and (wanted is None or wanted[u] == p)
                 )
-                pointer(
+                draw_pointer(
                     places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--"
                 )
-    note(value, ax)
-    finish(exercise, case, ax)
+    draw_answer_note(value, ax)
+    finish_picture(exercise, case, ax)
 
 
 def draw_pointers(
     exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
 ) -> None:
-    """The arrow from each node's parent to it; the path from the root, and the student's."""
+    """Draw the arrow from each parent to its child, the path from the root, and the student's."""
     from ....figures import palette
 
     parent = case.given["parent"]
-    places = draw_ground(case, ax, highlight=[case.given["goal"]])
+    places = draw_grey_graph(case, ax, highlight=[case.given["goal"]])
     for u, p in enumerate(parent):
         if p >= 0 and p != u:
-            pointer(places, p, u, ax, palette.OUTSIDE, "-", width=1.8)
+            draw_pointer(places, p, u, ax, palette.OUTSIDE, "-", width=1.8)
         elif p == -1:
-            beside(places, u, say("graph_picture.root"), ax, palette.INK)
-    draw_ways(places, truth, value, ax)
-    finish(exercise, case, ax)
+            draw_label(places, u, say("graph_picture.root"), ax, palette.INK)
+    draw_paths(places, truth, value, ax)
+    finish_picture(exercise, case, ax)
 
 
 def draw_path_answer(
     exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
 ) -> None:
-    """The graph, a right path and the student's; weights and estimates where there are some."""
+    """Draw a graph with its weights and estimates, a right path and the student's."""
     draw_question(case.given, value, truth, ax)
-    finish(exercise, case, ax)
+    finish_picture(exercise, case, ax)
 
 
 def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any) -> None:
-    """A graph with an estimate, what A* returns, and what is shortest."""
+    """Draw a graph with an estimate, the path that A* returns, and a shortest path."""
     from ....figures import palette, plane
 
     if value is None:
@@ -95,57 +99,46 @@ def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any)
 
 
 def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> None:
-    """A graph with a start and a goal, and two ways."""
+    """Draw a graph with its start and goal, a right path and the student's."""
     from ....figures import palette
 
     start, goal = given["start"], given["goal"]
-    places = draw_ground(Case("", given), ax, highlight=[start, goal])
+    places = draw_grey_graph(Case("", given), ax, highlight=[start, goal])
     for u in range(len(places)):
-        words = [
-            words
-            for words, node in (
-                (say("graph_picture.start"), start),
-                (say("graph_picture.goal"), goal),
-            )
-            if node == u
-        ]
+        text = [say(f"graph_picture.{name}") for name in ("start", "goal") if given[name] == u]
         if "estimate" in given and len(places) <= 16:
-            words.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
-        beside(places, u, ", ".join(words), ax, palette.INK)
-    draw_ways(places, truth, value, ax)
+            text.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
+        draw_label(places, u, ", ".join(text), ax, palette.INK)
+    draw_paths(places, truth, value, ax)
 
 
 def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) -> None:
-    """The graph with its weights, and at each node its cost; and the student's where it is another
-    one.
-    """
+    """Draw a graph with its weights and costs, and the student's costs where they differ."""
     from ....figures import palette
 
-    places = draw_ground(case, ax, highlight=[case.given["start"]])
+    places = draw_grey_graph(case, ax, highlight=[case.given["start"]])
     fits = value is not None and not isinstance(truth, ValueError) and len(value) == len(truth)
     for u in range(len(places)):
         if isinstance(truth, ValueError):
-            beside(
-                places,
-                u,
-                say("graph_picture.start") if u == case.given["start"] else "",
-                ax,
-                palette.INK,
-            )
+            text = say("graph_picture.start") if u == case.given["start"] else ""
+            draw_label(places, u, text, ax, palette.INK)
         elif fits and not (
             value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))
         ):
-            words = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
-            beside(places, u, words, ax, palette.GOAL)
+            text = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
+            draw_label(places, u, text, ax, palette.GOAL)
         else:
-            beside(places, u, spoken(truth[u]), ax, palette.START)
-    note(value, ax)
-    finish(exercise, case, ax)
+            draw_label(places, u, spoken(truth[u]), ax, palette.START)
+    draw_answer_note(value, ax)
+    finish_picture(exercise, case, ax)
 
 
-def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
-    """The graph in grey, on a circle, its edges as lines where all lead both ways. Returns where
-    its nodes are, shape (n, 2).
+def draw_grey_graph(case: Case, ax: Any, *, highlight: list[int]) -> Any:
+    """Draw the graph in grey on a circle; an edge in both directions is one line.
+
+    Returns
+    -------
+    Positions of the nodes, shape (n, 2).
     """
     from ....figures import graphs, palette, plane
     from ....graphs import Graph
@@ -161,14 +154,14 @@ def draw_ground(case: Case, ax: Any, *, highlight: list[int]) -> Any:
     graphs.draw_graph(graph, ax, highlight=highlight)
     for u, v in graph.edges.tolist() if weights is not None and graph.size <= 16 else []:
         (x, y), aside = places[v] - places[u], graphs.bend(graph, u, v) / 2
-        weight = weights[u][neighbours[u].index(v)]  # the graph itself would refuse a negative one
+        weight = weights[u][neighbours[u].index(v)]  # the Graph refuses negative weights
         at = (places[u] + places[v]) / 2 + aside * np.array([y, -x])
         graphs.beside(at, f"{weight:.3g}", ax, (0, -5), palette.INK, "center")
     return places
 
 
-def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
-    """A right path, wide and green; the student's over it, dashed and orange."""
+def draw_paths(places: Any, truth: Any, value: Any, ax: Any) -> None:
+    """Draw a right path, wide and green, and over it the student's, dashed and orange."""
     from ....figures import graphs, palette
 
     for path, colour, width, style in (
@@ -181,13 +174,13 @@ def draw_ways(places: Any, truth: Any, value: Any, ax: Any) -> None:
                 places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0
             ):
                 artist.set(linestyle=style, zorder=4 if style == "-" else 5)
-    note(value, ax)
+    draw_answer_note(value, ax)
 
 
-def pointer(
+def draw_pointer(
     places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8
 ) -> None:
-    """An arrow from a parent to its child."""
+    """Draw an arrow from a parent to its child."""
     from ....figures import graphs
 
     for artist in graphs.link(
@@ -196,33 +189,27 @@ def pointer(
         artist.set(linestyle=style, zorder=4)
 
 
-def beside(places: Any, u: int, words: str, ax: Any, colour: str) -> None:
-    """Words outside of the circle on which the nodes stand, as long as there is room for them."""
+def draw_label(places: Any, u: int, text: str, ax: Any, colour: str) -> None:
+    """Write a label outside the circle of nodes, unless there are too many nodes for labels."""
     from ....figures import graphs
 
-    if not words or len(places) > MOST_LABELS:
+    if not text or len(places) > MOST_LABELS:
         return
     x, y = places[u] / np.sqrt((places[u] * places[u]).sum())
-    graphs.beside(
-        places[u],
-        words,
-        ax,
-        (18 * x, 24 * y - 5),
-        colour,
-        "left" if x > 0.3 else "right" if x < -0.3 else "center",
-    )
+    side = "left" if x > 0.3 else "right" if x < -0.3 else "center"
+    graphs.beside(places[u], text, ax, (18 * x, 24 * y - 5), colour, side)
 
 
-def note(value: Any, ax: Any) -> None:
-    """What the student's program answered, as far as it fits."""
+def draw_answer_note(value: Any, ax: Any) -> None:
+    """Write the student's answer in the corner, shortened to 60 characters."""
     from ....figures import palette, plane
 
-    words = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
-    plane.corner_note(words if len(words) <= 60 else words[:57] + "...", ax, colour=palette.GOAL)
+    text = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
+    plane.corner_note(text if len(text) <= 60 else text[:57] + "...", ax, colour=palette.GOAL)
 
 
-def finish(exercise: Exercise, case: Case, ax: Any) -> None:
-    """No scales, as places mean nothing here; and what to see."""
+def finish_picture(exercise: Exercise, case: Case, ax: Any) -> None:
+    """Hide the axes, since positions mean nothing here, and set the title."""
     from ....figures import plane
 
     ax.set_axis_off()

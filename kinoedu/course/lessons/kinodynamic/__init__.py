@@ -1,6 +1,4 @@
-"""Lesson 13: Planning by driving, or trees of controls. Its exercises, as the notebook asks for
-them.
-"""
+"""The exercises of lesson 13, kinodynamic planning, in the order of the notebook."""
 
 from .best_control import BestControl
 from .fastest_drive import FastestDrive

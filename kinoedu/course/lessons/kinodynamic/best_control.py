@@ -1,6 +1,4 @@
-"""The exercise on one step of a planner that drives: the best of some controls, cut where it is
-best.
-"""
+"""The exercise `best_control`: choose the best of several controls, and where to cut it."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -17,20 +15,26 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record
 from ...whole_shapes import Whole, WholeNumbers
 from ..shared.small_problems import box
-from .garages import POSTS, in_garage
+from .garages import POSTS, make_garage
 
 POSE = Numbers((3,))
 Choice = tuple[int, int] | None
 
 
-def chosen(
+def make_chooser(
     off: Callable[..., float],
     is_free: Callable[..., bool],
     first: int = 1,
     cut: Callable[..., Any] = np.argmin,
 ) -> Callable[..., Choice]:
-    """A program that takes the control least off at its best step, counted from `first`, among
-    those that pass for free.
+    """Return a program that takes the control whose best step is closest to the target.
+
+    Parameters
+    ----------
+    off : distance of a pose from the target.
+    is_free : whether a control may be taken; the others are left out.
+    first : the first step that counts.
+    cut : picks the step of one control from the distances at all of its steps.
     """
 
     def choose(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
@@ -48,88 +52,97 @@ def chosen(
     return choose
 
 
-def distance(problem: Any, a: Array, b: Array) -> float:
-    """As the problem has it."""
+def measure_distance(problem: Any, a: Array, b: Array) -> float:
+    """Return the distance of the problem."""
     return float(problem.distance(a, b))
 
 
-def up_to_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
-    """The drive as far as it is kept."""
+def is_free_to_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
+    """Whether the drive is free up to its cut."""
     return bool(problem.is_free_drive(q, v, phi, cut))
 
 
-def all_of_it(problem: Any, q: Array, v: float, phi: float, _: float, t: float) -> bool:
-    """The drive beyond its cut as well."""
+def is_free_throughout(problem: Any, q: Array, v: float, phi: float, _: float, t: float) -> bool:
+    """Whether the drive is free also beyond its cut."""
     return bool(problem.is_free_drive(q, v, phi, t))
 
 
-def its_end(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
-    """The last pose alone."""
+def is_free_at_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
+    """Whether the last pose is free."""
     return bool(problem.problem.is_free(problem.move(q, v, phi, cut)))
 
 
-def anything(*_: Any) -> bool:
-    """No question asked."""
+def accept_any(*_: Any) -> bool:
+    """Accept every drive."""
     return True
 
 
-best_of_controls = chosen(distance, up_to_cut)
+choose_best_control = make_chooser(measure_distance, is_free_to_cut)
 
 
-def at_the_end(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
-    """Nothing is cut."""
-    choice = chosen(distance, up_to_cut)(problem, q, target, controls, t, 1)
+def compare_ends(
+    problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
+) -> Choice:
+    """Compare the ends of the drives and cut none."""
+    choice = make_chooser(measure_distance, is_free_to_cut)(problem, q, target, controls, t, 1)
     return choice and (choice[0], n)
 
 
-def picked_then_checked(*given: Any) -> Choice:
-    """The best of all, or none where that is not free."""
-    best = chosen(distance, anything)(*given)
-    return best if best == best_of_controls(*given) else None
+def pick_then_check(*given: Any) -> Choice:
+    """Take the best control of all, and return None where it is not free."""
+    best = make_chooser(measure_distance, accept_any)(*given)
+    return best if best == choose_best_control(*given) else None
 
 
-def counted_from_zero(*given: Any) -> Choice:
-    """A step too few."""
-    choice = best_of_controls(*given)
+def count_from_zero(*given: Any) -> Choice:
+    """Return a step that is one too low."""
+    choice = choose_best_control(*given)
     return choice and (choice[0], choice[1] - 1)
 
 
-def first_dip(away: list[float]) -> int:
-    """The step before the first that is farther away."""
+def find_first_dip(away: list[float]) -> int:
+    """Return the step before the first one that is farther away."""
     return next((k for k in range(len(away) - 1) if away[k + 1] > away[k]), len(away) - 1)
 
 
 def cut_until_free(
     problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
-    """Every step is asked about: a control that touches something is cut before that."""
+    """Cut a control before its first contact instead of leaving it out."""
+
+    def measure(step: tuple[int, int]) -> float:
+        i, k = step
+        return measure_distance(problem, problem.move(q, *controls[i], k * t / n), target)
+
     steps = [(i, k) for i in range(len(controls)) for k in range(1, n + 1)]
     free = [(i, k) for i, k in steps if problem.is_free_drive(q, *controls[i], k * t / n)]
-    return min(
-        free,
-        key=lambda ik: distance(problem, problem.move(q, *controls[ik[0]], ik[1] * t / n), target),
-        default=None,
-    )
+    return min(free, key=measure, default=None)
 
 
-def only_closer(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
-    """The least begins with how far q itself is away."""
-    choice = best_of_controls(problem, q, target, controls, t, n)
+def demand_closer(
+    problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
+) -> Choice:
+    """Accept only controls that come closer to the target than q itself."""
+    choice = choose_best_control(problem, q, target, controls, t, n)
     if choice is None:
         return None
     end = problem.move(q, *controls[choice[0]], choice[1] * t / n)
-    return choice if distance(problem, end, target) < distance(problem, q, target) else None
+    return (
+        choice
+        if measure_distance(problem, end, target) < measure_distance(problem, q, target)
+        else None
+    )
 
 
-def farthest(*given: Any) -> Choice:
-    """max for min."""
-    return chosen(lambda problem, a, b: -problem.distance(a, b), up_to_cut)(*given)
+def choose_farthest(*given: Any) -> Choice:
+    """Take the farthest control instead of the closest."""
+    return make_chooser(lambda problem, a, b: -problem.distance(a, b), is_free_to_cut)(*given)
 
 
 MIDDLE = [post for post in POSTS if 60 <= min(post[0]) and max(post[0]) < 180]
 ROOMS = (
-    in_garage((30, 30, 0), (150, 150, 0)),
-    in_garage(
+    make_garage((30, 30, 0), (150, 150, 0)),
+    make_garage(
         (30, 30, 0),
         (150, 150, 0),
         box(100, 112, 101, 125),
@@ -141,7 +154,7 @@ ROOMS = (
 
 
 class BestControl(ValueExercise):
-    """Which of some controls to hold, and for how many steps."""
+    """Choose which of several controls to apply, and for how many steps."""
 
     name = "best_control"
     lesson = "13_kinodynamic_planning"
@@ -150,39 +163,48 @@ class BestControl(ValueExercise):
         problem=DrivenTask(), q=POSE, target=POSE, controls=Numbers(("m", 2)), t=Number(), n=Whole()
     )
     answer = Maybe(WholeNumbers((2,)))
-    source = staticmethod(best_of_controls)
+    source = staticmethod(choose_best_control)
     shown = staticmethod(free_drive)
-    reference = staticmethod(best_of_controls)
+    reference = staticmethod(choose_best_control)
     slips = (
-        Slip("last", at_the_end),
-        Slip("unchecked", chosen(distance, anything)),
-        Slip("picked", picked_then_checked),
-        Slip("whole", chosen(distance, all_of_it)),
-        Slip("end_only", chosen(distance, its_end)),
-        Slip("place", chosen(lambda problem, a, b: math.dist(a[:2], b[:2]), up_to_cut)),
+        Slip("last", compare_ends),
+        Slip("unchecked", make_chooser(measure_distance, accept_any)),
+        Slip("picked", pick_then_check),
+        Slip("whole", make_chooser(measure_distance, is_free_throughout)),
+        Slip("end_only", make_chooser(measure_distance, is_free_at_cut)),
+        Slip("place", make_chooser(lambda problem, a, b: math.dist(a[:2], b[:2]), is_free_to_cut)),
         Slip(
             "no_wrap",
-            chosen(
+            make_chooser(
                 lambda problem, a, b: math.hypot(*(b - a)[:2], problem.radian * (b[2] - a[2])),
-                up_to_cut,
+                is_free_to_cut,
             ),
         ),
-        Slip("dip", chosen(distance, up_to_cut, cut=first_dip)),
+        Slip("dip", make_chooser(measure_distance, is_free_to_cut, cut=find_first_dip)),
         Slip("shorter", cut_until_free),
-        Slip("closer", only_closer),
-        Slip("standing", chosen(distance, up_to_cut, 0)),
-        Slip("counted", counted_from_zero),
-        Slip("farthest", farthest),
+        Slip("closer", demand_closer),
+        Slip("standing", make_chooser(measure_distance, is_free_to_cut, 0)),
+        Slip("counted", count_from_zero),
+        Slip("farthest", choose_farthest),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A control straight on first; one that comes round again; then controls by chance, until
-        there are enough of each kind.
+        """Yield a straight control and one that comes round again, then random controls.
+
+        Random controls are drawn until there are enough cases of each kind.
         """
-        yield Case("open", given(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
-        yield Case("cut", given(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4))
         yield Case(
-            "cut", given(ROOMS[0], (100, 100, 0), (90, 120, -2.6), [(2, 0.7), (-1, -0.2)], 60.0, 12)
+            "open",
+            make_arguments(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4),
+        )
+        yield Case(
+            "cut", make_arguments(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4)
+        )
+        yield Case(
+            "cut",
+            make_arguments(
+                ROOMS[0], (100, 100, 0), (90, 120, -2.6), [(2, 0.7), (-1, -0.2)], 60.0, 12
+            ),
         )
         drawn: dict[str, list[Case]] = {kind: [] for kind in self.kinds}
         while min(map(len, drawn.values())) < 10:
@@ -193,14 +215,14 @@ class BestControl(ValueExercise):
         yield from sorted(every, key=lambda case: len(case.given["controls"]) * case.given["n"])
 
     def drawn_case(self, rng: np.random.Generator) -> Case | None:
-        """A case by chance, of the kind that it is; None where two controls are nearly as good, or
-        nothing can be asked.
+        """Draw a random case and classify it.
+
+        Returns
+        -------
+        The case; None where two controls are nearly equally good, or where q is not free.
         """
-        room, n, m = (
-            ROOMS[int(rng.random() < 0.8)],
-            int(rng.choice([2, 3, 5, 8, 12, 40])),
-            int(rng.integers(2, 8)),
-        )
+        room = ROOMS[int(rng.random() < 0.8)]
+        n, m = int(rng.choice([2, 3, 5, 8, 12, 40])), int(rng.integers(2, 8))
         q = np.round([*rng.uniform(60, 140, 2), rng.uniform(-3.1, 3.1)], 1)
         target = np.round(q + rng.uniform((-25, -25, -1.5), (25, 25, 1.5)), 1)
         controls = np.column_stack(
@@ -209,39 +231,43 @@ class BestControl(ValueExercise):
         if not room.problem.is_free(q):
             return None
         t = float(rng.integers(4, 20))
-        asked = given(room, q, np.array([*target[:2], wrapped(target[2])]), controls, t, n)
-        kind = kind_of(asked)
-        return Case(kind, asked) if kind else None
+        arguments = make_arguments(
+            room, q, np.array([*target[:2], wrapped(target[2])]), controls, t, n
+        )
+        kind = classify(arguments)
+        return Case(kind, arguments) if kind else None
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same control and the same step, or None for None."""
+        """Whether both are the same control and step, or both None."""
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """All drives; the right one, and the student's."""
+        """Draw all drives, the right one and the student's."""
         from .pictures import draw_choice
 
         draw_choice(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def given(room: Any, q: Any, target: Any, controls: Any, t: float, n: int) -> dict[str, Any]:
-    """The arguments of a case."""
+def make_arguments(
+    room: Any, q: Any, target: Any, controls: Any, t: float, n: int
+) -> dict[str, Any]:
+    """Return the arguments of a case."""
     poses = {"q": np.array(q, float), "target": np.array(target, float)}
     return {"problem": room, **poses, "controls": np.array(controls, float), "t": t, "n": n}
 
 
-def kind_of(asked: dict[str, Any]) -> str:
-    """What a case is about; "" where two answers are nearly as good."""
-    room, q, target, controls, t, n = asked.values()
+def classify(arguments: dict[str, Any]) -> str:
+    """Return the kind of a case; "" where two answers are nearly equally good."""
+    room, q, target, controls, t, n = arguments.values()
     poses = room.poses_after(q, controls, t * np.arange(1, n + 1) / n)
     away = np.sort(apart(poses, target, room.radian), axis=1)
     least = np.sort(away[:, 0])
     if np.diff(least).min() < 1e-3 or (n > 1 and (away[:, 1] - away[:, 0]).min() < 1e-3):
         return ""
-    truth = best_of_controls(*asked.values())
+    truth = choose_best_control(*arguments.values())
     if truth is None:
         return "none"
-    if truth != chosen(distance, anything)(*asked.values()):
+    if truth != make_chooser(measure_distance, accept_any)(*arguments.values()):
         return "blocked"
     if not room.is_free_drive(q, *controls[truth[0]], t):
         return "beyond"

@@ -1,5 +1,6 @@
-"""The judge of what is grown by driving: every drive replayed from its control, by the course's own
-code, and free all the way.
+"""The judge of trees of drives.
+
+It replays every drive from its control with the course's own code, and checks that it is free.
 """
 
 import math
@@ -18,15 +19,18 @@ from ...outcomes import Answer, Outcome
 from ..shared.planned import Fault, PlannerExercise
 
 GOAL_EVERY, REGION_EVERY = 4, 7
-MANY = 20  # turns from which chance can be told
-SLACK = 1e-9  # what a duration or a distance may be off, as a share of it
+MANY = 20  # iterations with random targets from which randomness can be judged
+SLACK = 1e-9  # relative tolerance of durations and distances
 NOWHERE = np.empty((0, 3))
 Path = NDArray[np.int64]
 
 
-def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
-    """The first thing that keeps it from being a tree of free drives from the start; and its nodes,
-    as far as they are right.
+def find_drive_fault(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
+    """Replay a tree, and return its first fault with the nodes up to there.
+
+    Returns
+    -------
+    (fault, nodes) : None where every drive is valid and free; the poses of the nodes, shape (n, 3).
     """
     _, parent, controls, durations = tree
     if not len(parent) or not len(parent) == len(controls) == len(durations):
@@ -47,8 +51,8 @@ def why_not_driven(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]
     return None, np.array(nodes)
 
 
-def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
-    """The numbers of the nodes that are near enough to the goal."""
+def find_near_goal(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
+    """Return the indices of the nodes that are near enough to the goal."""
     x, y, theta = problem.goal
     off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
     askew = [
@@ -58,13 +62,13 @@ def near_ones(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int6
     return np.flatnonzero(np.array(off) & np.array(askew))
 
 
-def distances(problem: Any, nodes: Array, q: Array) -> Array:
-    """From each node."""
+def measure_distances(problem: Any, nodes: Array, q: Array) -> Array:
+    """Return the distance from each node to q."""
     return np.array([problem.distance(node, q) for node in nodes])
 
 
-def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
-    """A path that does not begin at node 0, or goes from a node to another than a child of it."""
+def find_path_fault(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | None:
+    """Return the fault of a path that does not begin at node 0 or leaves the tree, or None."""
     if not len(path):
         return Fault("nothing", NOWHERE)
     if path[0] != 0:
@@ -75,25 +79,33 @@ def not_along(parent: NDArray[np.int64], path: Path, nodes: Array) -> Fault | No
     return None
 
 
-def not_nearest_to_goal(problem: Any, nodes: Array, path: Path) -> Fault | None:
-    """A path that ends elsewhere, where no node is near enough."""
-    off = distances(problem, nodes, problem.goal)
+def find_end_fault(problem: Any, nodes: Array, path: Path) -> Fault | None:
+    """Return the fault of a path that does not end at the node nearest to the goal.
+
+    For trees without a node near enough to the goal.
+    """
+    off = measure_distances(problem, nodes, problem.goal)
     return (
         None if off[path[-1]] <= off.min() * (1.0 + SLACK) else Fault("closest", nodes[[path[-1]]])
     )
 
 
-def not_biased(
+def find_bias_fault(
     problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int
 ) -> str:
-    """Which rule a turn broke that drove from chosen nodes, when there were so many before it; ""
-    for none.
+    """Return the rule that an iteration broke when it chose its nodes, or "".
 
-    When the goal is the target these are the nearest to it. When it is a pose of the region, each
-    is nearly so: by the triangle inequality, no farther from the goal than twice the region's reach
-    beyond the nearest.
+    Where the goal is the target, the chosen nodes are the nearest to it. Where a pose of the
+    region is the target, each is nearly so: by the triangle inequality, no farther from the
+    goal than the nearest node plus twice the region's radius.
+
+    Parameters
+    ----------
+    before : number of nodes before this iteration.
+    chosen : indices of the nodes from which it drove.
+    turn : number of the iteration, from 1.
     """
-    off = distances(problem, nodes[:before], problem.goal)
+    off = measure_distances(problem, nodes[:before], problem.goal)
     nearest = np.sort(off)[: len(chosen)]
     if turn % REGION_EVERY == 0:
         reach = REGION * problem.problem.robot.wheelbase
@@ -104,41 +116,44 @@ def not_biased(
     return ""
 
 
-def by_turns(
+def judge_turns(
     problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
 ) -> Fault | None:
-    """Judge the turns of a tree of which no drive can fail: for each, how many nodes there were
-    before, and which were chosen.
+    """Judge each iteration of a tree for which every drive is free.
+
+    Parameters
+    ----------
+    turns : for each iteration, the number of nodes before it and the indices of the chosen ones.
     """
-    straight = others = 0
+    towards_goal = others = 0
     for turn, (before, chosen) in enumerate(turns, 1):
-        rule = not_biased(problem, nodes, before, chosen, turn)
+        rule = find_bias_fault(problem, nodes, before, chosen, turn)
         if rule:
             return Fault(rule, nodes[chosen])
         if turn % GOAL_EVERY and turn % REGION_EVERY and turn > 8:
             others += 1
-            straight += not not_biased(problem, nodes, before, chosen, GOAL_EVERY)
-    return Fault("chance", NOWHERE) if others >= MANY and straight > 0.8 * others else None
+            towards_goal += not find_bias_fault(problem, nodes, before, chosen, GOAL_EVERY)
+    return Fault("chance", NOWHERE) if others >= MANY and towards_goal > 0.8 * others else None
 
 
 class DrivingPlanner(PlannerExercise):
-    """A planner to write whose answer ends with the numbers of the nodes along its drive."""
+    """An exercise on a planner whose answer ends with the nodes along its path."""
 
     lesson = "13_kinodynamic_planning"
     shared = ("driving_planner", "planner", "exercise")
 
     def uses_chance(self, case: Case) -> bool:
-        """Another seed drives otherwise, unless there is nothing to drive."""
+        """Whether another seed gives another answer: always, unless start is goal."""
         return case.kind != "same"
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
-        """The tree in an answer; its nodes are not there yet."""
+        """Return the tree in an answer, without its nodes."""
         raise NotImplementedError
 
     def nodes_of(self, case: Case, answer: Any) -> tuple[DrivenTree, Array]:
-        """The tree as far as it is right, and the poses along the path as far as they are known."""
+        """Return the valid part of the tree, and the known poses along the path."""
         tree = self.tree_of(case, answer)
-        _, nodes = why_not_driven(case.given["problem"], tree)
+        _, nodes = find_drive_fault(case.given["problem"], tree)
         path = answer[-1][(answer[-1] >= 0) & (answer[-1] < len(nodes))]
         n = len(nodes)
         return DrivenTree(nodes, tree.parent[:n], tree.controls[:n], tree.durations[:n]), nodes[
@@ -146,24 +161,24 @@ class DrivingPlanner(PlannerExercise):
         ]
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """How much there is is told by `answer_words`."""
+        """Return nothing to draw: `answer_words` describes the answer."""
         return [], None
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How much was built, where the drive ends, and where it is at fault."""
+        """Describe the size of the answer, where its path ends, and where its fault is."""
         tree, poses = self.nodes_of(case, value[0])
         if not len(poses):
             return self.words("answers.nowhere", nodes=len(tree.nodes))
         x, y, theta = poses[-1]
-        told = self.words(
+        text = self.words(
             "answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta
         )
         fault = self.fault_of_three(case, value)
         where = np.round(fault.marked, 2).tolist() if fault is not None else []
-        return f"{told}; {self.words('answers.at', marked=where)}" if where else told
+        return f"{text}; {self.words('answers.at', marked=where)}" if where else text
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The problem, the tree, the drive, and a cross on what is at fault."""
+        """Draw the problem, the tree, the path, and a cross at the fault."""
         from .pictures import draw_driven_answer
 
         value = outcome.value if isinstance(outcome, Answer) else None

@@ -1,5 +1,6 @@
-"""Shared by the exercises on planners that drive. LaValle, Kuffner, "Randomized kinodynamic
-planning" (2001).
+"""Targets and shapes of the exercises on planners that drive.
+
+S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from typing import Any
@@ -10,24 +11,33 @@ from ....geometry.checks import Array
 from ...shapes import Numbers
 from ...whole_shapes import WholeNumbers
 from ..shared.planned import Fault
-from .driven_trees import (
-    GOAL_EVERY,
-    REGION_EVERY,
-)
+from .driven_trees import GOAL_EVERY, REGION_EVERY
 
-TURNS = {"same": 20, "room": 300, "turn": 95, "seam": 300, "thin": 300, "far": 60, "sealed": 100}
-
-
+ITERATIONS = {
+    "same": 20,
+    "room": 300,
+    "turn": 95,
+    "seam": 300,
+    "thin": 300,
+    "far": 60,
+    "sealed": 100,
+}
 CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), WholeNumbers(("k",))
 
 
-def place_to_go(problem: Any, turn: int, rng: np.random.Generator) -> Array:
-    """Every seventh turn a pose near the goal, every fourth the goal, else any."""
+def choose_target(problem: Any, turn: int, rng: np.random.Generator) -> Array:
+    """Return the target of an iteration.
+
+    Every seventh is a pose near the goal, every other fourth is the goal, the rest are random.
+    """
     if turn % REGION_EVERY == 0:
         return problem.near_goal(rng)
     return problem.goal if turn % GOAL_EVERY == 0 else problem.sample(rng)
 
 
-def stopped_early(nodes: Array, iterations: int) -> Fault | None:
-    """Far fewer nodes than there were turns: no garage is as narrow as that."""
+def find_early_stop(nodes: Array, iterations: int) -> Fault | None:
+    """Return a fault where the nodes are far fewer than the iterations, or None.
+
+    In every garage of the course at least a fifth of the iterations add a node.
+    """
     return Fault("stopped", nodes[-1:]) if 5 * len(nodes) < iterations else None

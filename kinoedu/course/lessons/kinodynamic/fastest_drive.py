@@ -1,6 +1,4 @@
-"""The exercise on the fastest drive through a roadmap whose edges are driven one way. LaValle,
-section 2.2.2.
-"""
+"""The exercise on the fastest path through a roadmap of directed drives. LaValle, section 2.2.2."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar
@@ -24,14 +22,17 @@ Pairs = NDArray[np.int64]
 Way = list[int] | None
 
 
-def way_by(
+def make_search(
     weights: Callable[[Array, Array], Array],
     *,
     directed: bool = True,
     search: Search = dijkstra_path,
 ) -> Callable[..., Way]:
-    """A program that finds the lightest way from node 0 to one of the ends, by weights of controls
-    (m, 2) and durations (m,).
+    """Return a program that finds the lightest path from node 0 to one of the ends.
+
+    Parameters
+    ----------
+    weights : computes weights (m,) from controls (m, 2) and durations (m,).
     """
 
     def find(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
@@ -45,26 +46,29 @@ def way_by(
             for path in (search(graph, 0, int(end)) for end in ends)
             if path is not None
         ]
-        return min(ways, key=lambda way: lasts(way, pairs, heavy, directed), default=None)
+        return min(
+            ways, key=lambda way: measure_duration(way, pairs, heavy, directed), default=None
+        )
 
     return find
 
 
-def by_time(_: Array, durations: Array) -> Array:
-    """What is asked for."""
+def weigh_by_time(_: Array, durations: Array) -> Array:
+    """Return the durations as weights, as the exercise demands."""
     return durations
 
 
-def fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-    """The nodes of a fastest drive from node 0 to one of the ends; None where no edges lead
-    there.
-    """
-    return way_by(by_time)(n, edges, controls, durations, ends)
+def find_fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+    """Return the nodes of a fastest path from node 0 to one of the ends, or None."""
+    return make_search(weigh_by_time)(n, edges, controls, durations, ends)
 
 
-def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True) -> float:
-    """How long a drive along edges takes; of doubles the quicker. Infinite where an edge is not
-    there.
+def measure_duration(
+    way: list[int], edges: Pairs, durations: Array, directed: bool = True
+) -> float:
+    """Return the total duration of a path; infinite where it uses an edge that does not exist.
+
+    Of parallel edges the quickest counts.
     """
     times: dict[tuple[int, int], float] = {}
     for (u, v), t in zip(edges.tolist(), durations.tolist()):
@@ -73,18 +77,17 @@ def lasts(way: list[int], edges: Pairs, durations: Array, directed: bool = True)
     return float(sum(times.get(pair, np.inf) for pair in zip(way, way[1:])))
 
 
-def last_of_doubles(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
-    """A dictionary of edges keeps the last row of each pair."""
+def keep_last_edges(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+    """Find a fastest path where only the last of parallel edges is kept."""
     pairs = np.reshape(edges, (-1, 2))
     kept = list({(u, v): i for i, (u, v) in enumerate(pairs.tolist())}.values())
-    return fastest(n, pairs[kept], controls[kept], durations[kept], ends)
+    return find_fastest(n, pairs[kept], controls[kept], durations[kept], ends)
 
 
-def relaxed_three_times(
-    n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs
-) -> Way:
-    """The rows are gone through too seldom: enough where they stand in the order in which they are
-    driven.
+def relax_three_times(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+    """Relax all edges only three times, as in a Bellman-Ford that stops too early.
+
+    This is right where the rows stand in the order in which they are driven.
     """
     ways: dict[int, tuple[float, Way]] = {0: (0.0, [0])}
     for u, v, t in 3 * [
@@ -96,18 +99,18 @@ def relaxed_three_times(
     return min((ways[int(end)] for end in ends if int(end) in ways), default=(np.inf, None))[1]
 
 
-def turned(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
-    """A program that returns the fastest drive otherwise."""
+def change_fastest(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
+    """Return a program that changes the fastest path by `change`."""
 
     def answer(*given: Any) -> Way:
-        way = fastest(*given)
+        way = find_fastest(*given)
         return None if way is None else change(way)
 
     return answer
 
 
 class FastestDrive(ValueExercise):
-    """From a roadmap of drives to the fastest one that ends near the goal."""
+    """Find the fastest path through a roadmap of drives to a node near the goal."""
 
     name = "fastest_drive"
     lesson = "13_kinodynamic_planning"
@@ -120,35 +123,35 @@ class FastestDrive(ValueExercise):
         ends=WholeNumbers(("k",)),
     )
     answer = Maybe(WholeNumbers(("j",)))
-    source = staticmethod(fastest)
+    source = staticmethod(find_fastest)
     shown = staticmethod(searched)
-    reference: ClassVar[Callable[..., Any]] = staticmethod(fastest)
+    reference: ClassVar[Callable[..., Any]] = staticmethod(find_fastest)
     slips = (
-        Slip("undirected", way_by(by_time, directed=False)),
-        Slip("length", way_by(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
+        Slip("undirected", make_search(weigh_by_time, directed=False)),
+        Slip("length", make_search(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
         Slip(
             "fewest",
-            way_by(lambda controls, durations: np.ones(len(durations)), search=fewest_edges),
+            make_search(lambda controls, durations: np.ones(len(durations)), search=fewest_edges),
         ),
         Slip(
             "first_end",
-            lambda n, edges, controls, durations, ends: fastest(
+            lambda n, edges, controls, durations, ends: find_fastest(
                 n, edges, controls, durations, ends[:1]
             ),
         ),
         Slip(
             "against",
-            lambda n, edges, *others: fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others),
+            lambda n, edges, *others: find_fastest(n, np.reshape(edges, (-1, 2))[:, ::-1], *others),
         ),
-        Slip("doubles", last_of_doubles),
-        Slip("passes", relaxed_three_times),
-        Slip("backwards", turned(lambda way: way[::-1])),
-        Slip("no_start", turned(lambda way: way[1:])),
-        Slip("no_end", turned(lambda way: way[:-1])),
+        Slip("doubles", keep_last_edges),
+        Slip("passes", relax_three_times),
+        Slip("backwards", change_fastest(lambda way: way[::-1])),
+        Slip("no_start", change_fastest(lambda way: way[1:])),
+        Slip("no_end", change_fastest(lambda way: way[:-1])),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Chains, a detour that is faster, an edge that is driven the other way; then more."""
+        """Yield chains, a faster detour and a one-way edge, then random roadmaps."""
         for kind, n, rows, ends in (
             ("chain", 2, [(0, 1, 3)], [1]),
             ("chain", 3, [(0, 1, 3), (1, 2, 4)], [2]),
@@ -161,15 +164,16 @@ class FastestDrive(ValueExercise):
             ("none", 2, [(0, 1, 3)], []),
             ("there", 2, [(0, 1, 3)], [1, 0]),
         ):
-            yield roadmap_case(kind, n, rows, ends)
+            yield make_case(kind, n, rows, ends)
         for n in SIZES:
             size = max(n, 5)
             for kind in self.kinds:
                 yield self.random_case(kind, size, rng)
 
     def random_case(self, kind: str, n: int, rng: np.random.Generator) -> Case:
-        """A roadmap by chance, in any order, some of its drives also done slowly; the ends lie far
-        from the start.
+        """Draw a random roadmap whose ends lie far from the start.
+
+        Its rows are in random order, and some drives occur twice with different durations.
         """
         pairs = [(int(rng.integers(max(v - 3, 0), v)), v) for v in range(1, n)]
         if kind != "chain":
@@ -190,15 +194,16 @@ class FastestDrive(ValueExercise):
             rows = [row for row in rows if row[1] not in ends]
         if kind == "there":
             ends.append(0)
-        return roadmap_case(kind, n, rows, ends)
+        return make_case(kind, n, rows, ends)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The very same nodes."""
+        """Whether both hold the same nodes, or both are None."""
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None where there is no way; else along edges, as they are driven, from 0 to an end, and
-        none is faster.
+        """Judge that the path starts at node 0, follows edges to an end, and is fastest.
+
+        Where no end can be reached, None is right.
         """
         truth = self.truth(case)
         if value is None or truth is None:
@@ -211,36 +216,37 @@ class FastestDrive(ValueExercise):
         way = value.tolist()
         if not way or way[0] != 0 or way[-1] not in ends:
             return Verdict(0.0, "ends_of_way", self.wanted(case))
-        least, found = lasts(truth, edges, durations), lasts(way, edges, durations)
+        least, found = (
+            measure_duration(truth, edges, durations),
+            measure_duration(way, edges, durations),
+        )
         rule = "edges" if found == np.inf else "" if self.near(found, least) else "slower"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """One right drive, and how long it takes."""
+        """Describe one right path and its duration."""
         truth = self.truth(case)
         if truth is None:
             return "None"
         return self.words(
             "wanted",
             way=spoken(truth),
-            time=lasts(truth, case.given["edges"], case.given["durations"]),
+            time=measure_duration(truth, case.given["edges"], case.given["durations"]),
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The roadmap; a fastest drive, and the student's."""
+        """Draw the roadmap, a fastest path and the student's."""
         from .pictures import draw_fastest
 
         draw_fastest(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def roadmap_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
-    """A case of a roadmap, from rows (from, to, duration, speed), the speed 1 unless given."""
+def make_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
+    """Return a case of a roadmap from rows (from, to, duration, speed); the default speed is 1."""
     whole = np.array([(*row, 1.0)[:4] for row in rows])
-    told = {
+    numbers = {
         "controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]),
         "durations": whole[:, 2],
     }
-    return Case(
-        kind,
-        {"n": n, "edges": whole[:, :2].astype(np.int64), **told, "ends": np.array(ends, np.int64)},
-    )
+    edges = {"n": n, "edges": whole[:, :2].astype(np.int64)}
+    return Case(kind, {**edges, **numbers, "ends": np.array(ends, np.int64)})

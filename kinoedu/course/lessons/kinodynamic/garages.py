@@ -1,5 +1,6 @@
-"""Small problems for a car, some of which are traps. It knows three speeds: the shortest is not the
-fastest.
+"""Small problems for a car, some of them traps.
+
+The car has three speeds, so that the shortest path is not always the fastest.
 """
 
 import math
@@ -14,24 +15,24 @@ from ..shared.small_problems import box
 CAR = Car(30, 10, 20, speeds=(-1, 0.5, 2))
 
 
-def in_garage(start: Any, goal: Any, *obstacles: Any, size: float = 200.0) -> Drivable:
-    """The car among obstacles, in a square garage."""
+def make_garage(start: Any, goal: Any, *obstacles: Any, size: float = 200.0) -> Drivable:
+    """Return the problem of the car among obstacles in a square garage."""
     return Drivable(Problem(CAR, PolygonWorld(box(0, 0, size, size), obstacles), start, goal))
 
 
 POSTS = [box(x, y, x + 0.5, y + 0.5) for x in range(20, 200, 40) for y in range(20, 200, 40)]
 GARAGES = {
-    "same": in_garage((60, 60, 0.5), (60, 60, 0.5)),
-    "room": in_garage((70, 100, 0), (88, 100, 0)),
-    "turn": in_garage((1500, 1500, 0), (1500, 1500, 1.2), size=3000.0),  # no wall is in reach
-    "seam": in_garage((96, 100, 2.92), (80, 103.5, math.pi)),
-    "thin": in_garage((35, 40, 0), (115, 80, 0), *POSTS),
-    "far": in_garage(
-        (1500, 1500, 0), (2700, 2400, 1), size=3000.0
-    ),  # farther away than it can drive
-    "sealed": in_garage(
+    "same": make_garage((60, 60, 0.5), (60, 60, 0.5)),
+    "room": make_garage((70, 100, 0), (88, 100, 0)),
+    # no wall can be reached
+    "turn": make_garage((1500, 1500, 0), (1500, 1500, 1.2), size=3000.0),
+    "seam": make_garage((96, 100, 2.92), (80, 103.5, math.pi)),
+    "thin": make_garage((35, 40, 0), (115, 80, 0), *POSTS),
+    # the goal cannot be reached in the given number of iterations
+    "far": make_garage((1500, 1500, 0), (2700, 2400, 1), size=3000.0),
+    "sealed": make_garage(
         (50, 50, 0), (165, 165, 0.8), box(130, 130, 200, 131), box(130, 130, 131, 200)
     ),
 }
 KINDS = tuple(GARAGES)
-OPEN = ("turn", "far")  # where no drive can fail, so that every turn adds its nodes
+OPEN = ("turn", "far")  # every drive is free, so that every iteration adds its nodes

@@ -1,5 +1,6 @@
-"""The exercise `kinodynamic_prm`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
-(2001).
+"""The exercise `kinodynamic_prm`.
+
+S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from collections.abc import Iterator
@@ -21,24 +22,25 @@ from .driven_trees import (
     NOWHERE,
     SLACK,
     DrivingPlanner,
-    by_turns,
-    distances,
-    near_ones,
-    not_along,
-    not_nearest_to_goal,
-    why_not_driven,
+    find_drive_fault,
+    find_end_fault,
+    find_near_goal,
+    find_path_fault,
+    judge_turns,
+    measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, place_to_go, stopped_early
+from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_early_stop
 from .garages import GARAGES, KINDS, OPEN
 
 
-def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
-    """The roadmap as the exercise asks for it."""
+def grow_roadmap(problem: Any, k: int, iterations: int, rng: int) -> Any:
+    """Grow the roadmap as the exercise demands, and return its arrays and path."""
     chance, nodes, arrival = np.random.default_rng(rng), [problem.start], [0.0]
     edges, controls, durations = [], [], []
     for turn in range(1, iterations + 1):
-        target = place_to_go(problem, turn, chance)
-        for near in distances(problem, np.array(nodes), target).argsort(kind="stable")[:k].tolist():
+        target = choose_target(problem, turn, chance)
+        order = measure_distances(problem, np.array(nodes), target).argsort(kind="stable")
+        for near in order[:k].tolist():
             drive = problem.best_drive(nodes[near], target, chance)
             if drive is None:
                 continue
@@ -48,52 +50,38 @@ def own_kinodynamic_prm(problem: Any, k: int, iterations: int, rng: int) -> Any:
             controls.append((v, phi))
             durations.append(t)
             arrival.append(arrival[near] + t)
-    there = near_ones(problem, np.array(nodes))
-    last = (
-        min(there, key=arrival.__getitem__)
-        if len(there)
-        else distances(problem, np.array(nodes), problem.goal).argmin()
-    )
-    return (
-        edges,
-        controls,
-        durations,
-        extract_path(np.array([-1, *(u for u, _ in edges)]), int(last)),
-    )
+    there = find_near_goal(problem, np.array(nodes))
+    nearest = measure_distances(problem, np.array(nodes), problem.goal).argmin()
+    last = min(there, key=arrival.__getitem__) if len(there) else nearest
+    parent = np.array([-1, *(u for u, _ in edges)])
+    return edges, controls, durations, extract_path(parent, int(last))
 
 
 class KinodynamicPrm(DrivingPlanner):
-    """A roadmap of drives, and the fastest drive through it."""
+    """Build a roadmap of drives, and find the fastest path through it."""
 
     name = "kinodynamic_prm"
     kinds = KINDS
     given = Record(problem=DrivenTask(), k=Whole(), iterations=Whole(), rng=Whole())
     result = Together((WholeNumbers(("n", 2)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
-    source = staticmethod(own_kinodynamic_prm)
+    source = staticmethod(grow_roadmap)
     shown = staticmethod(drive_from_nearest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every garage twice, with two nodes a turn and with three."""
+        """Yield every garage twice, with two and with three drives per iteration."""
         for k in (2, 3):
             for kind in KINDS:
-                turns = min(100, TURNS[kind])
-                yield Case(
-                    kind,
-                    {
-                        "problem": GARAGES[kind],
-                        "k": k,
-                        "iterations": turns,
-                        "rng": int(rng.integers(1000)),
-                    },
-                )
+                iterations, seed = min(100, ITERATIONS[kind]), int(rng.integers(1000))
+                question = {"problem": GARAGES[kind], "k": k, "iterations": iterations, "rng": seed}
+                yield Case(kind, question)
 
     def uses_chance(self, case: Case) -> bool:
-        """Always: it does not stop at the goal."""
+        """Another seed always gives another answer: the roadmap does not stop at the goal."""
         return True
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
-        """A new node for each edge."""
+        """Return the roadmap as a tree: each edge leads to a new node."""
         edges, controls, durations, _ = answer
         return DrivenTree(
             NOWHERE,
@@ -103,34 +91,37 @@ class KinodynamicPrm(DrivingPlanner):
         )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The edges; the drives; the path and its end; and where no drive can fail, from which
-        nodes each turn drove.
+        """Judge the edges, the drives, the path and its end.
+
+        Where every drive is free, also judge from which nodes each iteration drove.
         """
         problem, k, iterations, _ = case.given.values()
         edges, tree, path = answer[0], self.tree_of(case, answer), answer[-1]
         if not np.array_equal(edges[:, 1], np.arange(1, len(edges) + 1)):
             turned = np.array_equal(edges[:, 0], np.arange(1, len(edges) + 1))
             return Fault("turned" if turned else "edges", NOWHERE)
-        fault, nodes = why_not_driven(problem, tree)
+        fault, nodes = find_drive_fault(problem, tree)
         if fault is not None:
             return fault
         if len(nodes) > k * iterations + 1:
             return Fault("iterations", NOWHERE)
-        if stopped_early(nodes, iterations):
+        if find_early_stop(nodes, iterations):
             return Fault("onward", nodes[-1:])
-        fault = not_along(tree.parent, path, nodes) or not_fastest(problem, tree, nodes, path)
+        fault = find_path_fault(tree.parent, path, nodes) or find_slower_end(
+            problem, tree, nodes, path
+        )
         return fault or (
-            fault_of_groups(problem, edges, nodes, k, iterations) if case.kind in OPEN else None
+            find_group_fault(problem, edges, nodes, k, iterations) if case.kind in OPEN else None
         )
 
 
-def not_fastest(
+def find_slower_end(
     problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
 ) -> Fault | None:
-    """A path that ends at another node than the one near the goal that is reached first."""
-    surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
+    """Return a fault where another node near the goal is reached sooner than the path's end."""
+    surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
     if not len(surely):
-        return None if path[-1] in perhaps else not_nearest_to_goal(problem, nodes, path)
+        return None if path[-1] in perhaps else find_end_fault(problem, nodes, path)
     arrival = np.zeros(len(nodes))
     for i in range(1, len(nodes)):
         arrival[i] = arrival[tree.parent[i]] + tree.durations[i]
@@ -143,11 +134,12 @@ def not_fastest(
     )
 
 
-def fault_of_groups(
+def find_group_fault(
     problem: Any, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
 ) -> Fault | None:
-    """Turns that did not drive from k different nodes that were there before them, or from the
-    wrong ones.
+    """Judge that each iteration drove from the right k nodes.
+
+    They must be different, be older than the iteration, and be nearest to its target.
     """
     before, turns = 1, []
     for _ in range(iterations):
@@ -158,4 +150,4 @@ def fault_of_groups(
             return Fault("group", nodes[chosen])
         turns.append((before, chosen))
         before += len(chosen)
-    return by_turns(problem, nodes, turns)
+    return judge_turns(problem, nodes, turns)

@@ -1,5 +1,6 @@
-"""The exercise `kinodynamic_rrt`. S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning"
-(2001).
+"""The exercise `kinodynamic_rrt`.
+
+S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from collections.abc import Iterator
@@ -21,26 +22,26 @@ from .driven_trees import (
     NOWHERE,
     SLACK,
     DrivingPlanner,
-    by_turns,
-    distances,
-    near_ones,
-    not_along,
-    not_nearest_to_goal,
-    why_not_driven,
+    find_drive_fault,
+    find_end_fault,
+    find_near_goal,
+    find_path_fault,
+    judge_turns,
+    measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ROUTE, TURNS, place_to_go, stopped_early
+from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_early_stop
 from .garages import GARAGES, KINDS, OPEN
 
 
-def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
-    """The tree as the exercise asks for it."""
+def grow_tree(problem: Any, iterations: int, rng: int) -> Any:
+    """Grow the tree as the exercise demands, and return its arrays and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start]
     parent, controls, durations = [-1], [(0.0, 0.0)], [0.0]
     for turn in range(1, iterations + 1):
-        if len(near_ones(problem, np.array(nodes[-1:]))):
+        if len(find_near_goal(problem, np.array(nodes[-1:]))):
             break
-        target = place_to_go(problem, turn, chance)
-        near = int(distances(problem, np.array(nodes), target).argmin())
+        target = choose_target(problem, turn, chance)
+        near = int(measure_distances(problem, np.array(nodes), target).argmin())
         drive = problem.best_drive(nodes[near], target, chance)
         if drive is None:
             continue
@@ -49,73 +50,62 @@ def own_kinodynamic_rrt(problem: Any, iterations: int, rng: int) -> Any:
         parent.append(near)
         controls.append((v, phi))
         durations.append(t)
-    there = near_ones(problem, np.array(nodes))
-    last = (
-        int(there[0])
-        if len(there)
-        else int(distances(problem, np.array(nodes), problem.goal).argmin())
-    )
-    return parent, controls, durations, extract_path(np.array(parent), last)
+    there = find_near_goal(problem, np.array(nodes))
+    nearest = measure_distances(problem, np.array(nodes), problem.goal).argmin()
+    last = there[0] if len(there) else nearest
+    return parent, controls, durations, extract_path(np.array(parent), int(last))
 
 
 class KinodynamicRrt(DrivingPlanner):
-    """A tree of drives."""
+    """Grow a tree of drives."""
 
     name = "kinodynamic_rrt"
     kinds = KINDS
     given = Record(problem=DrivenTask(), iterations=Whole(), rng=Whole())
     result = Together((WholeNumbers(("n",)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
-    source = staticmethod(own_kinodynamic_rrt)
+    source = staticmethod(grow_tree)
     shown = staticmethod(grow_by_driving)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every garage twice."""
+        """Yield every garage twice."""
         for _ in range(2):
             for kind in KINDS:
-                yield Case(
-                    kind,
-                    {
-                        "problem": GARAGES[kind],
-                        "iterations": TURNS[kind],
-                        "rng": int(rng.integers(1000)),
-                    },
-                )
+                seed = int(rng.integers(1000))
+                question = {"problem": GARAGES[kind], "iterations": ITERATIONS[kind], "rng": seed}
+                yield Case(kind, question)
 
     def tree_of(self, case: Case, answer: Any) -> DrivenTree:
-        """As it stands."""
+        """Return the tree in an answer."""
         return DrivenTree(NOWHERE, *answer[:3])
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The drives; the path and its end; and where no drive can fail, from which nodes each turn
-        drove.
+        """Judge the drives, the path and its end.
+
+        Where every drive is free, also judge from which node each iteration drove.
         """
         problem, iterations, _ = case.given.values()
         tree, path = self.tree_of(case, answer), answer[-1]
-        fault, nodes = why_not_driven(problem, tree)
+        fault, nodes = find_drive_fault(problem, tree)
         if fault is not None:
             return fault
         if len(nodes) > iterations + 1:
             return Fault("iterations", NOWHERE)
-        fault = not_along(tree.parent, path, nodes) or not_ended(problem, nodes, path)
-        if fault is None and not len(near_ones(problem, nodes, SLACK)):
-            fault = stopped_early(nodes, iterations)
+        fault = find_path_fault(tree.parent, path, nodes) or find_goal_fault(problem, nodes, path)
+        if fault is None and not len(find_near_goal(problem, nodes, SLACK)):
+            fault = find_early_stop(nodes, iterations)
         if fault is None and case.kind in OPEN:
             turns = [(i, tree.parent[i : i + 1]) for i in range(1, len(nodes))]
-            whole = len(nodes) == iterations + 1 or len(near_ones(problem, nodes, SLACK))
-            fault = by_turns(problem, nodes, turns) if whole else Fault("dropped", NOWHERE)
+            whole = len(nodes) == iterations + 1 or len(find_near_goal(problem, nodes, SLACK))
+            fault = judge_turns(problem, nodes, turns) if whole else Fault("dropped", NOWHERE)
         return fault
 
 
-def not_ended(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
-    """Growth that went on from the goal, or a path that ends elsewhere."""
-    surely, perhaps = near_ones(problem, nodes, -SLACK), near_ones(problem, nodes, SLACK)
+def find_goal_fault(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
+    """Return a fault where growth went on after the goal was reached or the path ends elsewhere."""
+    surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
     if len(surely) and surely[0] < len(nodes) - 1:
         return Fault("returned", nodes[surely[:1]])
     if path[-1] in perhaps:
         return None
-    return (
-        Fault("goal", nodes[path[-1:]])
-        if len(surely)
-        else not_nearest_to_goal(problem, nodes, path)
-    )
+    return Fault("goal", nodes[path[-1:]]) if len(surely) else find_end_fault(problem, nodes, path)

@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 13. What is true is solid and green, what the student's
-program says dashed and orange.
+"""Pictures of failing cases of lesson 13.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 import math
@@ -13,13 +14,11 @@ from ....words import say
 from ...exercise import Case, ValueExercise, spoken
 from ..shared.car_pictures import arc, frame_both
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
-def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any) -> None:
-    """The problem; the tree, in blue; the drive, in yellow; and the drive or pose that is at fault,
-    in orange.
-    """
+def draw_driven_answer(problem: Any, built: Any, fault: Any, text: str, ax: Any) -> None:
+    """Draw the problem, the tree in blue, the path in yellow, and the fault in orange."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
 
@@ -36,34 +35,21 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, words: str, ax: Any
         )
         if len(numbers):
             draw_path(drive.at(np.linspace(0.0, drive.duration, 12 * len(numbers)))[:, :2], ax)
-        look_closer(
+        zoom_in(
             np.vstack([tree.nodes, problem.start, problem.goal])[:, :2],
             5.0 * problem.robot.wheelbase,
             ax,
         )
     if fault is not None and len(fault.marked):
-        ax.plot(
-            *fault.marked[:, :2].T,
-            "--",
-            color=palette.GOAL,
-            linewidth=3.5,
-            zorder=8,
-            scalex=False,
-            scaley=False,
-        )
-        ax.plot(
-            *fault.marked[-1, :2],
-            "X",
-            color=palette.GOAL,
-            markersize=13,
-            markeredgecolor="white",
-            zorder=9,
-        )
-    plane.title(words, ax)
+        look = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        ax.plot(*fault.marked[:, :2].T, "--", **look, scalex=False, scaley=False)
+        look = {"color": palette.GOAL, "markersize": 13, "markeredgecolor": "white", "zorder": 9}
+        ax.plot(*fault.marked[-1, :2], "X", **look)
+    plane.title(text, ax)
 
 
-def look_closer(places: Array, least: float, ax: Any) -> None:
-    """Where the world is large, show only what is round the places, and so far at least."""
+def zoom_in(places: Array, least: float, ax: Any) -> None:
+    """Zoom in on the positions, with at least `least` units around them, in a large world."""
     middle, reach = (
         (places.min(axis=0) + places.max(axis=0)) / 2.0,
         max(0.6 * float(np.ptp(places, axis=0).max()), least),
@@ -75,7 +61,7 @@ def look_closer(places: Array, least: float, ax: Any) -> None:
 
 
 def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """Both poses as arrows, what is between their headings, and both distances."""
+    """Draw both poses as arrows, the angle between them, and both distances."""
     from ....figures import cars, palette, plane
 
     a, b, radian = case.given.values()
@@ -94,8 +80,9 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> 
 
 
 def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The drives by all controls, thin; the right one up to its cut, and the student's, with the
-    car's body where there is one.
+    """Draw the drives by all controls, the right one up to its cut, and the student's.
+
+    Where there is an obstacle, the car's outline is drawn too.
     """
     from ....figures import cars, palette, plane
     from ....figures.drawing import draw_world
@@ -105,21 +92,18 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     bends = np.tan(controls[:, 1]) / room.problem.robot.wheelbase
     ways = [arc(q, v * t, bend) for (v, _), bend in zip(controls, bends)]
     shown = exercise.truth(case) if value is None or not is_choice(value, controls, n) else value
-    bodies = (
-        []
-        if shown is None
-        else [outline_at(room.problem.robot, pose) for pose in swept(case, bends, *shown)]
-    )
+    poses: Any = [] if shown is None else find_swept_poses(case, bends, *shown)
+    outlines = [outline_at(room.problem.robot, pose) for pose in poses]
     tips = [
         pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)
     ]
-    around = np.vstack([*(way[:, :2] for way in ways), *bodies, *tips, target[:2]])
+    around = np.vstack([*(way[:, :2] for way in ways), *outlines, *tips, target[:2]])
     frame_both(around, None if value is None else around[:1], "", ax)
     limits = ax.get_xlim(), ax.get_ylim()
     draw_world(room.problem.world, ax)
     ax.set(xlim=limits[0], ylim=limits[1])
-    for body in bodies:
-        ax.fill(*body.T, facecolor="none", edgecolor=palette.ROBOT, linewidth=1.4, zorder=4)
+    for outline in outlines:
+        ax.fill(*outline.T, facecolor="none", edgecolor=palette.ROBOT, linewidth=1.4, zorder=4)
     for number, way in enumerate(ways):
         ax.plot(*way[:, :2].T, "-", color=palette.OUTSIDE, linewidth=2.0, zorder=3)
         plane.label(way[-1, :2], str(number), ax, colour=palette.INK)
@@ -129,32 +113,27 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
     ):
         if choice is not None and is_choice(choice, controls, n):
             i, k = choice
-            ax.plot(
-                *arc(q, controls[i, 0] * t * k / n, bends[i])[:, :2].T,
-                style,
-                color=colour,
-                linewidth=4.0,
-                zorder=5,
-            )
+            way = arc(q, controls[i, 0] * t * k / n, bends[i])
+            ax.plot(*way[:, :2].T, style, color=colour, linewidth=4.0, zorder=5)
     cars.draw_pose(q, 8.0, "q", ax, colour=palette.INK, below=True)
     cars.draw_pose(target, 8.0, say("driven_picture.target"), ax, colour=palette.TREE)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def is_choice(choice: Any, controls: Array, n: int) -> bool:
-    """Whether there is such a control, and such a step."""
+    """Whether the answer names an existing control and an existing step."""
     return bool(0 <= choice[0] < len(controls) and 0 <= choice[1] <= n)
 
 
-def swept(case: Case, bends: Array, i: int, k: int) -> Array:
-    """Four poses of a drive by control i up to its step k, with both ends."""
+def find_swept_poses(case: Case, bends: Array, i: int, k: int) -> Array:
+    """Return four poses of the drive by control i up to step k, both ends included."""
     _, q, _, controls, t, n = case.given.values()
     way = arc(q, controls[i, 0] * t * k / n, bends[i])
     return way[np.unique(np.linspace(0, len(way) - 1, 4).astype(int))]
 
 
 def draw_fastest(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
-    """The roadmap with its durations, a fastest drive, and the student's."""
+    """Draw the roadmap with its durations, a fastest path and the student's."""
     from ....figures import palette, plane
     from ....figures.graphs import draw_graph, layout
     from ....graphs import Graph

@@ -1,6 +1,4 @@
-"""Lesson 14: Moving and uncertain obstacles, or when to go, and how sure to be. Its exercises, as
-the notebook asks for them.
-"""
+"""The exercises of lesson 14, moving and uncertain obstacles, in the order of the notebook."""
 
 from .chance_margins import ChanceMargins
 from .collision_probability import CollisionProbability

@@ -1,5 +1,6 @@
-"""The exercise on chance constraints: how far to stay away from each obstacle, by the union bound
-and the chi-square quantile.
+"""The exercise on chance constraints: a margin for each obstacle.
+
+It uses the union bound and the quantile of the chi-square distribution.
 """
 
 import math
@@ -17,18 +18,18 @@ from ...shapes import Number, Numbers, Record
 from .pictures import draw_margins
 
 
-def radius_of(share: float) -> float:
-    """How far an offset of standard deviation 1 lies within, but for a share of the chance."""
+def find_radius(share: float) -> float:
+    """Return the radius that an offset of standard deviation 1 exceeds with probability `share`."""
     return math.sqrt(-2.0 * math.log(share))
 
 
-def scaled(factor: Callable[[int, float], float]) -> Callable[..., Array]:
-    """A program that multiplies every sigma by some factor of m and delta."""
+def scale_by(factor: Callable[[int, float], float]) -> Callable[..., Array]:
+    """Return a program that multiplies every sigma by factor(m, delta)."""
     return lambda sigma, delta: sigma * factor(len(sigma), delta)
 
 
 class ChanceMargins(ValueExercise):
-    """The margins that make the chance of any contact at most delta."""
+    """Compute margins that make the probability of any contact at most delta."""
 
     name = "chance_margins"
     lesson = "14_moving_and_uncertain"
@@ -37,50 +38,49 @@ class ChanceMargins(ValueExercise):
     answer = Numbers(("m",))
     source = staticmethod(chance_margins)
     slips = (
-        Slip("not_shared", scaled(lambda m, delta: radius_of(delta))),
-        Slip("one_axis", scaled(lambda m, delta: NormalDist().inv_cdf(1 - delta / m / 2))),
-        Slip("one_tail", scaled(lambda m, delta: NormalDist().inv_cdf(1 - delta / m))),
-        Slip("one_number", scaled(lambda m, delta: 1.96)),
-        Slip("variance", lambda sigma, delta: sigma**2 * radius_of(delta / len(sigma))),
-        Slip("other_tail", scaled(lambda m, delta: math.sqrt(-2 * math.log(1 - delta / m)))),
-        Slip("no_two", scaled(lambda m, delta: math.sqrt(-math.log(delta / m)))),
-        Slip("no_root", scaled(lambda m, delta: -2 * math.log(delta / m))),
-        Slip("log_ten", scaled(lambda m, delta: math.sqrt(-2 * math.log10(delta / m)))),
-        Slip("independent", scaled(lambda m, delta: radius_of(1 - (1 - delta) ** (1 / m)))),
+        Slip("not_shared", scale_by(lambda m, delta: find_radius(delta))),
+        Slip("one_axis", scale_by(lambda m, delta: NormalDist().inv_cdf(1 - delta / m / 2))),
+        Slip("one_tail", scale_by(lambda m, delta: NormalDist().inv_cdf(1 - delta / m))),
+        Slip("one_number", scale_by(lambda m, delta: 1.96)),
+        Slip("variance", lambda sigma, delta: sigma**2 * find_radius(delta / len(sigma))),
+        Slip("other_tail", scale_by(lambda m, delta: math.sqrt(-2 * math.log(1 - delta / m)))),
+        Slip("no_two", scale_by(lambda m, delta: math.sqrt(-math.log(delta / m)))),
+        Slip("no_root", scale_by(lambda m, delta: -2 * math.log(delta / m))),
+        Slip("log_ten", scale_by(lambda m, delta: math.sqrt(-2 * math.log10(delta / m)))),
+        Slip("independent", scale_by(lambda m, delta: find_radius(1 - (1 - delta) ** (1 / m)))),
         Slip(
             "largest",
-            lambda sigma, delta: np.full(len(sigma), sigma.max() * radius_of(delta / len(sigma))),
+            lambda sigma, delta: np.full(len(sigma), sigma.max() * find_radius(delta / len(sigma))),
         ),
         Slip(
             "by_sigma",
-            lambda sigma, delta: np.array([s * radius_of(delta * s / sigma.sum()) for s in sigma]),
+            lambda sigma, delta: np.array(
+                [s * find_radius(delta * s / sigma.sum()) for s in sigma]
+            ),
         ),
     )
     reference = staticmethod(chance_margins)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One obstacle first."""
-        yield margin_case("one", [1], 0.05)
-        yield margin_case("one", [0.3], 0.5)
-        yield margin_case("several", [1, 1], 0.1)
-        yield margin_case("unequal", [1, 2], 0.1)
-        yield margin_case("seldom", [1], 1e-6)
+        """Yield cases with one obstacle first, then with several."""
+        yield make_case("one", [1], 0.05)
+        yield make_case("one", [0.3], 0.5)
+        yield make_case("several", [1, 1], 0.1)
+        yield make_case("unequal", [1, 2], 0.1)
+        yield make_case("seldom", [1], 1e-6)
         for _ in range(10):
-            m, delta, s = (
-                int(rng.integers(2, 9)),
-                round(float(rng.uniform(0.01, 0.6)), 2),
-                np.round(rng.uniform(0.05, 2, 8), 2),
-            )
-            yield margin_case("one", s[:1], delta)
-            yield margin_case("several", np.full(m, s[0]), delta)
-            yield margin_case("unequal", s[:m], delta)
-            yield margin_case("seldom", s[:m], 10.0 ** -int(rng.integers(4, 10)))
+            m, delta = int(rng.integers(2, 9)), round(float(rng.uniform(0.01, 0.6)), 2)
+            s = np.round(rng.uniform(0.05, 2, 8), 2)
+            yield make_case("one", s[:1], delta)
+            yield make_case("several", np.full(m, s[0]), delta)
+            yield make_case("unequal", s[:m], delta)
+            yield make_case("seldom", s[:m], 10.0 ** -int(rng.integers(4, 10)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Each margin, and the student's."""
+        """Draw each margin and the student's."""
         draw_margins(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def margin_case(kind: str, sigma: Any, delta: float) -> Case:
-    """A case of some obstacles."""
+def make_case(kind: str, sigma: Any, delta: float) -> Case:
+    """Return a case of some obstacles."""
     return Case(kind, {"sigma": np.array(sigma, float), "delta": float(delta)})

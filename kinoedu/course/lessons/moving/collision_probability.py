@@ -1,5 +1,6 @@
-"""The exercise on the chance of a collision: a path among discs whose places are uncertain, tried
-in given scenarios.
+"""The exercise on the probability of a collision, estimated from given scenarios.
+
+A path leads among discs whose positions are uncertain.
 """
 
 from collections.abc import Callable, Iterator
@@ -14,80 +15,98 @@ from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_scenarios
-from .scenarios import Hits, contacts, gaps
+from .scenarios import Hits, find_contacts, measure_gaps
 
-CLEAR = 1e-4  # in no scenario does a path come nearer than this to just touching
+CLEAR = 1e-4  # scenarios in which a path nearly touches a disc, by less than this, are left out
 Z = 1.96
-TINY = (
-    0.01  # a disc with a smaller radius slips between the points of a path that a program looks at
+# a disc with a smaller radius fits between the points of a path that a program samples
+TINY = 0.01
+
+# kind, path, discs, and a list of offsets for each scenario: cases that can be drawn by hand
+SHORT, LONG, BENT = [(0, 0), (4, 0)], [(0, 0), (6, 0)], [(0, 0), (4, 0), (4, 4)]
+PAIR = [(1, 2, 1), (4, 2, 1)]
+SMALL: tuple[tuple[str, Any, Any, Any], ...] = (
+    ("one", SHORT, [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
+    ("one", SHORT, [(6.5, 0, 1)], [[(0, 0)], [(-1, 0.2)], [(-2, 0)], [(0, -0.5)]]),
+    (
+        "one",
+        [(0, 0), (20, 0)],
+        [(7, 0.0004, 0.001)],
+        [[(0.0123, 0)], [(3.4567, 0)], [(-5.4321, 0)], [(6, 0.5)]],
+    ),
+    ("bent", BENT, [(6, 2, 1)], [[(0, 0)], [(-1.5, 0)], [(-4, 0)], [(-3.5, -1.8)]]),
+    (
+        "several",
+        LONG,
+        PAIR,
+        [
+            [(0, -1.5), (0, -1.5)],
+            [(0, 0), (0, -1.5)],
+            [(0, -1.5), (0, 1)],
+            [(0, 0), (0, 0)],
+        ],
+    ),
+    ("none", SHORT, [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
+    (
+        "all",
+        LONG,
+        PAIR,
+        [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]],
+    ),
 )
 
 
-SMALL = (  # kind, path, discs, and a list of offsets for each scenario: what can be drawn by hand
-    ("one", [(0, 0), (4, 0)], [(2, 1.5, 1)], [[(0, 0)], [(0, -1)], [(0, 1)], [(5, 0)]]),
-    ("one", [(0, 0), (4, 0)], [(6.5, 0, 1)], [[(0, 0)], [(-1, 0.2)], [(-2, 0)], [(0, -0.5)]]),
-    ("one", [(0, 0), (20, 0)], [(7, 0.0004, 0.001)], [[(0.0123, 0)], [(3.4567, 0)], [(-5.4321, 0)], [(6, 0.5)]]),
-    ("bent", [(0, 0), (4, 0), (4, 4)], [(6, 2, 1)], [[(0, 0)], [(-1.5, 0)], [(-4, 0)], [(-3.5, -1.8)]]),
-    ("several", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, -1.5)], [(0, 0), (0, -1.5)], [(0, -1.5), (0, 1)],
-                                                           [(0, 0), (0, 0)]]),
-    ("none", [(0, 0), (4, 0)], [(2, 2, 1)], [[(0, 0)], [(1, 0)], [(0, 1)], [(0, -0.5)]]),
-    ("all", [(0, 0), (6, 0)], [(1, 2, 1), (4, 2, 1)], [[(0, -1.5), (0, 0)], [(0, 0), (0, -1.5)], [(0, 1), (0, -1.5)]]),
-)  # fmt: skip
-
-
-def with_interval(hits: float, n: int) -> Array:
-    """The share, and the ends of Wilson's interval."""
+def add_interval(hits: float, n: int) -> Array:
+    """Return the fraction hits / n and the ends of its Wilson interval, shape (3,)."""
     low, high = wilson(hits, n)
     return np.array([hits / n, low, high])
 
 
-def tried(path: Array, discs: Array, offsets: Array) -> Array:
-    """The share of the scenarios in which the path is hit, and the ends of its 95 percent interval;
-    shape (3,).
-    """
-    return with_interval(int(contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
+def estimate_probability(path: Array, discs: Array, offsets: Array) -> Array:
+    """Return the fraction of scenarios that hit the path with its 95 percent interval, (3,)."""
+    return add_interval(int(find_contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
 
 
-def normal_interval(path: Array, discs: Array, offsets: Array) -> Array:
-    """The interval of the textbook: the share, and 1.96 standard deviations either way."""
-    share = contacts(path, discs, offsets).any(axis=1).mean()
+def use_normal_interval(path: Array, discs: Array, offsets: Array) -> Array:
+    """Return the fraction plus and minus 1.96 standard deviations, shape (3,)."""
+    share = find_contacts(path, discs, offsets).any(axis=1).mean()
     reach = Z * np.sqrt(share * (1 - share) / len(offsets))
     return np.array([share, share - reach, share + reach])
 
 
-def counted(count: Callable[[Hits], float]) -> Callable[..., Array]:
-    """A program that counts contacts in another way."""
+def count_by(count: Callable[[Hits], float]) -> Callable[..., Array]:
+    """Return a program that counts contacts with `count`."""
 
     def mistaken(path: Array, discs: Array, offsets: Array) -> Array:
-        hits = contacts(path, discs, offsets)
+        hits = find_contacts(path, discs, offsets)
         share = min(count(hits), 1.0)
-        return with_interval(share * len(hits), len(hits))
+        return add_interval(share * len(hits), len(hits))
 
     return mistaken
 
 
-def among(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Array]:
-    """A program that is right about another path, other discs, or other offsets."""
-    return lambda path, discs, offsets: tried(*change(path, discs, offsets))
+def change_input(change: Callable[..., tuple[Array, Array, Array]]) -> Callable[..., Array]:
+    """Return a program that is right about a path, discs or offsets changed by `change`."""
+    return lambda path, discs, offsets: estimate_probability(*change(path, discs, offsets))
 
 
-def tiny_missed(path: Array, discs: Array, offsets: Array) -> Array:
-    """Discs too small to be met by any of the points that are looked at are not seen."""
-    hits = contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
-    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+def miss_tiny_discs(path: Array, discs: Array, offsets: Array) -> Array:
+    """Ignore discs so small that they fit between the sampled points of a path."""
+    hits = find_contacts(path, discs, offsets)[:, discs[:, 2] >= TINY]
+    return add_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
-def corners_only(path: Array, discs: Array, offsets: Array) -> Array:
-    """The path's points are looked at, not what lies between."""
+def check_points_only(path: Array, discs: Array, offsets: Array) -> Array:
+    """Check only the points of the path, not the segments between them."""
     points = np.repeat(path, 2, axis=0)
     hits = np.any(
-        [contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0
+        [find_contacts(points[2 * k : 2 * k + 2], discs, offsets) for k in range(len(path))], axis=0
     )
-    return with_interval(int(hits.any(axis=1).sum()), len(offsets))
+    return add_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
 class CollisionProbability(ValueExercise):
-    """The share of the scenarios in which a path is hit, with its interval."""
+    """Estimate the fraction of scenarios in which a path is hit, with its interval."""
 
     name = "collision_probability"
     lesson = "14_moving_and_uncertain"
@@ -95,19 +114,19 @@ class CollisionProbability(ValueExercise):
     given = Record(path=Numbers(("k", 2)), discs=Numbers(("m", 3)), offsets=Numbers(("n", "m", 2)))
     answer = Numbers((3,))
     tolerance = 1e-4
-    source = staticmethod(tried)
+    source = staticmethod(estimate_probability)
     shown = staticmethod(probability.collision_probability)
     slips = (
-        Slip("corners", corners_only),
-        Slip("points", tiny_missed),
-        Slip("per_disc", counted(lambda hits: float(hits.sum() / len(hits)))),
-        Slip("pairs", counted(lambda hits: float(hits.mean()))),
-        Slip("every_disc", counted(lambda hits: float(hits.all(axis=1).mean()))),
-        Slip("missed", counted(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
-        Slip("normal", normal_interval),
+        Slip("corners", check_points_only),
+        Slip("points", miss_tiny_discs),
+        Slip("per_disc", count_by(lambda hits: float(hits.sum() / len(hits)))),
+        Slip("pairs", count_by(lambda hits: float(hits.mean()))),
+        Slip("every_disc", count_by(lambda hits: float(hits.all(axis=1).mean()))),
+        Slip("missed", count_by(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
+        Slip("normal", use_normal_interval),
         Slip(
             "one_offset",
-            among(
+            change_input(
                 lambda path, discs, offsets: (
                     path,
                     discs,
@@ -115,42 +134,46 @@ class CollisionProbability(ValueExercise):
                 )
             ),
         ),
-        Slip("minus", among(lambda path, discs, offsets: (path, discs, -offsets))),
-        Slip("expected", among(lambda path, discs, offsets: (path, discs, 0.0 * offsets))),
-        Slip("first_disc", among(lambda path, discs, offsets: (path, discs[:1], offsets[:, :1]))),
+        Slip("minus", change_input(lambda path, discs, offsets: (path, discs, -offsets))),
+        Slip("expected", change_input(lambda path, discs, offsets: (path, discs, 0.0 * offsets))),
+        Slip(
+            "first_disc",
+            change_input(lambda path, discs, offsets: (path, discs[:1], offsets[:, :1])),
+        ),
         Slip(
             "last_stretch",
-            among(lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets)),
+            change_input(
+                lambda path, discs, offsets: (path[: max(len(path) - 1, 2)], discs, offsets)
+            ),
         ),
         Slip(
             "closed",
-            among(lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets)),
+            change_input(
+                lambda path, discs, offsets: (np.vstack([path, path[:1]]), discs, offsets)
+            ),
         ),
-        Slip("beeline", among(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
+        Slip("beeline", change_input(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
     )
-    reference = staticmethod(tried)
+    reference = staticmethod(estimate_probability)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A few scenarios that can be drawn by hand; then a hundred."""
+        """Yield a few scenarios that can be drawn by hand, then random ones."""
         for kind, *given in SMALL:
-            yield Case(
-                kind,
-                {
-                    name: np.array(rows, float)
-                    for name, rows in zip(("path", "discs", "offsets"), given)
-                },
-            )
+            arrays = [np.array(rows, float) for rows in given]
+            yield Case(kind, dict(zip(("path", "discs", "offsets"), arrays)))
         wanted = dict.fromkeys(self.kinds, 10)
         while any(wanted.values()):
             kind = next(kind for kind, left in wanted.items() if left == max(wanted.values()))
-            case = scenario_case(kind, rng)
+            case = draw_case(kind, rng)
             if case is not None:
                 wanted[kind] -= 1
                 yield case
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A right share with another interval has a rule of its own, but where nothing is hit or
-        all.
+        """Judge the fraction and the interval.
+
+        A right fraction with a wrong interval breaks a rule of its own, except where no
+        scenario or every scenario is hit.
         """
         verdict = super().value_verdict(case, value)
         is_share = self.near(float(value[0]), float(self.truth(case)[0])) and case.kind not in (
@@ -160,22 +183,20 @@ class CollisionProbability(ValueExercise):
         return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The path, the discs where they are expected and in scenarios, and both answers."""
+        """Draw the path, the discs at their centres and in scenarios, and both answers."""
         draw_scenarios(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def scenario_case(kind: str, rng: np.random.Generator) -> Case | None:
-    """A case of a kind; None where chance has made another."""
-    n, m, k = (
-        int(rng.integers(40, 120)),
-        1 if kind == "one" else int(rng.integers(2, 5)),
-        2 if kind == "one" else int(rng.integers(3, 5)),
-    )
+def draw_case(kind: str, rng: np.random.Generator) -> Case | None:
+    """Draw a random case of a kind; None where it turns out to be of another kind."""
+    n, m, k = int(rng.integers(40, 120)), 1, 2
+    if kind != "one":
+        m, k = int(rng.integers(2, 5)), int(rng.integers(3, 5))
     path = np.round(rng.uniform(0, 10, (k, 2)), 1)
     sizes: Array = rng.uniform(0.3, 1.5, m)
     discs: Array = np.column_stack([rng.uniform(0, 10, (m, 2)), sizes]).round(1)
     offsets: Array = np.round(rng.normal(0, rng.uniform(0.3, 1.5, m)[:, None], (n, m, 2)), 3)
-    near = gaps(path, discs, offsets)
+    near = measure_gaps(path, discs, offsets)
     if np.abs(near).min() < CLEAR or (np.diff(path, axis=0) == 0.0).all(axis=1).any():
         return None
     hits = near <= 0.0

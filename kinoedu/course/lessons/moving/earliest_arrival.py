@@ -1,5 +1,6 @@
-"""The exercise on planning in time: the earliest arrival by safe intervals. Phillips & Likhachev
-(2011).
+"""The exercise on planning in time: earliest arrival by safe intervals.
+
+M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic environments" (2011).
 """
 
 import math
@@ -16,19 +17,22 @@ from ...shapes import Listed, Numbers, Record
 from ...whole_shapes import Whole
 from .pictures import draw_schedule
 
-LATE = 1e-6  # what a time may be off
+LATE = 1e-6  # tolerance of times
 END = 30.0
 
 Safe = list[list[tuple[float, float]]]
 Rows = list[tuple[float, float]]
 
 
-def schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
-    """The rows (place, time of arrival) of a way that is at the goal as early as can be; none where
-    there is no way.
+def find_schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
+    """Find a path in time with the earliest arrival at the goal.
+
+    Returns
+    -------
+    Rows (place, time of arrival); empty where there is no path.
     """
     intervals = [[(float(b), float(e)) for b, e in own] for own in safe]
-    ways = two_ways(moves)
+    ways = find_adjacent_places(moves)
     first = next((k for k, (b, e) in enumerate(intervals[start]) if b <= 0.0 <= e), None)
     waiting: list[tuple[float, int, int, Rows]] = (
         [] if first is None else [(0.0, start, first, [(start, 0.0)])]
@@ -49,8 +53,8 @@ def schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
     return []
 
 
-def two_ways(moves: Any) -> dict[int, list[tuple[int, float]]]:
-    """The places that can be reached from each, and how long that takes."""
+def find_adjacent_places(moves: Any) -> dict[int, list[tuple[int, float]]]:
+    """Return for each place its adjacent places, each with the duration of the move."""
     ways: dict[int, list[tuple[int, float]]] = {}
     for u, v, duration in moves:
         ways.setdefault(int(u), []).append((int(v), float(duration)))
@@ -58,13 +62,16 @@ def two_ways(moves: Any) -> dict[int, list[tuple[int, float]]]:
     return ways
 
 
-def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
-    """The first rule that a schedule breaks, or ""; whether it is the earliest is not asked."""
+def find_schedule_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
+    """Return the first rule that a schedule breaks, or "".
+
+    Whether the arrival is the earliest is not checked.
+    """
     if not np.isfinite(rows).all() or rows[0][0] != start or abs(rows[0][1]) > LATE:
         return "start"
     if not any(b <= 0.0 <= e for b, e in safe[start]):
         return "begin"
-    ways = two_ways(moves)
+    ways = find_adjacent_places(moves)
     for (u, arrived), (v, there) in zip(rows, rows[1:]):
         if u == v:
             return "own_row"
@@ -84,7 +91,7 @@ def first_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
 
 
 class EarliestArrival(Exercise):
-    """The way in time that is at the goal first, with waits where something passes."""
+    """Find the path in time that reaches the goal first, waiting where something passes."""
 
     name = "earliest_arrival"
     lesson = "14_moving_and_uncertain"
@@ -93,118 +100,109 @@ class EarliestArrival(Exercise):
         safe=Listed(Numbers(("k", 2))), moves=Numbers(("m", 3)), start=Whole(), goal=Whole()
     )
     answer = Numbers(("n", 2))
-    source = staticmethod(schedule)
+    source = staticmethod(find_schedule)
     shown = staticmethod(search_intervals)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two places, then three, then more by chance."""
+        """Yield cases with two places, then with three, then random ones."""
         whole = [(0, END)]
-        yield roadmap_case("go", [whole, whole], [(0, 1, 4)], 0, 1)
-        yield roadmap_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
-        yield roadmap_case("go", [whole, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
-        yield roadmap_case("go", [whole, whole, whole], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
-        yield roadmap_case(
+        yield make_case("go", [whole, whole], [(0, 1, 4)], 0, 1)
+        yield make_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
+        yield make_case("go", [whole, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
+        yield make_case("go", [whole, whole, whole], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
+        yield make_case(
             "go", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
         )
-        yield roadmap_case("go", [whole], np.empty((0, 3)), 0, 0)
-        yield roadmap_case("wait", [whole, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
-        yield roadmap_case(
+        yield make_case("go", [whole], np.empty((0, 3)), 0, 0)
+        yield make_case("wait", [whole, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
+        yield make_case(
             "wait", [whole, [(0, 2), (5, 9), (11, END)], whole], [(0, 1, 3), (1, 2, 1)], 0, 2
         )
-        yield roadmap_case(
+        yield make_case(
             "aside", [[(0, 4), (7, END)], whole, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
         )
-        yield roadmap_case(
+        yield make_case(
             "again", [whole, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2
         )
-        yield roadmap_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
-        yield roadmap_case("none", [whole, whole, whole], [(0, 1, 2)], 0, 2)
-        yield roadmap_case("none", [[(2, END)], whole], [(0, 1, 2)], 0, 1)
-        yield roadmap_case("none", [[(2, END)]], np.empty((0, 3)), 0, 0)
+        yield make_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
+        yield make_case("none", [whole, whole, whole], [(0, 1, 2)], 0, 2)
+        yield make_case("none", [[(2, END)], whole], [(0, 1, 2)], 0, 1)
+        yield make_case("none", [[(2, END)]], np.empty((0, 3)), 0, 0)
         wanted = dict.fromkeys(self.kinds, 8)
         for _ in range(4000):
             if not any(wanted.values()):
                 return
-            safe, moves, start, goal = random_roadmap(rng)
-            kind = kind_of(safe, moves, start, goal)
+            safe, moves, start, goal = draw_roadmap(rng)
+            kind = classify(safe, moves, start, goal)
             if kind and wanted[kind]:
                 wanted[kind] -= 1
-                yield roadmap_case(kind, safe, moves, start, goal)
+                yield make_case(kind, safe, moves, start, goal)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A way that keeps every rule, and is there as early as ours."""
+        """Judge that the schedule keeps every rule and arrives as early as possible."""
         safe, moves, start, goal = case.given.values()
-        best, rows = schedule(safe, moves, start, goal), np.asarray(value).tolist()
-        if not rows or not best:
-            rule = (
-                ""
-                if not rows and not best
-                else "found"
-                if best
-                else first_fault(safe, moves, start, goal, rows)
-            )
-        else:
-            rule = first_fault(safe, moves, start, goal, rows) or (
-                "later" if rows[-1][1] > best[-1][1] + LATE else ""
-            )
+        best, rows = find_schedule(safe, moves, start, goal), np.asarray(value).tolist()
+        rule = find_schedule_fault(safe, moves, start, goal, rows) if rows else ""
+        if best and not rows:
+            rule = "found"
+        elif best and not rule and rows[-1][1] > best[-1][1] + LATE:
+            rule = "later"
         if rule in ("later", "found"):
-            rule = misread(safe, moves, start, goal, rows) or rule
+            rule = find_misread_rule(safe, moves, start, goal, rows) or rule
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """One right answer, in words."""
-        best = schedule(*case.given.values())
-        return (
-            self.words(
-                "wanted", time=spoken(best[-1][1]), rows=spoken([tuple(row) for row in best])
-            )
-            if best
-            else self.words("no_way")
-        )
+        """Describe one right answer."""
+        best = find_schedule(*case.given.values())
+        if not best:
+            return self.words("no_way")
+        rows = spoken([tuple(row) for row in best])
+        return self.words("wanted", time=spoken(best[-1][1]), rows=rows)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """A line for each place with its safe intervals; a right way, and the student's."""
+        """Draw the safe intervals of each place, a right path and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
-        draw_schedule(self, case, schedule(*case.given.values()), value, ax)
+        draw_schedule(self, case, find_schedule(*case.given.values()), value, ax)
 
 
-def misread(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
-    """The rule that was probably misread: read so, the earliest arrival is that of these rows; ""
-    where none fits.
+def find_misread_rule(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
+    """Return the rule that the student probably misread, or "".
+
+    It is the rule without which these rows would have the earliest arrival.
     """
     open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
     last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
     for rule, other in (("closed", open_ends), ("forever", last_only)):
-        ours, theirs = arrival_of(schedule(other, moves, start, goal)), arrival_of(rows)
+        ours, theirs = find_arrival(find_schedule(other, moves, start, goal)), find_arrival(rows)
         if ours == theirs or abs(ours - theirs) < 2.0 * LATE:
             return rule
     return ""
 
 
-def arrival_of(rows: Rows) -> float:
-    """When a way is at its last place; infinite where there is none."""
+def find_arrival(rows: Rows) -> float:
+    """Return when a schedule ends; infinity where it has no rows."""
     return rows[-1][1] if rows else math.inf
 
 
-def kind_of(safe: Safe, moves: Any, start: int, goal: int) -> str:
-    """Which kind of case it is, by what a right way does; "" where it is dull."""
-    best = schedule(safe, moves, start, goal)
+def classify(safe: Safe, moves: Any, start: int, goal: int) -> str:
+    """Return the kind of a case by what a right path does; "" where the case is dull."""
+    best = find_schedule(safe, moves, start, goal)
     if not best:
         return "none"
     places = [place for place, _ in best]
     if len(set(places)) < len(places):
         return "aside"
-    once = earliest_once(safe, moves, start, goal)
+    once = search_one_arrival_each(safe, moves, start, goal)
     if once > best[-1][1] + LATE:
         return "again"
-    durations = {(u, v): d for u, own in two_ways(moves).items() for v, d in own}
+    durations = {(u, v): d for u, own in find_adjacent_places(moves).items() for v, d in own}
     waits = sum(b - a - durations[int(u), int(v)] > LATE for (u, a), (v, b) in zip(best, best[1:]))
     return "wait" if waits else "go" if len(best) > 2 else ""
 
 
-def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
-    """The arrival by a search that keeps for each place its earliest arrival alone."""
-    ways, done, waiting = two_ways(moves), set[int](), [(0.0, start)]
+def search_one_arrival_each(safe: Safe, moves: Any, start: int, goal: int) -> float:
+    """Return the arrival of a search that keeps one arrival for each place."""
+    ways, done, waiting = find_adjacent_places(moves), set[int](), [(0.0, start)]
     while waiting:
         arrived, u = heappop(waiting)
         if u == goal:
@@ -224,9 +222,11 @@ def earliest_once(safe: Safe, moves: Any, start: int, goal: int) -> float:
     return math.inf
 
 
-def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
-    """Some places in a row or a ring, met now and then; times in halves, or in sixteenths, which no
-    clock of a program ticks.
+def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
+    """Draw places in a row or a ring with random safe intervals.
+
+    Times are multiples of 1/2, or of 1/16, so that a program with a fixed time step misses
+    them.
     """
     n, parts = int(rng.integers(3, 8)), int(rng.choice((2, 16)))
     safe: Safe = []
@@ -252,15 +252,8 @@ def random_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
     return safe, moves, 0, n - 1
 
 
-def roadmap_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
-    """A case of a roadmap."""
+def make_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
+    """Return a case of a roadmap."""
     rows = [np.reshape(np.array(own, float), (-1, 2)) for own in safe]
-    return Case(
-        kind,
-        {
-            "safe": rows,
-            "moves": np.reshape(np.array(moves, float), (-1, 3)),
-            "start": start,
-            "goal": goal,
-        },
-    )
+    rows_of_moves = np.reshape(np.array(moves, float), (-1, 3))
+    return Case(kind, {"safe": rows, "moves": rows_of_moves, "start": start, "goal": goal})

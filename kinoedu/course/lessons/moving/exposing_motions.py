@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 14: two motions that meet between the moments at which a
-program looks.
-"""
+"""The exercise "break it" of lesson 14: motions that touch between sampled moments."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -12,16 +10,14 @@ from ....words import say
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
-from .first_contact import contact_time, relative
+from .first_contact import find_contact, find_relative_motion
 from .pictures import draw_missed
 
 FARTHEST, RADIUS, MOMENTS, DEEP = 100.0, 1.0, 20, 0.1
 
 
 class ExposeMoments(Exercise):
-    """Break it: motions of a point and of a disc of radius 1 that touch, and `touch_by_moments`
-    does not see it.
-    """
+    """Give motions of a point and a disc whose contact `touch_by_moments` does not see."""
 
     name = "exposing_motions"
     lesson = "14_moving_and_uncertain"
@@ -30,61 +26,62 @@ class ExposeMoments(Exercise):
     answer = Together((Numbers((2,)),) * 4)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question four times: each asks more of the answer."""
+        """Yield the same question four times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Two motions; that touch unseen; right through the disc; while the point stands."""
+        """Judge that the motions are valid and that their contact is not seen.
+
+        Later cases also demand that the point passes the disc's centre, and that the point
+        stands still.
+        """
         p0, p1, c0, c1 = value
-        rule = "" if valid(value) else "valid" if not inside(value) else "apart"
+        rule = "" if is_valid(value) else "valid" if not is_in_range(value) else "apart"
         if not rule and case.kind != "valid":
-            rule = (
-                "exposes"
-                if nearest(*value) >= RADIUS - 1e-9
-                else "seen"
-                if touch_by_moments(p0, p1, c0, c1, RADIUS)
-                else ""
-            )
+            if find_least_distance(*value) >= RADIUS - 1e-9:
+                rule = "exposes"
+            elif touch_by_moments(p0, p1, c0, c1, RADIUS):
+                rule = "seen"
             if not rule and case.kind != "exposes":
-                rule = "deep" if nearest(*value) > DEEP else ""
+                rule = "deep" if find_least_distance(*value) > DEEP else ""
                 rule = rule or ("standing" if case.kind == "standing" and (p0 != p1).any() else "")
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_motions.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The point's way seen from the disc, and the moments at which the program looks."""
-        fits = isinstance(outcome, Answer) and valid(outcome.value)
+        """Draw the point's motion seen from the disc, with the moments that the program samples."""
+        fits = isinstance(outcome, Answer) and is_valid(outcome.value)
         draw_missed(
             outcome.value if isinstance(outcome, Answer) and fits else None, RADIUS, MOMENTS, ax
         )
 
 
-def valid(value: Any) -> bool:
-    """Whether the places lie where they must, and the two do not touch at the beginning."""
+def is_valid(value: Any) -> bool:
+    """Whether the coordinates are in range and point and disc do not touch at the beginning."""
     p0, p1, c0, c1 = value
-    return inside(value) and contact_time(p0, p1, c0, c1, RADIUS) > 0.0
+    return is_in_range(value) and find_contact(p0, p1, c0, c1, RADIUS) > 0.0
 
 
-def inside(value: Any) -> bool:
-    """Whether all coordinates are between the farthest."""
+def is_in_range(value: Any) -> bool:
+    """Whether all coordinates are in range."""
     return bool((np.abs(np.array(value)) <= FARTHEST).all())
 
 
-def nearest(p0: Array, p1: Array, c0: Array, c1: Array) -> float:
-    """How near the point comes to the disc's centre."""
-    x, v = relative(p0, p1, c0, c1)
+def find_least_distance(p0: Array, p1: Array, c0: Array, c1: Array) -> float:
+    """Return the least distance of the point from the disc's centre."""
+    x, v = find_relative_motion(p0, p1, c0, c1)
     s = 0.0 if v @ v == 0.0 else min(max(-float(x @ v) / float(v @ v), 0.0), 1.0)
     return float(np.sqrt((x + s * v) @ (x + s * v)))
 
 
 def touch_by_moments(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
-    """Whether a point that moves from p0 to p1 touches a disc of radius r whose centre moves
-    meanwhile from c0 to c1.
+    """Whether a point that moves from p0 to p1 touches a moving disc of radius r.
 
-    It is wrong somewhere. Where?
+    The disc's centre moves from c0 to c1 in the same time. The program is wrong somewhere.
+    Where?
     """
     for s in np.linspace(0, 1, 20):
         p, c = p0 + s * (p1 - p0), c0 + s * (c1 - c0)

@@ -1,5 +1,6 @@
-"""The exercise on contact in time: when does a moving point first touch a moving disc? By the
-motion of one seen from the other.
+"""The exercise on the first contact of a moving point and a moving disc.
+
+It is solved by the motion of one seen from the other.
 """
 
 import math
@@ -15,15 +16,18 @@ from ...shapes import Number, Numbers, Record
 from .pictures import draw_contact
 
 PLACE = Numbers((2,))
-CLEAR = 0.01  # no case grazes the disc, begins or ends on its rim by less than this
-# contacts that are over sooner are seen by no program that looks now and then; by chance none of
-# ours is so short
+# cases that graze the disc, or begin or end on its rim, by less than this are left out
+CLEAR = 0.01
+# a contact shorter than this is missed by programs that sample; no random case is so short
 BRIEF = 0.002
 
 
-def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
-    """The two moments at which x + s v is at the distance r from the origin; None where there are
-    none, or all are alike.
+def find_roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
+    """Return the two times s at which |x + s v| = r.
+
+    Returns
+    -------
+    Both times in order; None where no time or every time fulfils it.
     """
     a, b, c = float(v @ v), float(x @ v), float(x @ x) - r * r
     square = b * b - a * c
@@ -32,181 +36,172 @@ def roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
     return (-b - math.sqrt(square)) / a, (-b + math.sqrt(square)) / a
 
 
-def contact_time(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
-    """The share of the time, 0 to 1, after which the point is first within r of the centre;
-    infinite where it never is.
+def find_contact(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
+    """Return when the point is first within r of the centre.
+
+    Returns
+    -------
+    A fraction of the motion's time, 0 to 1; infinity where there is no contact.
     """
-    return seen_from_disc(p0 - c0, (p1 - p0) - (c1 - c0), r)
+    return find_relative_contact(p0 - c0, (p1 - p0) - (c1 - c0), r)
 
 
-def seen_from_disc(x: Array, v: Array, r: float) -> float:
-    """The same, for a disc that stands round the origin."""
+def find_relative_contact(x: Array, v: Array, r: float) -> float:
+    """Return the time of contact of a motion x + s v with a disc at the origin."""
     if x @ x <= r * r:
         return 0.0
-    found = roots(x, v, r)
+    found = find_roots(x, v, r)
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
-def by(
-    motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = seen_from_disc
+def make_program(
+    motion: Callable[..., tuple[Array, Array]], choose: Callable[..., float] = find_relative_contact
 ) -> Callable[..., float]:
-    """A program that has the motion seen from the disc, or what it makes of that, wrong."""
+    """Return a program that makes a mistake in the relative motion, or in what follows from it."""
     return lambda p0, p1, c0, c1, r: choose(*motion(p0, p1, c0, c1), r)
 
 
-def relative(p0: Array, p1: Array, c0: Array, c1: Array) -> tuple[Array, Array]:
-    """Where the point begins, and how it moves, seen from the disc."""
+def find_relative_motion(p0: Array, p1: Array, c0: Array, c1: Array) -> tuple[Array, Array]:
+    """Return the point's first position and its motion, both relative to the disc."""
     return p0 - c0, (p1 - p0) - (c1 - c0)
 
 
-def at_the_ends(x: Array, v: Array, r: float) -> float:
-    """Only the first moment and the last are looked at."""
+def check_ends_only(x: Array, v: Array, r: float) -> float:
+    """Check only the first and the last moment."""
     return 0.0 if x @ x <= r * r else 1.0 if (x + v) @ (x + v) <= r * r else math.inf
 
 
-def leaving(x: Array, v: Array, r: float) -> float:
-    """The later of the two moments."""
-    found = roots(x, v, r)
-    return (
-        0.0
-        if x @ x <= r * r
-        else found[1]
-        if found is not None and 0.0 <= found[1] <= 1.0
-        else math.inf
-    )
+def find_end_of_contact(x: Array, v: Array, r: float) -> float:
+    """Return the time at which contact ends."""
+    if x @ x <= r * r:
+        return 0.0
+    found = find_roots(x, v, r)
+    return found[1] if found is not None and 0.0 <= found[1] <= 1.0 else math.inf
 
 
-def at_any_time(x: Array, v: Array, r: float) -> float:
-    """The moment may lie before the beginning or after the end."""
-    found = roots(x, v, r)
+def find_at_any_time(x: Array, v: Array, r: float) -> float:
+    """Accept times before the beginning or after the end."""
+    found = find_roots(x, v, r)
     return math.inf if found is None else found[0]
 
 
-def nearest_moment(x: Array, v: Array, r: float) -> float:
-    """The moment at which they are nearest, where that is contact."""
+def find_nearest_moment(x: Array, v: Array, r: float) -> float:
+    """Return the time of the least distance, where that is contact."""
     s = 0.0 if v @ v == 0.0 else min(max(-float(x @ v) / float(v @ v), 0.0), 1.0)
     return s if (x + s * v) @ (x + s * v) <= r * r else math.inf
 
 
-def brief_missed(x: Array, v: Array, r: float) -> float:
-    """A contact that is over soon is not seen."""
-    found = roots(x, v, r)
-    return (
-        math.inf
-        if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF
-        else seen_from_disc(x, v, r)
-    )
+def miss_brief_contact(x: Array, v: Array, r: float) -> float:
+    """Miss contacts that are shorter than a sampling program would see."""
+    found = find_roots(x, v, r)
+    if x @ x > r * r and found is not None and found[1] - found[0] < BRIEF:
+        return math.inf
+    return find_relative_contact(x, v, r)
 
 
-def nearly_alike(x: Array, v: Array, r: float) -> float:
-    """Two that move nearly alike are taken for two that move alike."""
-    return (
-        (0.0 if x @ x <= r * r else math.inf)
-        if np.abs(v).max() < CLEAR
-        else seen_from_disc(x, v, r)
-    )
+def confuse_equal_velocities(x: Array, v: Array, r: float) -> float:
+    """Treat nearly equal velocities as equal."""
+    if np.abs(v).max() >= CLEAR:
+        return find_relative_contact(x, v, r)
+    return 0.0 if x @ x <= r * r else math.inf
 
 
-def never_at_once(x: Array, v: Array, r: float) -> float:
-    """Whoever touches already is not seen."""
-    found = roots(x, v, r)
+def miss_first_moment(x: Array, v: Array, r: float) -> float:
+    """Miss contact at the beginning."""
+    found = find_roots(x, v, r)
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
 class FirstContact(ValueExercise):
-    """The share of the time after which a point and a disc, both moving straight, first touch."""
+    """Compute when a point and a disc, both in straight motion, first touch."""
 
     name = "first_contact"
     lesson = "14_moving_and_uncertain"
     kinds = ("meets", "crosses", "outside", "touching", "together")
     given = Record(p0=PLACE, p1=PLACE, c0=PLACE, c1=PLACE, r=Number())
     answer = Number()
-    source = staticmethod(contact_time)
-    shown = staticmethod(contact_time)
+    source = staticmethod(find_contact)
+    shown = staticmethod(find_contact)
     slips = (
-        Slip("standing", by(lambda p0, p1, c0, c1: (p0 - c0, p1 - p0))),
-        Slip("added", by(lambda p0, p1, c0, c1: (p0 - c0, (p1 - p0) + (c1 - c0)))),
-        Slip("backwards", by(lambda p0, p1, c0, c1: (p0 - c0, (c1 - c0) - (p1 - p0)))),
-        Slip("ends_only", by(relative, at_the_ends)),
-        Slip("leaving", by(relative, leaving)),
-        Slip("any_time", by(relative, at_any_time)),
-        Slip("nearest", by(relative, nearest_moment)),
-        Slip("not_at_once", by(relative, never_at_once)),
-        Slip("alike", by(relative, nearly_alike)),
-        Slip("moments", by(relative, brief_missed)),
+        Slip("standing", make_program(lambda p0, p1, c0, c1: (p0 - c0, p1 - p0))),
+        Slip("added", make_program(lambda p0, p1, c0, c1: (p0 - c0, (p1 - p0) + (c1 - c0)))),
+        Slip("backwards", make_program(lambda p0, p1, c0, c1: (p0 - c0, (c1 - c0) - (p1 - p0)))),
+        Slip("ends_only", make_program(find_relative_motion, check_ends_only)),
+        Slip("leaving", make_program(find_relative_motion, find_end_of_contact)),
+        Slip("any_time", make_program(find_relative_motion, find_at_any_time)),
+        Slip("nearest", make_program(find_relative_motion, find_nearest_moment)),
+        Slip("not_at_once", make_program(find_relative_motion, miss_first_moment)),
+        Slip("alike", make_program(find_relative_motion, confuse_equal_velocities)),
+        Slip("moments", make_program(find_relative_motion, miss_brief_contact)),
         Slip(
-            "length", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r) * math.dist(p0, p1)
+            "length", lambda p0, p1, c0, c1, r: find_contact(p0, p1, c0, c1, r) * math.dist(p0, p1)
         ),
-        Slip("diameter", lambda p0, p1, c0, c1, r: contact_time(p0, p1, c0, c1, r / 2)),
+        Slip("diameter", lambda p0, p1, c0, c1, r: find_contact(p0, p1, c0, c1, r / 2)),
     )
-    reference = staticmethod(contact_time)
+    reference = staticmethod(find_contact)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small whole numbers first."""
-        yield contact_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
-        yield contact_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
-        yield contact_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
-        yield contact_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
-        yield contact_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
-        yield contact_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
-        yield contact_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
-        yield contact_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
-        yield contact_case("together", (0, 0), (5, 5), (3, 0), (8, 5), 1)
-        yield contact_case("together", (0, 0), (0, 0), (1, 0), (1, 0), 2)
+        """Yield cases with small whole numbers, then random ones."""
+        yield make_case("meets", (0, 0), (10, 0), (10, 0), (0, 0), 2)
+        yield make_case("meets", (0, 0), (8, 0), (6, 0), (6, 0), 2)
+        yield make_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
+        yield make_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
+        yield make_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
+        yield make_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
+        yield make_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
+        yield make_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
+        yield make_case("together", (0, 0), (5, 5), (3, 0), (8, 5), 1)
+        yield make_case("together", (0, 0), (0, 0), (1, 0), (1, 0), 2)
         wanted = dict.fromkeys(self.kinds, 12)
         while any(wanted.values()):
             p0, p1, c0, c1 = np.round(rng.uniform(-10, 10, (4, 2)), 1)
             r, which = float(np.round(rng.uniform(0.5, 4), 1)), rng.random()
             c1 = c0 + (p1 - p0) if which < 0.2 else c1
             c0 = np.round(p0 + rng.uniform(-0.6, 0.6, 2) * r, 1) if 0.2 < which < 0.4 else c0
-            kind = kind_of(p0, p1, c0, c1, r)
+            kind = classify(p0, p1, c0, c1, r)
             if kind and wanted[kind]:
                 wanted[kind] -= 1
-                yield contact_case(kind, p0, p1, c0, c1, r)
+                yield make_case(kind, p0, p1, c0, c1, r)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """What is no moment from 0 to 1 has a rule of its own, where the two never touch."""
+        """Judge the time; an answer outside of 0 to 1 breaks a rule of its own."""
         if self.same(value, self.truth(case)):
             return RIGHT
         never = math.isinf(self.truth(case)) and not 0.0 <= value <= 1.0
         return Verdict(0.0, "outside" if never else case.kind, self.wanted(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Both ways, and where point and disc are at the true moment and at the student's."""
+        """Draw both motions, and point and disc at the right and at the student's time."""
         draw_contact(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def kind_of(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
-    """Which kind of case it is; "" where a program's rounding might decide it, or where it is
-    dull.
-    """
-    x, v = relative(p0, p1, c0, c1)
+def classify(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
+    """Return the kind of a case; "" where rounding might decide it, or where it is dull."""
+    x, v = find_relative_motion(p0, p1, c0, c1)
     if abs(math.sqrt(x @ x) - r) < CLEAR or abs(math.sqrt((x + v) @ (x + v)) - r) < CLEAR:
         return ""
     if x @ x < r * r:
         return "touching" if v @ v > 1.0 else ""
     if np.abs(v).max() < 1e-9:
         return "together"
-    found, grazed = (
-        roots(x, v, r),
-        (roots(x, v, r - CLEAR) is None) != (roots(x, v, r + CLEAR) is None),
-    )
+    found = find_roots(x, v, r)
+    grazed = (find_roots(x, v, r - CLEAR) is None) != (find_roots(x, v, r + CLEAR) is None)
     if grazed or v @ v < 1.0:
         return ""
     if found is None:
-        return "crosses" if ways_cross(p0, p1, c0, c1, r) else ""
+        return "crosses" if do_paths_cross(p0, p1, c0, c1, r) else ""
     return "meets" if 0.0 < found[0] < 1.0 else "outside"
 
 
-def ways_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
-    """Whether the point's way passes where the disc is at some other time."""
+def do_paths_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
+    """Whether the point's segment passes through the region that the disc sweeps."""
     from ....geometry import segments_intersect
 
     return bool(segments_intersect(p0, p1, c0, c1))
 
 
-def contact_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
-    """A case of two motions."""
+def make_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
+    """Return a case of two motions."""
     places = {
         name: np.array(place, float)
         for name, place in (("p0", p0), ("p1", p1), ("c0", c0), ("c1", c1))

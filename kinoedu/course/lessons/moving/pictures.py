@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 14. What is true is solid and green, what the student's
-program says dashed and orange.
+"""Pictures of failing cases of lesson 14.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 import math
@@ -10,21 +11,21 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise, ValueExercise, spoken
-from .scenarios import contacts
+from .scenarios import find_contacts
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
-MOST_DRAWN = 40  # scenarios
-SPECK = 0.01  # the radius of a disc that is too small to be seen as a ring
+MOST_DRAWN = 40  # scenarios that are drawn
+SPECK = 0.01  # a disc of a smaller radius is too small to be drawn as a ring
 
 
-def told(value: float | None) -> str:
-    """An answer, or that there is none."""
+def format_answer(value: float | None) -> str:
+    """Format an answer, or say that there is none."""
     return say("timed_picture.none") if value is None else spoken(value)
 
 
 def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
-    """Both ways as arrows, and point and disc at the true moment, and at the student's."""
+    """Draw both motions, and point and disc at the right and at the student's time."""
     from ....figures import palette, plane
 
     p0, p1, c0, c1, r = case.given.values()
@@ -39,51 +40,35 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
     for s, colour, style in ((truth, palette.START, "-"), (value, palette.GOAL, "--")):
         if s is not None and 0.0 <= s <= 1.0:
             plane.ring(c0 + s * (c1 - c0), r, "", ax, colour=colour, style=style)
-            plane.dot(
-                p0 + s * (p1 - p0),
-                "",
-                ax,
-                colour=colour,
-                marker="o" if colour == palette.START else "X",
-            )
+            marker = "o" if colour == palette.START else "X"
+            plane.dot(p0 + s * (p1 - p0), "", ax, colour=colour, marker=marker)
     plane.corner_note(
-        say("timed_picture.both", true=told(truth), yours=told(value)), ax, colour=palette.GOAL
+        say("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
+        ax,
+        colour=palette.GOAL,
     )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None, ax: Any) -> None:
-    """A line for each place, thick where it is safe; the right way solid, the student's dashed."""
+    """Draw a line for each place, thick where safe, with the right path and the student's."""
     from ....figures import palette, plane
 
     safe, moves, start, goal = case.given.values()
     durations = {frozenset((int(u), int(v))): d for u, v, d in moves}
+    thick: Any = {"linewidth": 9, "alpha": 0.45, "solid_capstyle": "butt", "zorder": 2}
     for place, own in enumerate(safe):
         ax.axhline(place, color=palette.OUTSIDE, linewidth=1.0, zorder=1)
         for begin, end in own:
-            ax.plot(
-                [begin, end],
-                [place, place],
-                color=palette.ROADMAP,
-                linewidth=9,
-                alpha=0.45,
-                solid_capstyle="butt",
-                zorder=2,
-            )
+            ax.plot([begin, end], [place, place], color=palette.ROADMAP, **thick)
     yours = np.empty((0, 2)) if value is None else value[np.isfinite(value).all(axis=1)]
     for rows, colour, style in ((best, palette.START, "-o"), (yours, palette.GOAL, "--X")):
         points = []
         for (u, a), (v, b) in zip(rows, rows[1:]):
             points += [(a, u), (b - durations.get(frozenset((int(u), int(v))), 0.0), u)]
         points += [(row[1], row[0]) for row in rows[-1:]]
-        ax.plot(
-            *np.reshape(points, (-1, 2)).T,
-            style,
-            color=colour,
-            linewidth=2.2,
-            markersize=7,
-            zorder=4,
-        )
+        x, y = np.reshape(points, (-1, 2)).T
+        ax.plot(x, y, style, color=colour, linewidth=2.2, markersize=7, zorder=4)
     latest = max([12.0, *(float(row[1]) for row in [*best, *yours.tolist()])])
     ax.set(
         xlim=(-0.5, min(1.15 * latest, 60.0)), ylim=(-0.6, len(safe) - 0.4), yticks=range(len(safe))
@@ -95,44 +80,38 @@ def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None
 
 
 def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """For each obstacle its margin, and the student's."""
+    """Draw the margin of each obstacle, and the student's."""
     from ....figures import palette, plane
 
     truth = exercise.truth(case)
     number = np.arange(len(truth))
     ax.bar(number - 0.2, truth, 0.38, color=palette.START, zorder=3)
     yours = np.nan_to_num(value) if value is not None and len(value) == len(truth) else np.empty(0)
-    ax.bar(
-        number[: len(yours)] + 0.2,
-        yours,
-        0.38,
-        color=palette.GOAL,
-        hatch="//",
-        edgecolor="white",
-        zorder=3,
-    )
+    striped = {"hatch": "//", "edgecolor": "white", "zorder": 3}
+    ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.GOAL, **striped)
     ax.set(xticks=number)
     ax.set_xlabel(say("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(say("timed_picture.margin"), fontsize=palette.TEXT_SIZE)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     shown = np.concatenate([truth, yours, [0.0]])
     ax.set_ylim(shown.min(), 1.3 * shown.max())
-    words = say("timed_picture.bars") if len(yours) else say("timed_picture.none")
+    text = say("timed_picture.bars") if len(yours) else say("timed_picture.none")
     ax.annotate(
-        words, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK
+        text, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK
     )
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
-    """The path, the discs where they are expected, and in some scenarios: red and solid where the
-    path is hit.
+    """Draw the path, the discs at their centres, and the discs in some scenarios.
+
+    Discs that hit the path are red and solid.
     """
     from ....figures import palette, plane
 
     path, discs, offsets = case.given.values()
     some = offsets[:MOST_DRAWN]
-    centres, hit = discs[:, :2] + some, contacts(path, discs, some)
+    centres, hit = discs[:, :2] + some, find_contacts(path, discs, some)
     plane.frame(
         np.vstack([path, discs[:, :2] - discs[:, 2:], discs[:, :2] + discs[:, 2:]]), ax, margin=0.2
     )
@@ -160,7 +139,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
 
 def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
-    """The point's way as the disc sees it, with the moments at which a program looks."""
+    """Draw the point's motion seen from the disc, with the moments that the program samples."""
     from ....figures import palette, plane
 
     if value is None:

@@ -1,6 +1,4 @@
-"""Lesson 11: Polygons in the plane, or one task in three ways. Its exercises, as the notebook asks
-for them.
-"""
+"""The exercises of lesson 11, polygons in the plane, in the order of the notebook."""
 
 from .adjacency_matrix import AdjacencyMatrix
 from .bfs_on_matrix import BfsOnMatrix

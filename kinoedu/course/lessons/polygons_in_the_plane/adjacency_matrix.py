@@ -14,134 +14,127 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...tasks import Task
 from ..shared.small_problems import SQUARE, box
-from .matrices import LESSON, MATRIX, at_rest, case
+from .matrices import LESSON, MATRIX, draw_case, make_problem
 from .pictures import draw_matrix
 
 Matrix = NDArray[np.int64]
 
 
 TOUCHED = PolygonWorld(SQUARE, [box(4, 2, 6, 4.5)])
-
-
 STICK = RigidPolygon([(-0.8, -0.2), (0.8, -0.2), (0.8, 0.2), (-0.8, 0.2)])
-
-
 CORRIDOR = PolygonWorld([(0, 0), (10, 0), (10, 1.4), (0, 1.4)], [box(4.9, 0, 5.1, 0.8)])
 
 
-def pairwise(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Matrix:
-    """A symmetric matrix of a relation between two configurations, zero on the diagonal."""
+def relate_pairs(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Matrix:
+    """Return a symmetric relation between configurations as a matrix, zero on the diagonal."""
     matrix = np.zeros((len(nodes), len(nodes)), np.int64)
     for i, j in zip(*np.triu_indices(len(nodes), 1)):
         matrix[i, j] = matrix[j, i] = joined(problem, nodes[i], nodes[j])
     return matrix
 
 
-def free_motions(problem: Any, nodes: Array) -> Matrix:
-    """1 where the motion between two configurations is free."""
-    return pairwise(problem, nodes, lambda problem, a, b: problem.is_free_path(a, b))
+def find_free_motions(problem: Any, nodes: Array) -> Matrix:
+    """Return a matrix with 1 where the motion between two configurations is free."""
+    return relate_pairs(problem, nodes, lambda problem, a, b: problem.is_free_path(a, b))
 
 
-def halfway(problem: Any, a: Array, b: Array) -> bool:
-    """Whether a motion is free at its middle and its ends."""
+def is_free_at_middle(problem: Any, a: Array, b: Array) -> bool:
+    """Whether a motion is free at its middle and at its ends."""
     middle = problem.steer(a, b, problem.distance(a, b) / 2)
     return bool(problem.is_free(a) and problem.is_free(b) and problem.is_free(middle))
 
 
-def chained(problem: Any, nodes: Array) -> Matrix:
-    """Only from each node to the next."""
-    whole = free_motions(problem, nodes)
+def chain_nodes(problem: Any, nodes: Array) -> Matrix:
+    """Return a matrix that joins each node only to the next."""
+    whole = find_free_motions(problem, nodes)
     return np.triu(np.tril(whole, 1), -1)
 
 
 class AdjacencyMatrix(ValueExercise):
-    """Configurations to the matrix of free motions between them."""
+    """Compute the matrix of free motions between configurations."""
 
     name = "adjacency_matrix"
     lesson = LESSON
     kinds = ("two", "wall", "turn", "many")
     given = Record(problem=Task(), nodes=Numbers(("n", "d")))
     answer = MATRIX
-    source = staticmethod(free_motions)
+    source = staticmethod(find_free_motions)
     slips = (
         Slip(
             "ends_only",
-            lambda problem, nodes: pairwise(
+            lambda problem, nodes: relate_pairs(
                 problem, nodes, lambda p, a, b: p.is_free(a) and p.is_free(b)
             ),
         ),
-        Slip("halfway", lambda problem, nodes: pairwise(problem, nodes, halfway)),
+        Slip("halfway", lambda problem, nodes: relate_pairs(problem, nodes, is_free_at_middle)),
         Slip(
             "touching",
-            lambda problem, nodes: pairwise(
+            lambda problem, nodes: relate_pairs(
                 problem, nodes, lambda p, a, b: p.is_semi_free_path(a, b)
             ),
         ),
-        Slip("one_side", lambda problem, nodes: np.triu(free_motions(problem, nodes))),
-        Slip("loops", lambda problem, nodes: free_motions(problem, nodes) + np.eye(len(nodes))),
+        Slip("one_side", lambda problem, nodes: np.triu(find_free_motions(problem, nodes))),
         Slip(
-            "contact", lambda problem, nodes: 1 - np.eye(len(nodes)) - free_motions(problem, nodes)
+            "loops", lambda problem, nodes: find_free_motions(problem, nodes) + np.eye(len(nodes))
         ),
-        Slip("chained", chained),
+        Slip(
+            "contact",
+            lambda problem, nodes: 1 - np.eye(len(nodes)) - find_free_motions(problem, nodes),
+        ),
+        Slip("chained", chain_nodes),
     )
 
     @staticmethod
     def reference(problem: Any, nodes: Array) -> Matrix:
-        """By the course's own test of motions."""
-        return free_motions(problem, nodes)
+        """Return the matrix by the course's own collision check of motions."""
+        return find_free_motions(problem, nodes)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two or three; a thin wall; a corridor, where a step aside is free and a half turn is not;
-        a touch; a roadmap.
+        """Yield two or three configurations, a thin wall, a corridor, a contact, and roadmaps.
+
+        In the corridor a step to the side is free, and half a turn is not.
         """
         for _ in range(10):
             room = scattered(3, side=10.0, radius=1.5, rng=rng)
-            yield case("two", Disk(0.5), room, rng, int(rng.integers(2, 4)))
+            yield draw_case("two", Disk(0.5), room, rng, int(rng.integers(2, 4)))
             wall = float(np.round(rng.uniform(4.0, 6.0), 2))
             thin = PolygonWorld(
                 SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))]
             )
-            yield case("wall", Disk(0.005), thin, rng, 5)
-            x = np.round(
-                np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2
-            )  # a sill is between the two sides
+            yield draw_case("wall", Disk(0.005), thin, rng, 5)
+            # a sill is between the three nodes on the left and the two on the right
+            x = np.round(np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2)
             poses = np.column_stack([x, np.full(5, 0.7), rng.choice([0.0, 0.2, 3.0, -3.0], 5)])
-            yield Case("turn", {"problem": at_rest(STICK, CORRIDOR, poses[0]), "nodes": poses})
-        beside = np.array(
-            [(2, 5), (8, 5), (5, 8)], float
-        )  # the disk touches the box on its way from the first to the second
-        yield Case("two", {"problem": at_rest(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
+            yield Case("turn", {"problem": make_problem(STICK, CORRIDOR, poses[0]), "nodes": poses})
+        # the disk touches the box between the first and the second node
+        beside = np.array([(2, 5), (8, 5), (5, 8)], float)
+        yield Case("two", {"problem": make_problem(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
         for _ in range(10):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)
-            yield case(
-                "many",
-                (STICK, Disk(0.4))[int(rng.integers(2))],
-                world,
-                rng,
-                int(rng.integers(6, 13)),
-            )
+            robot = (STICK, Disk(0.4))[int(rng.integers(2))]
+            yield draw_case("many", robot, world, rng, int(rng.integers(6, 13)))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same entries."""
+        """Whether the entries are the same."""
         return np.array_equal(value, truth)
 
     def wanted(self, case: Case) -> str:
-        """The matrix, row by row."""
+        """Describe the right matrix, row by row."""
         return str(self.truth(case).tolist())
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """The student's, likewise."""
+        """Describe the student's matrix, row by row."""
         return str(value.tolist())
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A matrix of another size breaks a rule of its own."""
+        """Judge the entries; a matrix of the wrong size breaks a rule of its own."""
         verdict = super().value_verdict(case, value)
         return verdict._replace(rule="size") if len(value) != len(case.given["nodes"]) else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The configurations, the free motions, and the student's where they differ."""
+        """Draw the configurations, the free motions, and the entries that are wrong."""
         value = outcome.value if isinstance(outcome, Answer) else None
-        words = self.words(f"pictures.{case.kind}")
+        text = self.words(f"pictures.{case.kind}")
         draw_matrix(
-            case.given["problem"].problem, case.given["nodes"], self.truth(case), value, words, ax
+            case.given["problem"].problem, case.given["nodes"], self.truth(case), value, text, ax
         )

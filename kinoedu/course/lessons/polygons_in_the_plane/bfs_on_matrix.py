@@ -2,16 +2,16 @@
 
 from ...exercise import Slip
 from ..graphs.bfs_path import BfsPath
-from .matrices import OnMatrix, on_matrix
+from .matrices import MatrixExercise, search_matrix_by
 
 
-class BfsOnMatrix(OnMatrix, BfsPath):
-    """A path of the fewest edges."""
+class BfsOnMatrix(MatrixExercise, BfsPath):
+    """Find a path with the fewest edges; any such path is right."""
 
     name = "bfs_on_matrix"
     slips = tuple(
-        Slip(slip.key, on_matrix(slip.answer))
+        Slip(slip.key, search_matrix_by(slip.answer))
         for slip in BfsPath.slips
         if slip.key in ("deep", "order", "reversed")
     )
-    source = staticmethod(on_matrix(BfsPath.reference))
+    source = staticmethod(search_matrix_by(BfsPath.reference))

@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 11: a swept disk for which four chords of it, and its middle,
-are to stand.
-"""
+"""The exercise "break it" of lesson 11: four chords and the centre line stand for a swept disk."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -22,13 +20,12 @@ from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
 from .pictures import draw_swept
 
-# the radius of the largest disk in the obstacle that is asked for: half the room between two chords
-# is 0.5
+# least inradius of the obstacle; half the gap between two chords is 0.5
 THICK = 0.45
 
 
 class ExposeFourChords(Exercise):
-    """Break it: a motion of a disk of radius 1, and a triangle that it hits and the chords miss."""
+    """Give a motion of a disk of radius 1 and a triangle that it hits and the chords miss."""
 
     name = "exposing_obstacle"
     lesson = "11_polygons_in_the_plane"
@@ -37,29 +34,29 @@ class ExposeFourChords(Exercise):
     answer = Together((POINT, POINT, Numbers((3, 2))))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A motion and a triangle; the program is wrong; the triangle is thick."""
-        rule = fault_of_triangle(*value)
+        """Judge that the answer is valid, that the program is wrong, and the thickness."""
+        rule = find_triangle_fault(*value)
         if not rule and case.kind != "valid":
             rule = (
                 "hits" if not swept_disk_hits(*value) else "exposes" if chords_hit(*value) else ""
             )
-        if not rule and case.kind == "thickest" and inner_radius(value[2]) < THICK:
+        if not rule and case.kind == "thickest" and measure_inradius(value[2]) < THICK:
             rule = "thickest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_obstacle.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """What the disk sweeps, the chords, and the triangle."""
+        """Draw what the disk sweeps, the chords and the triangle."""
         value = (
             outcome.value
-            if isinstance(outcome, Answer) and not fault_of_triangle(*outcome.value)
+            if isinstance(outcome, Answer) and not find_triangle_fault(*outcome.value)
             else None
         )
         draw_swept(value, chords(*value[:2]) if value else [], self.words("picture"), ax)
@@ -68,9 +65,9 @@ class ExposeFourChords(Exercise):
 def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
     """Whether a disk of radius 1 that moves straight from a to b touches an obstacle.
 
-    It is wrong somewhere. Where?
+    The program is wrong somewhere. Where?
     """
-    for p, q in chords(a, b):  # of the middle, and of four points of the rim
+    for p, q in chords(a, b):  # of the centre, and of four points of the rim
         if point_in_polygon(p, obstacle):
             return True
         for c, d in zip(obstacle, np.roll(obstacle, -1, axis=0)):
@@ -80,22 +77,20 @@ def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
 
 
 def chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
-    """The ways of the middle of a disk of radius 1, and of the four points of its rim to the right,
-    above, to the left, below.
-    """
+    """Return the paths of the disk's centre and of the right, top, left and bottom of its rim."""
     return [
         (a + off, b + off) for off in np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)], float)
     ]
 
 
 def swept_disk_hits(a: Array, b: Array, obstacle: Array) -> bool:
-    """The truth: by the course's own test of motions, in a room that has room for all."""
+    """Whether the disk really touches the obstacle, by the course's own collision check."""
     room = PolygonWorld(2e4 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]), [obstacle])
     return not bool(free_motions(Disk(1.0), room, a[None], b[None])[0])
 
 
-def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
-    """The rule that keeps it from being a motion and a triangle, or ""."""
+def find_triangle_fault(a: Array, b: Array, obstacle: Array) -> str:
+    """Return the rule that the motion and the triangle break, or ""."""
     numbers = np.vstack([a, b, obstacle])
     if not np.isfinite(numbers).all() or np.abs(numbers).max() > 1e4:
         return "range"
@@ -106,8 +101,8 @@ def fault_of_triangle(a: Array, b: Array, obstacle: Array) -> str:
     return ""
 
 
-def inner_radius(triangle: Array) -> float:
-    """The radius of the largest disk in a triangle: twice its area over its perimeter."""
+def measure_inradius(triangle: Array) -> float:
+    """Return the inradius of a triangle: twice its area divided by its perimeter."""
     u, v = triangle[1] - triangle[0], triangle[2] - triangle[0]
     sides = triangle - np.roll(triangle, -1, axis=0)
     return float(abs(u[0] * v[1] - u[1] * v[0]) / np.hypot(*sides.T).sum())

@@ -1,5 +1,6 @@
-"""The exercise on free headings: a polygon stands at a place and turns until it is free. LaValle,
-section 4.3.3, for one place.
+"""The exercise on free headings: a polygon turns in place until it is free.
+
+LaValle, section 4.3.3, at one position.
 """
 
 from collections.abc import Iterator
@@ -21,15 +22,15 @@ from ...tasks import Asked, Task
 from ..shared.small_problems import SQUARE
 from .pictures import draw_heading
 
-LEAST = 0.2  # radians: where there is a free heading, there are so many side by side
+LEAST = 0.2  # radians: no interval of free headings is shorter
 BAR = RigidPolygon([(-0.5, -0.3), (2.5, -0.3), (2.5, 0.3), (-0.5, 0.3)])
 HOOK = RigidPolygon([(-0.4, -0.4), (1.8, -0.4), (1.8, 0.0), (0.0, 0.0), (0.0, 1.2), (-0.4, 1.2)])
-HALF = 0.56  # of the width of a dead end: the bar has little more than LEAST in it
-CORNER = (1.4, 1.4, 0.0)  # where robots stand at first: free in every world here
+HALF = 0.56  # half the width of a dead end, in which the bar has little more than LEAST
+CORNER = (1.4, 1.4, 0.0)  # the robot's start, which is free in every world
 
 
 class FreeHeading(Exercise):
-    """A heading at which the robot is free at a place, or None."""
+    """Find a heading at which the robot is free at a position, or None."""
 
     name = "free_heading"
     lesson = "11_polygons_in_the_plane"
@@ -42,26 +43,29 @@ class FreeHeading(Exercise):
     shown = staticmethod(middle_of_widest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Any heading will do; headings in slots, at every angle; places beside and inside of
-        obstacles.
-        """
+        """Yield open places, slots at many angles, and places beside and inside obstacles."""
         room = PolygonWorld(SQUARE)
-        yield case(BAR, room, (5.0, 5.0))
-        yield case(BAR, room, (9.0, 5.0))
+        yield make_case(BAR, room, (5.0, 5.0))
+        yield make_case(BAR, room, (9.0, 5.0))
         for angle in (0.0, np.pi / 2, np.pi, -np.pi / 2):
-            yield case(BAR, slot(angle, HALF), (5.0, 5.0))
-        yield case(BAR, slot(0.0, 0.2), (5.0, 5.0))
+            yield make_case(BAR, make_slot(angle, HALF), (5.0, 5.0))
+        yield make_case(BAR, make_slot(0.0, 0.2), (5.0, 5.0))
         for _ in range(12):
-            yield case(BAR, slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), HALF), (5.0, 5.0))
+            yield make_case(
+                BAR, make_slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), HALF), (5.0, 5.0)
+            )
         for robot in (BAR, HOOK):
             world = scattered(12, side=10.0, radius=1.2, keep_free=[(1.4, 1.4, 2.6)], rng=rng)
             for place in np.round(rng.uniform(0.5, 9.5, (40, 2)), 2):
                 widths = np.diff(free_headings(robot, world, place))
                 if not len(widths) or widths.max() > LEAST:
-                    yield case(robot, world, place)
+                    yield make_case(robot, world, place)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None exactly where there is no free heading; else free by the course's own test."""
+        """Judge that None is returned exactly where no heading is free.
+
+        Any other answer must be free by the course's own collision check.
+        """
         if value is None:
             return RIGHT if case.kind == "none" else Verdict(0.0, "missed", self.wanted(case))
         if not np.isfinite(value):
@@ -75,43 +79,35 @@ class FreeHeading(Exercise):
         )
 
     def wanted(self, case: Case) -> str:
-        """The free intervals."""
+        """Describe the free intervals."""
         rows = self.intervals(case)
-        told = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
-        return say("free_heading.wanted", intervals=told) if told else "None"
+        text = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
+        return say("free_heading.wanted", intervals=text) if text else "None"
 
     def intervals(self, case: Case) -> Array:
-        """The free intervals of headings."""
+        """Return the free intervals of headings."""
         problem = case.given["problem"].problem
         return free_headings(problem.robot, problem.world, (case.given["x"], case.given["y"]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The robot at the place: as the student turned it, and a heading at which it is free."""
+        """Draw the robot at the student's heading and at a free one."""
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())
         place = (case.given["x"], case.given["y"])
-        draw_heading(
-            case.given["problem"].problem,
-            place,
-            value,
-            right,
-            self.words(f"pictures.{case.kind}"),
-            ax,
-        )
+        text = self.words(f"pictures.{case.kind}")
+        draw_heading(case.given["problem"].problem, place, value, right, text, ax)
 
 
-def case(robot: Any, world: Any, place: Any) -> Case:
-    """A case of the kind that it is."""
+def make_case(robot: Any, world: Any, place: Any) -> Case:
+    """Return a case and classify it."""
     widths = np.diff(free_headings(robot, world, place))
     kind = "none" if not len(widths) else "slot" if widths.max() < 0.8 else "open"
     problem = Asked(Problem(robot, world, CORNER, CORNER))
     return Case(kind, {"problem": problem, "x": float(place[0]), "y": float(place[1])})
 
 
-def slot(angle: float, half: float) -> Any:
-    """A room with a dead end of a width of twice `half` round its middle, which opens in one
-    direction.
-    """
+def make_slot(angle: float, half: float) -> Any:
+    """Return a room with a dead end of width 2 `half` around its centre, open in one direction."""
     bars = np.array(
         [
             [(-1.2, half), (3.0, half), (3.0, half + 0.4), (-1.2, half + 0.4)],

@@ -1,4 +1,4 @@
-"""Shared by the exercises on adjacency matrices. Bullo & Smith, chapters 2 and 5."""
+"""The base class of the exercises on adjacency matrices. Bullo & Smith, chapters 2 and 5."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -16,57 +16,57 @@ from ...whole_shapes import Whole, WholeNumbers
 from ..graphs.paths import PathExercise
 from ..shared.random_graphs import Neighbours, symmetric
 
-CROWD = np.pad(
-    1 - np.eye(13, dtype=np.int64), (0, 1)
-)  # everyone is joined to everyone, but for the last
-
-
+# a complete graph, and a node without edges
+CROWD = np.pad(1 - np.eye(13, dtype=np.int64), (0, 1))
 LESSON = "11_polygons_in_the_plane"
-
-
 MATRIX = WholeNumbers(("n", "n"))
 
 
-def at_rest(robot: Any, world: Any, q: Any) -> Asked:
-    """A problem that is no task, for what it can be asked."""
+def make_problem(robot: Any, world: Any, q: Any) -> Asked:
+    """Return a problem whose start and goal are the same, for its collision checks alone."""
     return Asked(Problem(robot, world, q, q))
 
 
-def case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
-    """A case of n free configurations at random, two decimals."""
+def draw_case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
+    """Draw a case with n random free configurations, rounded to two decimals."""
     d = 2 if isinstance(robot, type(Disk(1.0))) else 3
     drawn = np.round(rng.uniform((0, 0, -3.1)[:d], (10, 10, 3.1)[:d], (2000, d)), 2)
     nodes = drawn[free_configurations(robot, world, drawn)][:n]
-    return Case(kind, {"problem": at_rest(robot, world, nodes[0]), "nodes": nodes})
+    return Case(kind, {"problem": make_problem(robot, world, nodes[0]), "nodes": nodes})
 
 
-def lists_of(matrix: Any) -> Neighbours:
-    """Adjacency lists, which other exercises have."""
+def list_neighbours(matrix: Any) -> Neighbours:
+    """Convert an adjacency matrix to adjacency lists."""
     return [np.flatnonzero(row).tolist() for row in np.asarray(matrix)]
 
 
-def in_lists(case: Case) -> Case:
-    """The same question of adjacency lists."""
+def convert_case(case: Case) -> Case:
+    """Return the same case with adjacency lists."""
     given = dict(case.given)
     matrix = given.pop("matrix", None)
-    return case if matrix is None else Case(case.kind, {"neighbours": lists_of(matrix), **given})
+    return (
+        case
+        if matrix is None
+        else Case(case.kind, {"neighbours": list_neighbours(matrix), **given})
+    )
 
 
-def on_matrix(search: Callable[..., Any]) -> Callable[..., Any]:
-    """A search of adjacency lists as one of a matrix."""
-    return lambda matrix, start, goal: search(lists_of(matrix), start, goal)
+def search_matrix_by(search: Callable[..., Any]) -> Callable[..., Any]:
+    """Convert a search on adjacency lists to a search on an adjacency matrix."""
+    return lambda matrix, start, goal: search(list_neighbours(matrix), start, goal)
 
 
-class OnMatrix(PathExercise):
-    """Lesson 4's question, of an adjacency matrix: a path between two nodes, or None."""
+class MatrixExercise(PathExercise):
+    """An exercise on a path between two nodes of an adjacency matrix."""
 
     lesson = LESSON
     kinds = ("small", "cycle", "unreachable", "start_is_goal")
     given = Record(matrix=MATRIX, start=Whole(), goal=Whole())
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Those of lesson 4 whose edges lead both ways; before the larger ones a crowd, of more
-        ways than can be tried.
+        """Yield the cases of lesson 4 whose edges lead both ways.
+
+        Before the larger ones comes a dense graph that has more paths than can be tried.
         """
         found = []
         for case in super().cases(rng):
@@ -82,13 +82,13 @@ class OnMatrix(PathExercise):
         yield from found[at:]
 
     def truth(self, case: Case) -> Any:
-        """Of the lists."""
-        return super().truth(in_lists(case))
+        """Return the right answer on the adjacency lists."""
+        return super().truth(convert_case(case))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """By the edges of the lists."""
-        return super().value_verdict(in_lists(case), value)
+        """Judge the path on the adjacency lists."""
+        return super().value_verdict(convert_case(case), value)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The graph, a right path and the student's."""
-        super().draw(in_lists(case), outcome, ax)
+        """Draw the graph, a right path and the student's."""
+        super().draw(convert_case(case), outcome, ax)

@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 11. What is true is green and solid, what the student's
-program says orange and dashed.
+"""Pictures of failing cases of lesson 11.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 from typing import Any
@@ -9,13 +10,13 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_heading(
-    problem: Any, place: Any, value: float | None, right: float | None, words: str, ax: Any
+    problem: Any, place: Any, value: float | None, right: float | None, text: str, ax: Any
 ) -> None:
-    """The world, the robot as it could stand, and as the student turned it."""
+    """Draw the world, the robot at a free heading and at the student's."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
 
@@ -29,13 +30,11 @@ def draw_heading(
         body.set(linestyle="--")
         plane.corner_note(say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL)
     plane.dot(place, "", ax)
-    plane.title(words, ax)
+    plane.title(text, ax)
 
 
-def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, ax: Any) -> None:
-    """The configurations with their numbers; free motions; those that the student has and should
-    not, or lacks.
-    """
+def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, text: str, ax: Any) -> None:
+    """Draw the numbered configurations, the free motions, and the student's wrong entries."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
 
@@ -52,12 +51,15 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, words: str, 
         plane.label(q[:2], str(number), ax, offset=(3, 3))
     if not fits:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
-    plane.title(words, ax)
+    plane.title(text, ax)
 
 
-def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
-    """What a disk of radius 1 sweeps from a to b, the chords that stand for it, and an obstacle:
-    value is (a, b, obstacle).
+def draw_swept(value: Any, chords: Any, text: str, ax: Any) -> None:
+    """Draw what a disk of radius 1 sweeps, its chords, and an obstacle.
+
+    Parameters
+    ----------
+    value : (a, b, obstacle), or None.
     """
     from ....figures import palette, plane
     from ....figures.bars import draw_bar
@@ -72,4 +74,4 @@ def draw_swept(value: Any, chords: Any, words: str, ax: Any) -> None:
         for p, q in chords:
             plane.stretch(p, q, "", ax, colour=palette.TREE)
         plane.polygon(obstacle, ax, numbers=False)
-    plane.title(words, ax)
+    plane.title(text, ax)

@@ -1,6 +1,4 @@
-"""The exercise on an RRT for a polygon that turns: lesson 9's planner, asked with configurations
-(x, y, theta).
-"""
+"""The exercise on an RRT for a polygon that rotates: lesson 9's planner in (x, y, theta)."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,33 +11,34 @@ from ....worlds import PolygonWorld
 from ...exercise import Case
 from ..shared.planned import Asked
 from ..shared.small_problems import SQUARE, box
-from ..trees.rrt import Rrt, straight
+from ..trees.rrt import Rrt, aim_at_goal
 
 STICK = RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
 NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002)])
 STEP, BIAS = 2.0, 0.2
 
 
-def stick(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
-    """A stick, or another robot, among obstacles, in a room of 10 x 10."""
+def make_problem(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
+    """Return the problem of a stick, or another robot, among obstacles in a room of 10 x 10."""
     return Asked(Problem(robot, PolygonWorld(SQUARE, obstacles), start, goal))
 
 
 TASKS = {
-    "same": stick((4, 5, 1), (4, 5, 1)),
-    "room": stick((2, 3, 0), (8, 7, 1)),
-    "seam": stick((5, 5, 3.0), (5.5, 5, -3.0)),  # the short way is across pi
-    "door": stick((2.5, 5, 0), (7.5, 5, 0), box(4.9, 0, 5.1, 4), box(4.9, 6, 5.1, 10)),
-    "wall": stick((2, 2, 1.57), (8, 2, 1.57), box(4, 0, 6, 7.5)),
-    "sealed": stick((2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)),
+    "same": make_problem((4, 5, 1), (4, 5, 1)),
+    "room": make_problem((2, 3, 0), (8, 7, 1)),
+    "seam": make_problem((5, 5, 3.0), (5.5, 5, -3.0)),  # the short way leads across pi
+    "door": make_problem((2.5, 5, 0), (7.5, 5, 0), box(4.9, 0, 5.1, 4), box(4.9, 6, 5.1, 10)),
+    "wall": make_problem((2, 2, 1.57), (8, 2, 1.57), box(4, 0, 6, 7.5)),
+    "sealed": make_problem(
+        (2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)
+    ),
 }
-SHEET = stick(
-    (4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE
-)  # between places along the motion
+# a sheet that fits between sampled points of a motion
+SHEET = make_problem((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)
 
 
 class RrtForPolygon(Rrt):
-    """One tree in SE(2)."""
+    """Grow one tree in SE(2)."""
 
     name = "rrt_for_polygon"
     lesson = "11_polygons_in_the_plane"
@@ -47,21 +46,22 @@ class RrtForPolygon(Rrt):
     shared = ("rrt", "planner", "exercise")
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every task twice, the wall once as a thin one; then straight to the goal, with a way to
-        it and without.
+        """Yield every task twice, then runs straight to the goal with and without a path.
+
+        The second wall is a thin one.
         """
         for tasks in (TASKS, {**TASKS, "wall": SHEET}):
             for kind in tasks:
                 yield self.asked(kind, tasks[kind], rng)
         for kind in ("room", "sealed"):
-            yield straight(self.asked(kind, TASKS[kind], rng))
+            yield aim_at_goal(self.asked(kind, TASKS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
-        """Where the goal is within a step nothing is drawn."""
+        """Whether anything is drawn: the goal is more than a step away."""
         return case.kind != "seam" and super().uses_chance(case)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
-        """Fewer iterations where there is no way."""
+        """Return a case, with fewer iterations where no path exists."""
         most = 300 if kind == "sealed" else 800
         given = {
             "problem": problem,

@@ -1,6 +1,4 @@
-"""Lesson 8: Roadmaps, or build the map once and ask it a thousand times. Its exercises, as the
-notebook asks for them.
-"""
+"""The exercises of lesson 8, roadmaps, in the order of the notebook."""
 
 from .component_k_closest import ComponentNeighbours
 from .exposing_sight import ExposeSight

@@ -19,15 +19,15 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record
 from ..decomposition.free_intervals import RING
 from ..shared.random_worlds import edges_round
-from .halls import bends
+from .halls import measure_turns
 
-FEWEST, MOST = 5, 40  # vertices
-LARGEST = 100.0  # whole numbers so small that the middle of two of them is exact
+FEWEST, MOST = 5, 40  # number of vertices
+LARGEST = 100.0  # midpoints of whole numbers up to this are exact
 REFUSALS = (InvalidPoint, InvalidPolygon, InvalidWorld)
 
 
 class ExposeSight(Exercise):
-    """Break it: obstacles of which `sees` says that two corners see each other, and they do not."""
+    """Give obstacles for which `sees` is wrong about two corners."""
 
     name = "exposing_sight"
     lesson = "08_roadmaps"
@@ -36,11 +36,11 @@ class ExposeSight(Exercise):
     answer = Listed(RING)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Simple polygons apart; through which the program sees; with five vertices in all."""
+        """Judge that the polygons are valid, that `sees` is wrong, and the vertex count."""
         rule = world_fault(value)
         if not rule and case.kind != "valid":
             rule = "" if wrong_views(value) else "exposes"
@@ -50,11 +50,11 @@ class ExposeSight(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_sight.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The obstacles, and the views on which the program is wrong."""
+        """Draw the obstacles and the pairs about which the program is wrong."""
         from ....figures import palette, plane
 
         rings = outcome.value if isinstance(outcome, Answer) else []
@@ -70,7 +70,7 @@ class ExposeSight(Exercise):
 
 
 def world_fault(obstacles: Any) -> str:
-    """The rule that keeps them from being obstacles of a world, or ""."""
+    """Return the rule that the obstacles of a world break, or ""."""
     rings = list(obstacles)
     if not rings or sum(map(len, rings)) > MOST:
         return "valid"
@@ -84,7 +84,7 @@ def world_fault(obstacles: Any) -> str:
     import shapely
 
     try:
-        PolygonWorld(room_round(rings), rings)
+        PolygonWorld(make_room(rings), rings)
     except REFUSALS:
         return "valid"
     solids = [shapely.Polygon(ring) for ring in rings]
@@ -92,18 +92,19 @@ def world_fault(obstacles: Any) -> str:
     return "" if apart and all(shapely.LinearRing(ring).is_ccw for ring in rings) else "valid"
 
 
-def room_round(rings: Any) -> Array:
-    """A room that holds all of the obstacles."""
+def make_room(rings: Any) -> Array:
+    """Return a rectangle that contains all obstacles."""
     (x0, y0), (x1, y1) = np.vstack(rings).min(axis=0) - 1.0, np.vstack(rings).max(axis=0) + 1.0
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
 def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
-    """The pairs of convex corners of which `sees` says something else than the course's own
-    collision code.
+    """Return the pairs of convex corners about which `sees` is wrong.
+
+    The truth is the course's own collision check.
     """
-    world = PolygonWorld(room_round(obstacles), obstacles)
-    corners = np.vstack([ring[bends(ring) > 0.0] for ring in obstacles])
+    world = PolygonWorld(make_room(obstacles), obstacles)
+    corners = np.vstack([ring[measure_turns(ring) > 0.0] for ring in obstacles])
     return [
         (a, b)
         for a, b in combinations(corners, 2)
@@ -112,18 +113,14 @@ def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
 
 
 def sees(a: Array, b: Array, obstacles: list[Array]) -> bool:
-    """Whether two corners see each other: the way crosses no edge, and half of it is not inside an
-    obstacle.
+    """Whether two corners see each other: no edge is crossed, and the midpoint is not inside.
 
-    It is wrong somewhere. Where?
+    The program is wrong somewhere. Where?
     """
     for cx, cy, dx, dy in edges_round(obstacles[0], obstacles[1:]):
-        across = (
-            turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0
-        )  # the edge's ends are on both sides of the way,
-        if (
-            across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0
-        ):  # and a and b on both sides of the edge
+        # the ends of the edge are on both sides of the line of sight, a and b on both of the edge
+        across = turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0
+        if across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0:
             return False
     x, y = (a + b) / 2
     return not any(place(x, y, ring) > 0 for ring in obstacles)  # 1 is inside, 0 on the boundary

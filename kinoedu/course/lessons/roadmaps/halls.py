@@ -1,6 +1,4 @@
-"""Problems and nodes for cases on roadmaps: a point in halls with obstacles that stand apart, and
-an arm, whose angles wrap.
-"""
+"""Problems and nodes for cases on roadmaps: a point in halls, and an arm whose angles wrap."""
 
 from typing import Any
 
@@ -18,24 +16,22 @@ from ..shared.random_worlds import has_room, round_polygon
 FULL = 2.0 * np.pi
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 WALL = np.array([(7, 0.5), (9, 0.5), (9, 6), (7, 6)], float)
-SHEET = np.array(
-    [(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float
-)  # thinner than places along a motion are apart
-GRAZING = (5.5, 4.5), (8.0, 7.0)  # the motion between them touches a corner of the wall
-ASTRIDE = (
-    (5.1, 3.0),
-    (11.37, 4.0),
-)  # of the sheet: no round share of the way between them lies in it
+# a wall so thin that it fits between sampled points of a motion
+SHEET = np.array([(8, 0.5), (8.001, 0.5), (8.001, 9), (8, 9)], float)
+# two points whose motion touches a corner of the wall
+GRAZING = (5.5, 4.5), (8.0, 7.0)
+# two points on both sides of the sheet; no simple fraction of their motion lies in it
+ASTRIDE = (5.1, 3.0), (11.37, 4.0)
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
-def hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
-    """A problem in the hall, or in another room, with obstacles made by hand."""
+def make_hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
+    """Return a problem in the hall, or in another room, with the given obstacles."""
     return Asked(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
 
 
-def arm() -> Asked:
-    """An arm beside a disc: its configurations are two angles."""
+def make_arm() -> Asked:
+    """Return the problem of an arm beside a disc; its configurations are two angles."""
     room = np.array([(-6, -6), (6, -6), (6, 6), (-6, 6)], float)
     return Asked(
         Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, [((0, 2.9), 0.6)]), (0, 0), (3, 0))
@@ -43,13 +39,14 @@ def arm() -> Asked:
 
 
 def is_arm(problem: Any) -> bool:
-    """Whether a problem is the arm's."""
+    """Whether the problem is that of the arm."""
     return isinstance(problem.robot, ArmRobot)
 
 
-def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
-    """So many polygons in the hall, which leave its start and its goal free, counter-clockwise, two
-    decimals.
+def draw_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
+    """Draw n polygons in the hall that keep its start and goal free.
+
+    They are counter-clockwise, do not touch each other, and have coordinates with two decimals.
     """
     rings: list[Array] = []
     while len(rings) < n:
@@ -62,22 +59,24 @@ def random_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -
 
 
 def is_clear(ring: Array) -> bool:
-    """Whether a ring turns clearly at every vertex."""
-    return bool((np.abs(bends(ring)) > 1e-3).all())
+    """Whether no three consecutive vertices of a ring are nearly in line."""
+    return bool((np.abs(measure_turns(ring)) > 1e-3).all())
 
 
-def bends(ring: Array) -> Array:
-    """At each vertex of a ring twice the area of the triangle with its neighbours: positive for a
-    turn to the left, (n,).
+def measure_turns(ring: Array) -> Array:
+    """Return twice the signed area of each vertex with its neighbours, (n,).
+
+    It is positive at a left turn.
     """
     a, b = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
     turned: Array = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     return turned
 
 
-def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
-    """n free configurations of a problem, with two decimals, all distances between them different;
-    shape (n, 2).
+def draw_free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
+    """Draw n free configurations with two decimals, shape (n, 2).
+
+    All distances between them are different.
     """
     lo, hi = ((0.0, 0.0), (FULL - 0.01, FULL - 0.01)) if is_arm(problem) else (HALL[0], HALL[2])
     while True:
@@ -85,13 +84,13 @@ def free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
         while len(nodes) < n:
             q = np.round(rng.uniform(lo, hi), 2)
             nodes += [q] if problem.is_free(q) else []
-        apart = np.sort(distances(problem, np.array(nodes))[np.triu_indices(n, 1)])
+        apart = np.sort(measure_distances(problem, np.array(nodes))[np.triu_indices(n, 1)])
         if (np.diff(apart) > 1e-7).all():
             return np.array(nodes)
 
 
-def distances(problem: Any, nodes: Array) -> Array:
-    """The distance between each two of n nodes, (n, n)."""
+def measure_distances(problem: Any, nodes: Array) -> Array:
+    """Return the distance between any two of n nodes, (n, n)."""
     apart = np.zeros((len(nodes), len(nodes)))
     for j in range(len(nodes)):
         for i in range(j):

@@ -1,4 +1,4 @@
-"""How nodes are joined by a rule, and what programs answer that misunderstand it."""
+"""Rules that join nodes, and the answers of programs that misunderstand them."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -7,32 +7,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from .halls import distances, is_arm
+from .halls import is_arm, measure_distances
 
 Pairs = NDArray[np.int64]
-SAMPLES = 50  # places along a motion that a hasty program asks about
+SAMPLES = 50  # points of a motion that a mistaken program checks
 
 
-def allowed(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
-    """The pairs whose motion is free, (m, 2)."""
+def keep_free(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
+    """Return the pairs whose motion is free, (m, 2)."""
     return pairs[[bool(problem.is_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(-1, 2)
 
 
-def unique(rows: Pairs) -> Pairs:
-    """Each pair once, the smaller number first."""
+def remove_duplicates(rows: Pairs) -> Pairs:
+    """Return each pair once, with the smaller index first."""
     return np.unique(np.sort(rows, axis=1), axis=0).reshape(-1, 2)
 
 
 def are_pairs(pairs: Pairs, n: int) -> bool:
-    """Whether rows are pairs (i, j) of numbers of n things, i < j, each once."""
+    """Whether the rows are distinct pairs (i, j) of indices below n with i < j."""
     return bool(
         ((pairs >= 0) & (pairs < n)).all()
         and (pairs[:, 0] < pairs[:, 1]).all()
-        and len(unique(pairs)) == len(pairs)
+        and len(remove_duplicates(pairs)) == len(pairs)
     )
 
 
-def closest_rows(
+def find_closest(
     problem: Any,
     nodes: Array,
     k: int,
@@ -41,10 +41,17 @@ def closest_rows(
     only_free: bool = False,
     only_later: bool = False,
 ) -> Pairs:
-    """Rows (i, j) where j is among the k closest of i, of equally far ones the lower numbers; or
-    among other k of its choice.
+    """Return rows (i, j) where j is one of the k closest nodes of i.
+
+    Ties go to the lower index.
+
+    Parameters
+    ----------
+    farthest : take the k farthest nodes instead.
+    only_free : leave out nodes whose motion is not free before taking k.
+    only_later : leave out nodes j < i before taking k.
     """
-    apart, rows = distances(problem, nodes), []
+    apart, rows = measure_distances(problem, nodes), []
     for i in range(len(nodes)):
         order = np.argsort(-apart[i] if farthest else apart[i], kind="stable").tolist()
         others = [j for j in order if j != i and (j > i or not only_later)]
@@ -54,7 +61,7 @@ def closest_rows(
     return np.array(rows, np.int64).reshape(-1, 2)
 
 
-def in_components(
+def join_components(
     problem: Any,
     nodes: Array,
     k: int,
@@ -63,13 +70,17 @@ def in_components(
     goes_on: bool = False,
     one: bool = False,
 ) -> Pairs:
-    """Each node joined to every component before it, by the first free motion to one of its k
-    closest.
+    """Join each node to every component of the nodes before it.
 
-    blind : motions are not asked. goes_on : all free ones of the k are joined. one : only the first
-        component that can be joined.
+    It is joined by the first free motion to one of the component's k closest nodes.
+
+    Parameters
+    ----------
+    blind : do not check motions.
+    goes_on : join all free ones of the k.
+    one : join only the first component that can be joined.
     """
-    apart, part, pairs = distances(problem, nodes), list(range(len(nodes))), []
+    apart, part, pairs = measure_distances(problem, nodes), list(range(len(nodes))), []
     for i in range(1, len(nodes)):
         order = np.argsort(apart[i, :i], kind="stable").tolist()
         joined: list[int] = []
@@ -85,33 +96,31 @@ def in_components(
     return np.array(pairs, np.int64).reshape(-1, 2)
 
 
-class Mistaken(NamedTuple):
-    """A problem as a program asks it that takes something else for a distance, or for a free
-    motion.
-    """
+class MistakenProblem(NamedTuple):
+    """A problem seen by a program that uses a wrong distance or a wrong collision check."""
 
     distance: Callable[[Array, Array], float]
     is_free_path: Callable[[Array, Array], bool]
 
 
-def without_wrap(problem: Any) -> Any:
-    """The arm's problem with distances on the page, not on the torus; another problem as it is."""
+def ignore_wrap(problem: Any) -> Any:
+    """Return the arm's problem with angles that do not wrap; other problems unchanged."""
     return (
-        Mistaken(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path)
+        MistakenProblem(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path)
         if is_arm(problem)
         else problem
     )
 
 
-def with_contact(problem: Any) -> Mistaken:
-    """A problem in which motions may touch obstacles."""
-    return Mistaken(problem.distance, problem.is_semi_free_path)
+def allow_contact(problem: Any) -> MistakenProblem:
+    """Return a problem in which motions may touch obstacles."""
+    return MistakenProblem(problem.distance, problem.is_semi_free_path)
 
 
-def by_samples(problem: Any) -> Mistaken:
-    """A problem in which a motion is judged by places along it."""
+def check_samples(problem: Any) -> MistakenProblem:
+    """Return a problem in which only sampled points of a motion are checked."""
     is_free = problem.problem.is_free
     shares = np.linspace(0.0, 1.0, SAMPLES)
-    return Mistaken(
+    return MistakenProblem(
         problem.distance, lambda a, b: all(is_free(a + share * (b - a)) for share in shares)
     )

@@ -9,80 +9,109 @@ from ...exercise import Case, Slip
 from ...shapes import Record
 from ...whole_shapes import Whole
 from ..shared.planned import Task
-from .halls import WALL, free_nodes, hall
-from .joining import allowed, by_samples, closest_rows, unique, with_contact, without_wrap
-from .rules import NODES, ROUND, Pairs, RuleExercise, closest_pairs, rule_case, two_nodes, worlds
+from .halls import WALL, draw_free_nodes, make_hall
+from .joining import (
+    allow_contact,
+    check_samples,
+    find_closest,
+    ignore_wrap,
+    keep_free,
+    remove_duplicates,
+)
+from .rules import (
+    NODES,
+    ROUND,
+    Pairs,
+    RuleExercise,
+    draw_worlds,
+    join_k_closest,
+    make_case,
+    make_pairs,
+)
 
 
 class KClosestNeighbours(RuleExercise):
-    """The K-closest rule."""
+    """Find the pairs that the K-closest rule joins."""
 
     name = "k_closest"
     kinds = ("few", "one_sided", "ties", "wall", "many", "torus")
     given = Record(problem=Task(), nodes=NODES, k=Whole())
-    reference = staticmethod(closest_pairs)
-    source = staticmethod(closest_pairs)
+    reference = staticmethod(join_k_closest)
+    source = staticmethod(join_k_closest)
     slips = (
         Slip(
-            "farthest", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, farthest=True)))
+            "farthest",
+            lambda p, q, k: keep_free(
+                p, q, remove_duplicates(find_closest(p, q, k, farthest=True))
+            ),
         ),
-        Slip("blind", lambda p, q, k: unique(closest_rows(p, q, k))),
-        Slip("itself", lambda p, q, k: closest_pairs(p, q, k - 1)),
-        Slip("replaced", lambda p, q, k: unique(closest_rows(p, q, k, only_free=True))),
-        Slip("mutual", lambda p, q, k: allowed(p, q, twice_named(closest_rows(p, q, k)))),
-        Slip("lost", lambda p, q, k: allowed(p, q, upwards(closest_rows(p, q, k)))),
+        Slip("blind", lambda p, q, k: remove_duplicates(find_closest(p, q, k))),
+        Slip("itself", lambda p, q, k: join_k_closest(p, q, k - 1)),
+        Slip("replaced", lambda p, q, k: remove_duplicates(find_closest(p, q, k, only_free=True))),
+        Slip("mutual", lambda p, q, k: keep_free(p, q, keep_mutual(find_closest(p, q, k)))),
+        Slip("lost", lambda p, q, k: keep_free(p, q, keep_upward(find_closest(p, q, k)))),
         Slip(
-            "later", lambda p, q, k: allowed(p, q, unique(closest_rows(p, q, k, only_later=True)))
+            "later",
+            lambda p, q, k: keep_free(
+                p, q, remove_duplicates(find_closest(p, q, k, only_later=True))
+            ),
         ),
-        Slip("straight", lambda p, q, k: closest_pairs(without_wrap(p), q, k)),
-        Slip("touching", lambda p, q, k: closest_pairs(with_contact(p), q, k)),
-        Slip("sampled", lambda p, q, k: closest_pairs(by_samples(p), q, k)),
-        Slip("one", lambda p, q, k: closest_pairs(p, q, 1)),
+        Slip("straight", lambda p, q, k: join_k_closest(ignore_wrap(p), q, k)),
+        Slip("touching", lambda p, q, k: join_k_closest(allow_contact(p), q, k)),
+        Slip("sampled", lambda p, q, k: join_k_closest(check_samples(p), q, k)),
+        Slip("one", lambda p, q, k: join_k_closest(p, q, 1)),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Three nodes, a node that is nobody's closest, ties on squared paper, a wall; then
-        many.
+        """Yield small cases made by hand, then random nodes.
+
+        By hand: three nodes, a node that is nobody's closest, ties on a lattice, and a
+        wall.
         """
         row, tail = ((1, 1), (3, 1), (6, 1)), ((6, 1), (3, 1), (1, 1))
-        yield rule_case("few", hall(), row[:2], 1)
-        yield rule_case("few", hall(), row, 2)
-        yield rule_case("few", hall(), row, 5)
-        yield rule_case("one_sided", hall(), row, 1)
-        yield rule_case("one_sided", hall(), tail, 1)
-        yield rule_case("one_sided", hall(), ((3, 1), (1, 1), (6, 1)), 1)
-        yield rule_case("ties", hall(), ((5, 5), (3, 5), (7, 5), (5, 1)), 1)
-        yield rule_case("wall", hall(WALL), ((6, 3), (10, 3), (1, 3), (1, 4)), 1)
-        yield from two_nodes(1)
+        yield make_case("few", make_hall(), row[:2], 1)
+        yield make_case("few", make_hall(), row, 2)
+        yield make_case("few", make_hall(), row, 5)
+        yield make_case("one_sided", make_hall(), row, 1)
+        yield make_case("one_sided", make_hall(), tail, 1)
+        yield make_case("one_sided", make_hall(), ((3, 1), (1, 1), (6, 1)), 1)
+        yield make_case("ties", make_hall(), ((5, 5), (3, 5), (7, 5), (5, 1)), 1)
+        yield make_case("wall", make_hall(WALL), ((6, 3), (10, 3), (1, 3), (1, 4)), 1)
+        yield from make_pairs(1)
         for i in range(ROUND):
-            yield rule_case("few", hall(), free_nodes(rng, hall(), 3), int(rng.integers(2, 5)))
-            yield rule_case("one_sided", hall(), chain(rng), 1)
-            yield rule_case(
-                "ties", hall(), rng.permutation(lattice(2 + i % 3)), int(rng.integers(1, 4))
+            yield make_case(
+                "few", make_hall(), draw_free_nodes(rng, make_hall(), 3), int(rng.integers(2, 5))
             )
-            for kind, problem in worlds(rng, i):
-                yield rule_case(
-                    kind, problem, free_nodes(rng, problem, 4 + i), int(rng.integers(1, 4))
+            yield make_case("one_sided", make_hall(), draw_chain(rng), 1)
+            yield make_case(
+                "ties",
+                make_hall(),
+                rng.permutation(make_lattice(2 + i % 3)),
+                int(rng.integers(1, 4)),
+            )
+            for kind, problem in draw_worlds(rng, i):
+                yield make_case(
+                    kind, problem, draw_free_nodes(rng, problem, 4 + i), int(rng.integers(1, 4))
                 )
 
 
-def lattice(k: int) -> Array:
-    """A lattice of k by 3 nodes, 2 apart."""
+def make_lattice(k: int) -> Array:
+    """Return a lattice of k by 3 nodes with spacing 2."""
     return (2.0 + 2.0 * np.indices((k, 3)).reshape(2, -1).T).astype(float)
 
 
-def chain(rng: np.random.Generator) -> Array:
-    """Nodes in a row whose gaps grow, in an order by chance."""
+def draw_chain(rng: np.random.Generator) -> Array:
+    """Draw nodes in a row with growing gaps, in random order."""
     x = np.array([1.0, 2.0, 3.5, 6.0, 9.5])
     return rng.permutation(np.column_stack([x, np.round(rng.uniform(1, 1.2, 5), 2)]))
 
 
-def upwards(rows: Pairs) -> Pairs:
-    """The rows whose second number is the larger one."""
+def keep_upward(rows: Pairs) -> Pairs:
+    """Return the rows whose second index is the larger one."""
     return rows[rows[:, 0] < rows[:, 1]]
 
 
-def twice_named(rows: Pairs) -> Pairs:
-    """The pairs that each of the two names."""
+def keep_mutual(rows: Pairs) -> Pairs:
+    """Return the pairs that occur in both directions."""
     pairs, times = np.unique(np.sort(rows, axis=1), axis=0, return_counts=True)
     return pairs[times == 2]

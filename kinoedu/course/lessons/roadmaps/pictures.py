@@ -1,5 +1,6 @@
-"""Pictures of failing cases on roadmaps. What is true is solid and green, what the student's
-program says dashed and orange.
+"""Pictures of failing cases on roadmaps.
+
+The right answer is solid and green, the student's is dashed and orange.
 """
 
 from typing import Any
@@ -10,12 +11,12 @@ from ....geometry.checks import Array
 from ....words import say
 from .halls import FULL, is_arm
 
-MOST_NUMBERS = 25  # nodes with numbers beside them
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+MOST_NUMBERS = 25  # nodes that get numbers
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> None:
-    """The world, the nodes with their numbers, the right edges, and the student's over them."""
+    """Draw the world, the numbered nodes, the right edges and the student's."""
     from ....figures import palette, plane
 
     draw_problem_ground(problem, ax)
@@ -39,7 +40,7 @@ def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> 
 
 
 def draw_problem_ground(problem: Any, ax: Any) -> None:
-    """The world of a problem; for the arm the square of its angles."""
+    """Draw the world of a problem; for the arm, the square of its angles."""
     from ....figures import plane
     from ....figures.drawing import draw_world
 
@@ -54,8 +55,9 @@ def draw_problem_ground(problem: Any, ax: Any) -> None:
 
 
 def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
-    """A straight motion; where angles wrap, the shorter way, in two pieces if it leaves the
-    square.
+    """Draw a straight motion.
+
+    Where angles wrap, it is the shorter way, in two pieces if it leaves the square.
     """
     way = b - a
     if wraps:
@@ -66,7 +68,7 @@ def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
 
 
 def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
-    """The nodes, with their numbers from a first one on, as long as there is room."""
+    """Draw the nodes, with their numbers from `first` on unless there are too many."""
     from ....figures import palette, plane
 
     shown = nodes[np.isfinite(nodes).all(axis=1)]
@@ -77,8 +79,11 @@ def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
 
 
 def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
-    """The world, the right roadmap where there is but one, and the student's; each is nodes and
-    edges, or None.
+    """Draw the world, the right roadmap if it is unique, and the student's.
+
+    Parameters
+    ----------
+    truth, value : (nodes, edges), or None.
     """
     from ....figures import palette, plane
 
@@ -98,13 +103,13 @@ def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
     if value is None:
         plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
     else:
-        number_nodes(value[0], ax, first=2)  # start and goal have their names
+        number_nodes(value[0], ax, first=2)  # start and goal are labelled already
     plane.dot(problem.start, "start", ax, colour=palette.START, marker="s")
     plane.dot(problem.goal, "goal", ax, colour=palette.GOAL, marker="*")
 
 
-def draw_way(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
-    """A roadmap, a shortest path along it and the student's path."""
+def draw_shortest_path(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
+    """Draw a roadmap, a shortest path along it and the student's path."""
     from ....figures import palette, plane
 
     plane.frame(nodes[:, :2], ax, margin=0.2)
@@ -116,15 +121,8 @@ def draw_way(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
     ):
         steps = [int(u) for u in ([] if path is None else path) if 0 <= u < len(nodes)]
         for i, j in zip(steps, steps[1:]):
-            draw_edge(
-                nodes[i, :2],
-                nodes[j, :2],
-                ax,
-                False,
-                color=colour,
-                linestyle=style,
-                linewidth=width,
-            )
+            look = {"color": colour, "linestyle": style, "linewidth": width}
+            draw_edge(nodes[i, :2], nodes[j, :2], ax, False, **look)
     number_nodes(nodes[:, :2], ax)
     if value is None:
         plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)

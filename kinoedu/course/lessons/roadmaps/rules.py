@@ -1,5 +1,6 @@
-"""Shared by the exercises on the rules by which a roadmap's nodes are joined. Bullo & Smith,
-chapter 5; LaValle, section 5.6.
+"""The base class of the exercises on the rules that join the nodes of a roadmap.
+
+Bullo & Smith, chapter 5; LaValle, section 5.6.
 """
 
 from collections.abc import Iterator
@@ -13,90 +14,82 @@ from ...exercise import RIGHT, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers
 from ...whole_shapes import WholeNumbers
-from .halls import ASTRIDE, GRAZING, SHEET, WALL, arm, hall, random_obstacles
-from .joining import allowed, are_pairs, closest_rows, unique
+from .halls import ASTRIDE, GRAZING, SHEET, WALL, draw_obstacles, make_arm, make_hall
+from .joining import are_pairs, find_closest, keep_free, remove_duplicates
 from .pictures import draw_joined
 
 Pairs = NDArray[np.int64]
 
 
 NODES = Numbers(("n", 2))
-
-
 PAIRS = WholeNumbers(("m", 2))
+ROUND = 12  # number of random cases of each kind
 
 
-ROUND = 12  # random cases of each kind
+def join_k_closest(problem: Any, nodes: Array, k: int) -> Pairs:
+    """Return the pairs that the K-closest rule joins.
 
-
-def closest_pairs(problem: Any, nodes: Array, k: int) -> Pairs:
-    """The pairs of which one is among the other's k closest, and whose motion is free."""
-    return allowed(problem, nodes, unique(closest_rows(problem, nodes, k)))
+    One node is among the other's k closest, and the motion between them is free.
+    """
+    return keep_free(problem, nodes, remove_duplicates(find_closest(problem, nodes, k)))
 
 
 class RuleExercise(ValueExercise):
-    """From a problem, nodes and a number to the pairs of nodes that are joined, in any order."""
+    """An exercise that asks which pairs of nodes a rule joins, in any order."""
 
     lesson = "08_roadmaps"
     seconds = 10.0
     answer = PAIRS
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same pairs, as often, in any order."""
+        """Whether both hold the same pairs, equally often, in any order."""
         return bool(
             sorted(map(tuple, np.asarray(value).tolist()))
             == sorted(map(tuple, np.asarray(truth).tolist()))
         )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Pairs of numbers of nodes, the smaller first, each once; their motions free; and the
-        right ones.
-        """
+        """Judge that the rows are pairs, that their motions are free, and that they are right."""
         problem, nodes, _ = case.given.values()
         wanted = self.wanted(case)
         if not are_pairs(value, len(nodes)):
             return Verdict(0.0, "pairs", wanted)
-        if len(allowed(problem, nodes, value)) < len(value):
+        if len(keep_free(problem, nodes, value)) < len(value):
             return Verdict(0.0, "motion", wanted)
         return RIGHT if self.same(value, self.truth(case)) else Verdict(0.0, case.kind, wanted)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The nodes with their numbers, the right edges and the student's."""
+        """Draw the numbered nodes, the right edges and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_joined(case.given["problem"], case.given["nodes"], self.truth(case), value, ax)
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
-def titled(exercise: Any, case: Case, ax: Any) -> None:
-    """What to see in the picture of this kind of input."""
+def set_title(exercise: Any, case: Case, ax: Any) -> None:
+    """Set the title of the picture of this kind of input."""
     from ....figures import plane
 
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def rule_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
-    """A case: the number is a radius or K."""
-    return Case(
-        kind,
-        {
-            "problem": problem,
-            "nodes": np.array(nodes, float),
-            "r" if isinstance(number, float) else "k": number,
-        },
-    )
+def make_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
+    """Return a case; `number` is a radius or K."""
+    name = "r" if isinstance(number, float) else "k"
+    return Case(kind, {"problem": problem, "nodes": np.array(nodes, float), name: number})
 
 
-def two_nodes(number: float) -> Iterator[Case]:
-    """Motions that only the problem can judge: one that touches a corner, one through a thin wall,
-    and an arm's short way.
+def make_pairs(number: float) -> Iterator[Case]:
+    """Yield motions that need the problem's own collision check.
+
+    One touches a corner, one crosses a thin wall, and one is an arm's short way round.
     """
-    yield rule_case("wall", hall(WALL), GRAZING, number)
-    yield rule_case("wall", hall(SHEET), ASTRIDE, number)
-    yield rule_case("torus", arm(), ((5.9, 0.3), (0.4, 0.3)), number)
+    yield make_case("wall", make_hall(WALL), GRAZING, number)
+    yield make_case("wall", make_hall(SHEET), ASTRIDE, number)
+    yield make_case("torus", make_arm(), ((5.9, 0.3), (0.4, 0.3)), number)
 
 
-def worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Any]]:
-    """A problem with a wall, one with several obstacles, and the arm's, whose angles wrap."""
-    yield "wall", hall(WALL)
-    yield "many", hall(*random_obstacles(rng, 1 + i // 4))
-    yield "torus", arm()
+def draw_worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Any]]:
+    """Yield a problem with a wall, one with several obstacles, and the arm's."""
+    yield "wall", make_hall(WALL)
+    yield "many", make_hall(*draw_obstacles(rng, 1 + i // 4))
+    yield "torus", make_arm()

@@ -1,4 +1,7 @@
-"""The exercise on the whole of PRM. Bullo & Smith, chapter 5; LaValle, section 5.6."""
+"""The exercise on a whole probabilistic roadmap.
+
+Bullo & Smith, chapter 5; LaValle, section 5.6.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -12,30 +15,29 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
 from ...whole_shapes import Whole, WholeNumbers
 from ..shared.planned import Fault, PlannerExercise, Task, three_times
-from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, hall, random_obstacles
-from .joining import allowed, are_pairs
-from .rules import Pairs, closest_pairs
+from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
+from .joining import are_pairs, keep_free
+from .rules import Pairs, join_k_closest
 
 BUILT = Together((Numbers(("n", "d")), WholeNumbers(("m", 2))))
-MANY, SIDE = 160, 4  # nodes from which on boxes are counted, four along each side of the hall
-EVEN, UNEVEN = (
-    0.5,
-    90.0,
-)  # of 16 boxes' squared deviations over what is expected; outside once in 10^8 for random points
+MANY = 160  # nodes from which their spread is tested
+SIDE = 4  # boxes along each side of the hall
+# bounds of the chi-square statistic of 16 boxes; random points leave them once in 10^8 times
+EVEN, UNEVEN = 0.5, 90.0
 
 
-def sampled(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
-    """Start, goal and n free samples, joined by the K-closest rule."""
+def build_roadmap(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
+    """Return start, goal and n free samples, joined by the K-closest rule."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
         q = problem.sample(chance)
         if problem.is_free(q):
             nodes.append(q)
-    return np.array(nodes), closest_pairs(problem, np.array(nodes), k)
+    return np.array(nodes), join_k_closest(problem, np.array(nodes), k)
 
 
 class SampledRoadmap(PlannerExercise):
-    """A probabilistic roadmap: nodes and edges."""
+    """Build a probabilistic roadmap: nodes and edges."""
 
     name = "sampled_roadmap"
     lesson = "08_roadmaps"
@@ -43,35 +45,36 @@ class SampledRoadmap(PlannerExercise):
     given = Record(problem=Task(), n=Whole(), k=Whole(), rng=Whole())
     result = BUILT
     answer = three_times(BUILT)
-    source = staticmethod(sampled)
+    source = staticmethod(build_roadmap)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No samples, an empty room, a wall, more; and so many nodes that one can count how they
-        are spread.
+        """Yield no samples, an empty room, walls and obstacles, and many samples.
+
+        With many samples the judge can test how evenly they are spread.
         """
 
         def case(kind: str, problem: Any, n: int, k: int) -> Case:
             return Case(kind, {"problem": problem, "n": n, "k": k, "rng": int(rng.integers(1000))})
 
-        yield case("none", hall(), 0, 3)
-        yield case("none", hall(WALL), 0, 3)
-        yield case("none", hall(WALL, start=GRAZING[0], goal=GRAZING[1]), 0, 3)
-        yield case("none", hall(SHEET, start=ASTRIDE[0], goal=ASTRIDE[1]), 0, 3)
-        yield case("room", hall(), 3, 2)
-        yield case("wall", hall(WALL), 6, 2)
+        yield case("none", make_hall(), 0, 3)
+        yield case("none", make_hall(WALL), 0, 3)
+        yield case("none", make_hall(WALL, start=GRAZING[0], goal=GRAZING[1]), 0, 3)
+        yield case("none", make_hall(SHEET, start=ASTRIDE[0], goal=ASTRIDE[1]), 0, 3)
+        yield case("room", make_hall(), 3, 2)
+        yield case("wall", make_hall(WALL), 6, 2)
         for i in range(4):
-            yield case("room", hall(), 4 + 4 * i, 3)
-            yield case("wall", hall(WALL), 10 + 6 * i, 3)
-            yield case("several", hall(*random_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
+            yield case("room", make_hall(), 4 + 4 * i, 3)
+            yield case("wall", make_hall(WALL), 10 + 6 * i, 3)
+            yield case("several", make_hall(*draw_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
         for room in (HALL, 2 * HALL):
-            yield case("many", hall(room=room), MANY, 2)
+            yield case("many", make_hall(room=room), MANY, 2)
 
     def uses_chance(self, case: Case) -> bool:
-        """Where there is a sample."""
+        """Whether another seed gives another answer: there is a sample."""
         return bool(case.given["n"] > 0)
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """Start and goal, then n free places, spread as chance spreads them; joined by the rule."""
+        """Judge start and goal, the free samples and their spread, and the edges."""
         (nodes, pairs), (problem, n, k, _) = answer, case.given.values()
         nowhere = np.empty((0, 2))
         if len(nodes) != n + 2 or nodes.shape[1] != 2 or not np.isfinite(nodes).all():
@@ -82,7 +85,7 @@ class SampledRoadmap(PlannerExercise):
             if not problem.problem.is_free(q):
                 return Fault("samples", q[None])
         if len(np.unique(nodes, axis=0)) < len(nodes) or (
-            n >= MANY and not EVEN < unevenness(nodes[2:], problem.world.hi) < UNEVEN
+            n >= MANY and not EVEN < measure_unevenness(nodes[2:], problem.world.hi) < UNEVEN
         ):
             return Fault("spread", nowhere)
         if not are_pairs(pairs, len(nodes)):
@@ -90,11 +93,11 @@ class SampledRoadmap(PlannerExercise):
         return self.fault_of_edges(problem, nodes, pairs, k)
 
     def fault_of_edges(self, problem: Any, nodes: Array, pairs: Pairs, k: int) -> Fault | None:
-        """An edge that is not free, that the rule does not join, or that is missing."""
-        free = set(map(tuple, allowed(problem.problem, nodes, pairs).tolist()))
+        """Judge the edges: each free, each joined by the rule, none missing."""
+        free = set(map(tuple, keep_free(problem.problem, nodes, pairs).tolist()))
         found, right = (
             set(map(tuple, rows.tolist()))
-            for rows in (pairs, closest_pairs(problem.problem, nodes, k))
+            for rows in (pairs, join_k_closest(problem.problem, nodes, k))
         )
         for rule, wrong in (
             ("free", found - free),
@@ -106,16 +109,16 @@ class SampledRoadmap(PlannerExercise):
         return None
 
     def drawn(self, answer: Any) -> tuple[list[Any], Array | None]:
-        """Neither trees nor a path."""
+        """Return neither trees nor a path."""
         return [], None
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what is asked for."""
         _, n, k, _ = case.given.values()
         return say(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many, and where it is at fault."""
+        """Describe the size of the answer and where its fault is."""
         nodes, pairs = value[0]
         fault = self.fault_of_three(case, value)
         marked = [] if fault is None else np.round(fault.marked, 3).tolist()
@@ -127,7 +130,7 @@ class SampledRoadmap(PlannerExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The student's roadmap, and a cross on what is at fault."""
+        """Draw the student's roadmap and a cross at the fault."""
         from ....figures import palette, plane
         from .pictures import draw_roadmap_answer
 
@@ -138,21 +141,16 @@ class SampledRoadmap(PlannerExercise):
         )
         fault = self.fault_of_three(case, value) if value is not None else None
         if fault is not None and len(fault.marked) and good:
-            ax.plot(
-                *fault.marked.T,
-                "X",
-                color=palette.GOAL,
-                markersize=14,
-                markeredgecolor="white",
-                zorder=9,
-            )
+            look = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
+            ax.plot(*fault.marked.T, "X", markersize=14, **look)
         rule = self.judge(case, outcome).rule
         plane.title(self.words(f"pictures.{rule}"), ax)
 
 
-def unevenness(points: Array, size: Array) -> float:
-    """Of 16 equal boxes of a hall of a size, the sum of (count - expected)^2 / expected: about 15
-    for random points.
+def measure_unevenness(points: Array, size: Array) -> float:
+    """Return the chi-square statistic of the counts of points in 16 equal boxes of a hall.
+
+    It is the sum of (count - expected)^2 / expected, about 15 for random points.
     """
     places = np.clip(np.floor(SIDE * points / size), 0, SIDE - 1).astype(np.int64)
     counts = np.bincount(SIDE * places[:, 0] + places[:, 1], minlength=SIDE * SIDE)

@@ -16,52 +16,52 @@ from ...shapes import Maybe, Number, Numbers, Record, Together
 from ...whole_shapes import Whole, WholeNumbers
 from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import random_rows
-from .rules import titled
+from .rules import set_title
 
 Pairs = NDArray[np.int64]
 Way = tuple[list[int] | None, float]
 DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
-def shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
-    """A shortest path and its length."""
-    return along(nodes, edges, lengths(nodes, edges), start, goal)
+def find_shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
+    """Return a shortest path and its length."""
+    return find_lightest(nodes, edges, measure_edges(nodes, edges), start, goal)
 
 
-def along(
+def find_lightest(
     nodes: Array, edges: Pairs, weights: Array, start: int, goal: int, *, directed: bool = False
 ) -> Way:
-    """A path of the least weight and its length, (None, inf) where there is none."""
-    return measured(
+    """Return a path of least weight and its length, or (None, inf)."""
+    return measure_path(
         nodes,
         dijkstra_path(graphs.Graph(len(nodes), edges, weights, directed=directed), start, goal),
     )
 
 
-def fewest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
-    """A path of the fewest edges and its length."""
-    return measured(nodes, fewest_edges(graphs.Graph(len(nodes), edges), start, goal))
+def find_fewest_edges(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
+    """Return a path with the fewest edges and its length."""
+    return measure_path(nodes, fewest_edges(graphs.Graph(len(nodes), edges), start, goal))
 
 
-def measured(nodes: Array, path: Pairs | None) -> Way:
-    """A path, as node numbers, and its length; (None, inf) for none."""
+def measure_path(nodes: Array, path: Pairs | None) -> Way:
+    """Return a path as node indices and its length, or (None, inf)."""
     if path is None:
         return None, np.inf
-    return path.tolist(), float(lengths(nodes, np.column_stack([path[:-1], path[1:]])).sum())
+    return path.tolist(), float(measure_edges(nodes, np.column_stack([path[:-1], path[1:]])).sum())
 
 
-def lengths(nodes: Array, pairs: Pairs) -> Array:
-    """The Euclidean lengths of edges, (m,)."""
+def measure_edges(nodes: Array, pairs: Pairs) -> Array:
+    """Return the Euclidean lengths of edges, (m,)."""
     found: Array = np.sqrt(((nodes[pairs[:, 0]] - nodes[pairs[:, 1]]) ** 2).sum(axis=1))
     return found
 
 
-def summed_otherwise(weigh: Any) -> Any:
-    """What is answered by one who finds the path by other weights, and sums up those."""
+def search_and_sum_by(weigh: Any) -> Any:
+    """Return a program that finds the path by other weights, and adds up those."""
 
     def answer(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
         weights = weigh(nodes, edges)
-        path, _ = along(nodes, edges, weights, start, goal)
+        path, _ = find_lightest(nodes, edges, weights, start, goal)
         if path is None:
             return None, np.inf
         steps = np.sort(np.column_stack([path[:-1], path[1:]]), axis=1)
@@ -72,7 +72,7 @@ def summed_otherwise(weigh: Any) -> Any:
 
 
 class ShortestPath(ValueExercise):
-    """From a roadmap and two of its nodes to a shortest path and its length."""
+    """Find a shortest path between two nodes of a roadmap, and its length."""
 
     name = "shortest_path"
     lesson = "08_roadmaps"
@@ -81,30 +81,33 @@ class ShortestPath(ValueExercise):
         nodes=Numbers(("n", "d")), edges=WholeNumbers(("m", 2)), start=Whole(), goal=Whole()
     )
     answer = Together((Maybe(WholeNumbers(("k",))), Number()))
-    reference = staticmethod(shortest)
-    source = staticmethod(shortest)
+    reference = staticmethod(find_shortest)
+    source = staticmethod(find_shortest)
     slips = (
-        Slip("fewest", fewest),
-        Slip("counted", summed_otherwise(lambda nodes, edges: np.ones(len(edges)))),
-        Slip("squared", summed_otherwise(lambda nodes, edges: lengths(nodes, edges) ** 2)),
+        Slip("fewest", find_fewest_edges),
+        Slip("counted", search_and_sum_by(lambda nodes, edges: np.ones(len(edges)))),
+        Slip("squared", search_and_sum_by(lambda nodes, edges: measure_edges(nodes, edges) ** 2)),
         Slip(
             "one_way",
-            lambda nodes, edges, s, g: along(
-                nodes, edges, lengths(nodes, edges), s, g, directed=True
+            lambda nodes, edges, s, g: find_lightest(
+                nodes, edges, measure_edges(nodes, edges), s, g, directed=True
             ),
         ),
-        Slip("plane", lambda nodes, edges, s, g: shortest(nodes[:, :2], edges, s, g)),
+        Slip("plane", lambda nodes, edges, s, g: find_shortest(nodes[:, :2], edges, s, g)),
         Slip(
             "straight",
             lambda nodes, edges, s, g: (
-                shortest(nodes, edges, s, g)[0],
+                find_shortest(nodes, edges, s, g)[0],
                 float(np.linalg.norm(nodes[s] - nodes[g])),
             ),
         ),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """An edge, a chain, a detour of more edges that is shorter; then more, also in space."""
+        """Yield an edge, a chain and a shorter detour of more edges, then random roadmaps.
+
+        Some of the random roadmaps have nodes in space.
+        """
         for kind, nodes, edges, s, g in (
             ("small", [(0, 0), (3, 4)], [(0, 1)], 0, 1),
             ("small", [(0, 0), (3, 4)], [(0, 1)], 1, 0),
@@ -114,7 +117,7 @@ class ShortestPath(ValueExercise):
             ("apart", [(0, 0), (3, 4), (6, 0)], [(0, 1)], 0, 2),
             ("same", [(0, 0), (3, 4)], [(0, 1)], 1, 1),
         ):
-            yield way_case(kind, np.array(nodes, float), np.array(edges), s, g)
+            yield make_case(kind, np.array(nodes, float), np.array(edges), s, g)
         for n in (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
             for kind, shape in zip(
                 self.kinds, ("tree", "cycle", "cycle", "cycle", "parts", "cycle")
@@ -125,41 +128,36 @@ class ShortestPath(ValueExercise):
                 flipped = rng.random(len(pairs)) < 0.5
                 pairs[flipped] = pairs[flipped, ::-1]
                 places = np.round(rng.uniform(-10, 10, (size, 3 if kind == "space" else 2)), 2)
-                yield way_case(kind, places, pairs, *ends(rng, kind, size, pairs))
+                yield make_case(kind, places, pairs, *draw_ends(rng, kind, size, pairs))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same length and, where it is the answer of a known program, the same path."""
+        """Whether the lengths are equal, and the paths too where both are given."""
         (path, far), (right, least) = value, truth
         both = (path is None) == (right is None)
         return both and self.near(far, least) and (path is None or list(path) == list(right))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """None and inf where there is no path; else along edges from start to goal, none shorter,
-        and its length is right.
+        """Judge that the path follows edges from start to goal, and its length.
+
+        No other path may be shorter. Without a path, None and inf are right.
         """
         (path, far), (right, least) = value, self.truth(case)
         if path is None or right is None:
-            fine = path is None and right is None and far == np.inf
-            return (
-                RIGHT
-                if fine
-                else Verdict(0.0, "missed" if right is not None else "apart", self.wanted(case))
-            )
+            if path is None and right is None and far == np.inf:
+                return RIGHT
+            return Verdict(0.0, "apart" if right is None else "missed", self.wanted(case))
         rule = self.fault_of(case, path)
         if not rule:
             steps = np.column_stack([path[:-1], path[1:]])
-            long = float(lengths(case.given["nodes"], steps).sum())
-            rule = (
-                "shortest"
-                if not self.near(long, least)
-                else "length"
-                if not self.near(far, least)
-                else ""
-            )
+            long = float(measure_edges(case.given["nodes"], steps).sum())
+            if not self.near(long, least):
+                rule = "shortest"
+            elif not self.near(far, least):
+                rule = "length"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def fault_of(self, case: Case, path: Pairs) -> str:
-        """What keeps it from being a path from start to goal, or ""."""
+        """Return the rule that a path from start to goal breaks, or ""."""
         _, edges, start, goal = case.given.values()
         if len(path) == 0 or path[0] != start or path[-1] != goal:
             return "ends"
@@ -171,7 +169,7 @@ class ShortestPath(ValueExercise):
         )
 
     def wanted(self, case: Case) -> str:
-        """One right path, and its length."""
+        """Describe one right path and its length."""
         path, far = self.truth(case)
         return (
             say("shortest_path.wanted", path=spoken(path), length=spoken(far))
@@ -180,21 +178,21 @@ class ShortestPath(ValueExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The roadmap, a shortest path and the student's."""
-        from .pictures import draw_way
+        """Draw the roadmap, a shortest path and the student's."""
+        from .pictures import draw_shortest_path
 
         value = outcome.value[0] if isinstance(outcome, Answer) else None
-        draw_way(case.given["nodes"], case.given["edges"], self.truth(case)[0], value, ax)
-        titled(self, case, ax)
+        draw_shortest_path(case.given["nodes"], case.given["edges"], self.truth(case)[0], value, ax)
+        set_title(self, case, ax)
 
 
-def way_case(kind: str, nodes: Array, edges: Pairs, start: int, goal: int) -> Case:
-    """A case of two nodes of a roadmap."""
+def make_case(kind: str, nodes: Array, edges: Pairs, start: int, goal: int) -> Case:
+    """Return a case of two nodes of a roadmap."""
     return Case(kind, {"nodes": nodes, "edges": edges.reshape(-1, 2), "start": start, "goal": goal})
 
 
-def ends(rng: np.random.Generator, kind: str, n: int, edges: Pairs) -> tuple[int, int]:
-    """A start and a goal: far away, out of reach, or the same."""
+def draw_ends(rng: np.random.Generator, kind: str, n: int, edges: Pairs) -> tuple[int, int]:
+    """Draw a start and a goal: far apart, in different components, or the same."""
     start = int(rng.integers(n))
     far = graphs.bfs(graphs.Graph(n, edges), start).cost
     if kind == "same":

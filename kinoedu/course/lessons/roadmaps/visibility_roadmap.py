@@ -16,73 +16,74 @@ from ...shapes import Listed, Numbers, Record, Together
 from ...whole_shapes import WholeNumbers
 from ..decomposition.free_intervals import RING
 from ..shared.planned import Task
-from .halls import GOAL, START, WALL, bends, hall, random_obstacles
-from .joining import allowed, are_pairs
-from .rules import titled
+from .halls import GOAL, START, WALL, draw_obstacles, make_hall, measure_turns
+from .joining import are_pairs, keep_free
+from .rules import set_title
 
 SEEN = Together((Numbers(("n", 2)), WholeNumbers(("m", 2))))
 Seen = tuple[Array, NDArray[np.int64]]
 BOX = np.array([(6, 3), (10, 3), (10, 7), (6, 7)], float)
 TENT = np.array([(5, 3), (11, 3), (8, 7)], float)
 ANGLE = np.array([(5, 2), (11, 2), (11, 4), (7, 4), (7, 8), (5, 8)], float)
-CROWN = np.array(
-    [(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float
-)  # its middle tip is not on its hull
-BENT_BOX = np.array(
-    [(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float
-)  # two straight angles
+# its middle tip is convex, but not on its convex hull
+CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float)
+# two of its angles are straight
+BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)
 
 
-def seen_corners(problem: Any, obstacles: list[Array]) -> Seen:
-    """The library's roadmap, with start and goal first."""
+def build_visibility_roadmap(problem: Any, obstacles: list[Array]) -> Seen:
+    """Return the library's roadmap with start and goal first."""
     roadmap = visibility_roadmap(problem)
     n = len(roadmap.nodes)
     return np.roll(roadmap.nodes, 2, axis=0), np.sort((roadmap.edges + 2) % n, axis=1)
 
 
 def is_convex(ring: Array) -> Any:
-    """Which vertices turn left."""
-    return bends(ring) > 0.0
+    """Return which vertices turn left."""
+    return measure_turns(ring) > 0.0
 
 
 def is_on_hull(ring: Array) -> Any:
-    """Which vertices are corners of the convex hull."""
+    """Return which vertices are corners of the convex hull."""
     import shapely
 
     corners = set(shapely.MultiPoint(ring).convex_hull.exterior.coords)
     return [tuple(v) in corners for v in ring.tolist()]
 
 
-def roadmap_on(
+def join_visible(
     problem: Any, obstacles: list[Array], *, kept: Any = is_convex, how: str = "is_semi_free_path"
 ) -> Seen:
-    """Start, goal and the vertices that are kept, and the pairs of them whose motion is allowed."""
+    """Return start, goal and the kept vertices, with the pairs whose motion is allowed."""
     nodes = np.vstack([problem.start, problem.goal, *(ring[kept(ring)] for ring in obstacles)])
     pairs = np.argwhere(np.triu(np.ones((len(nodes), len(nodes))), 1))
     if how != "is_semi_free_path":
-        return nodes, allowed(problem, nodes, pairs)
+        return nodes, keep_free(problem, nodes, pairs)
     return nodes, pairs[
         [bool(problem.is_semi_free_path(nodes[i], nodes[j])) for i, j in pairs]
     ].reshape(-1, 2)
 
 
-def without_ends(problem: Any, obstacles: list[Array]) -> Seen:
-    """Start and goal are nodes, but joined to nothing."""
-    nodes, pairs = roadmap_on(problem, obstacles)
+def leave_ends_alone(problem: Any, obstacles: list[Array]) -> Seen:
+    """Return a roadmap whose start and goal have no edges."""
+    nodes, pairs = join_visible(problem, obstacles)
     return nodes, pairs[(pairs > 1).all(axis=1)]
 
 
-def between_obstacles(problem: Any, obstacles: list[Array]) -> Seen:
-    """No edge joins two vertices of one obstacle."""
-    nodes, pairs = roadmap_on(problem, obstacles)
+def join_between_obstacles(problem: Any, obstacles: list[Array]) -> Seen:
+    """Return a roadmap without edges between vertices of one obstacle."""
+    nodes, pairs = join_visible(problem, obstacles)
     owner = np.concatenate(
-        [[-1, -2], *(np.full(int((bends(ring) > 0).sum()), i) for i, ring in enumerate(obstacles))]
+        [
+            [-1, -2],
+            *(np.full(int((measure_turns(ring) > 0).sum()), i) for i, ring in enumerate(obstacles)),
+        ]
     )
     return nodes, pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
 
 
 class VisibleCorners(ValueExercise):
-    """Start, goal and convex corners, and the pairs of them that see each other."""
+    """Build the visibility roadmap of start, goal and convex corners."""
 
     name = "visibility_roadmap"
     lesson = "08_roadmaps"
@@ -90,125 +91,128 @@ class VisibleCorners(ValueExercise):
     kinds = ("one", "bay", "straight", "several")
     given = Record(problem=Task(), obstacles=Listed(RING))
     answer = SEEN
-    reference = staticmethod(seen_corners)
-    source = staticmethod(seen_corners)
+    reference = staticmethod(build_visibility_roadmap)
+    source = staticmethod(build_visibility_roadmap)
     slips = (
         Slip(
             "every_vertex",
-            lambda problem, obstacles: roadmap_on(
+            lambda problem, obstacles: join_visible(
                 problem, obstacles, kept=lambda ring: slice(None)
             ),
         ),
         Slip(
             "not_reflex",
-            lambda problem, obstacles: roadmap_on(
-                problem, obstacles, kept=lambda ring: bends(ring) > -1e-9
+            lambda problem, obstacles: join_visible(
+                problem, obstacles, kept=lambda ring: measure_turns(ring) > -1e-9
             ),
         ),
-        Slip("hull", lambda problem, obstacles: roadmap_on(problem, obstacles, kept=is_on_hull)),
+        Slip("hull", lambda problem, obstacles: join_visible(problem, obstacles, kept=is_on_hull)),
         Slip(
             "no_contact",
-            lambda problem, obstacles: roadmap_on(problem, obstacles, how="is_free_path"),
+            lambda problem, obstacles: join_visible(problem, obstacles, how="is_free_path"),
         ),
-        Slip("no_ends", without_ends),
-        Slip("between", between_obstacles),
+        Slip("no_ends", leave_ends_alone),
+        Slip("between", join_between_obstacles),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A triangle, a box, an angle with a reflex vertex; then more, by chance."""
-        yield seen_case("one", [TENT])
-        yield seen_case("one", [BOX])
-        yield seen_case("bay", [ANGLE])
-        yield seen_case("bay", [CROWN])
-        yield seen_case("straight", [BENT_BOX])
-        yield seen_case("several", [WALL, TENT * 0.4 + (8, 5.5)])
+        """Yield a triangle, a box and a shape with a reflex vertex, then random obstacles."""
+        yield make_case("one", [TENT])
+        yield make_case("one", [BOX])
+        yield make_case("bay", [ANGLE])
+        yield make_case("bay", [CROWN])
+        yield make_case("straight", [BENT_BOX])
+        yield make_case("several", [WALL, TENT * 0.4 + (8, 5.5)])
         for i in range(12):
             shift, turned = rng.integers(-2, 3, 2), int(rng.integers(6))
-            yield seen_case("one", without_doubt(rng, 1))
-            bays = without_doubt(rng, 1, convex=False)
-            while (bends(bays[0]) > 0).all():
-                bays = without_doubt(rng, 1, convex=False)
-            yield seen_case("bay", bays)
-            yield seen_case("straight", [np.roll(BENT_BOX + shift, turned, axis=0)])
-            yield seen_case("several", without_doubt(rng, 2 + i // 4, convex=bool(i % 2)))
+            yield make_case("one", draw_obstacles_apart(rng, 1))
+            bays = draw_obstacles_apart(rng, 1, convex=False)
+            while (measure_turns(bays[0]) > 0).all():
+                bays = draw_obstacles_apart(rng, 1, convex=False)
+            yield make_case("bay", bays)
+            yield make_case("straight", [np.roll(BENT_BOX + shift, turned, axis=0)])
+            yield make_case("several", draw_obstacles_apart(rng, 2 + i // 4, convex=bool(i % 2)))
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same nodes in any order, start and goal excepted, and the same edges between them."""
+        """Whether nodes and edges are the same; the order counts for start and goal alone."""
         (found, pairs), (nodes, edges) = value, truth
-        if placed(found, nodes) is None:
+        if find_order(found, nodes) is None:
             return False
-        back = np.argsort(np.array(placed(found, nodes)))
+        back = np.argsort(np.array(find_order(found, nodes)))
         renamed = np.sort(back[edges], axis=1).reshape(-1, 2)
         return sorted(map(tuple, np.asarray(pairs).tolist())) == sorted(
             map(tuple, renamed.tolist())
         )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Start and goal first, then the convex vertices; then pairs i < j, each once; then the
-        right ones.
-        """
+        """Judge the order of start and goal, the convex vertices, and the pairs."""
         if self.same(value, self.truth(case)):
             return Verdict(1.0)
         (found, pairs), problem = value, case.given["problem"]
         rule = "edges" if case.kind in ("one", "several") else case.kind
         if len(found) < 2 or not np.array_equal(found[:2], [problem.start, problem.goal]):
             rule = "ends"
-        elif placed(found, self.truth(case)[0]) is None:
+        elif find_order(found, self.truth(case)[0]) is None:
             rule = "nodes"
         elif not are_pairs(pairs, len(found)):
             rule = "pairs"
         return Verdict(0.0, rule, self.wanted(case))
 
     def wanted(self, case: Case) -> str:
-        """How many there are."""
+        """Describe how many nodes and edges are right."""
         nodes, edges = self.truth(case)
         return say("visibility_roadmap.wanted", nodes=len(nodes), edges=len(edges))
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many there are of the student's."""
+        """Describe how many nodes and edges the student has."""
         return say("visibility_roadmap.wanted", nodes=len(value[0]), edges=len(value[1]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The right roadmap, and the student's over it."""
+        """Draw the right roadmap and the student's over it."""
         from .pictures import draw_roadmap_answer
 
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_roadmap_answer(case.given["problem"], self.truth(case), value, ax)
-        titled(self, case, ax)
+        set_title(self, case, ax)
 
 
-def seen_case(kind: str, obstacles: list[Array]) -> Case:
-    """A case in the hall. It is asked once here, so that no student's time is spent on
-    compiling.
+def make_case(kind: str, obstacles: list[Array]) -> Case:
+    """Return a case in the hall.
+
+    One motion is checked here, so that no compilation counts as the student's time.
     """
-    problem = hall(*obstacles)
+    problem = make_hall(*obstacles)
     problem.is_semi_free_path(problem.start, problem.goal)
     return Case(
         kind, {"problem": problem, "obstacles": [np.array(ring, float) for ring in obstacles]}
     )
 
 
-def without_doubt(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
-    """Obstacles by chance, of whose vertices, start and goal no three are in line: with two
-    decimals such are in line on paper, and miss that in the computer by less than a motion's judge
-    can see.
+def draw_obstacles_apart(rng: np.random.Generator, n: int, *, convex: bool = True) -> list[Array]:
+    """Draw obstacles such that no three of their vertices, start and goal are in line.
+
+    Three points with two decimals can be in line exactly, yet miss that after rounding by less
+    than the collision check can tell.
     """
-    rings = random_obstacles(rng, n, convex=convex)
+    rings = draw_obstacles(rng, n, convex=convex)
     while is_in_line(np.vstack([START, GOAL, *rings])):
-        rings = random_obstacles(rng, n, convex=convex)
+        rings = draw_obstacles(rng, n, convex=convex)
     return rings
 
 
 def is_in_line(points: Array) -> bool:
-    """Whether three of some points are, but for rounding."""
+    """Whether any three of the points are in line, up to rounding."""
     a, b, c = (points[at] for at in np.array(list(combinations(range(len(points)), 3))).T)
     (ux, uy), (vx, vy) = (b - a).T, (c - a).T
     return bool((np.abs(ux * vy - uy * vx) < 1e-9).any())
 
 
-def placed(found: Array, nodes: Array) -> list[int] | None:
-    """For each node that was found the number it should have, start and goal first; None where they
-    are not the same nodes.
+def find_order(found: Array, nodes: Array) -> list[int] | None:
+    """Return the right index of each found node, start and goal first.
+
+    Returns
+    -------
+    A list; None where the nodes differ.
     """
     numbers = {tuple(node): i for i, node in enumerate(np.asarray(nodes).tolist())}
     order = [numbers.get(tuple(node), -1) for node in np.asarray(found).tolist()]

@@ -1,6 +1,4 @@
-"""Lesson 6: Sampling, or a hundred probes and where to put them. Its exercises, as the notebook
-asks for them.
-"""
+"""The exercises of lesson 6, sampling, in the order of the notebook."""
 
 from .corner_grid import CornerGrid
 from .dispersion_bounds import DispersionBounds

@@ -1,10 +1,11 @@
-"""Shared by the exercises on van der Corput's and Halton's sequences. Bullo & Smith, chapter 4;
-LaValle, section 5.2.4.
+"""Digits for the exercises on van der Corput's and Halton's sequences.
+
+Bullo & Smith, chapter 4; LaValle, section 5.2.4.
 """
 
 
-def digits(i: int, base: int) -> list[int]:
-    """The digits of a whole number, the last one first; those of 0 are [0].
+def find_digits(i: int, base: int) -> list[int]:
+    """Return the digits of a whole number, lowest first; those of 0 are [0].
 
     >>> digits(6, 2)
     [0, 1, 1]
@@ -15,6 +16,6 @@ def digits(i: int, base: int) -> list[int]:
     return found
 
 
-def unmirrored(i: int, base: int) -> float:
-    """The digits behind the point in the order in which they stand."""
-    return i / float(base) ** len(digits(i, base))
+def keep_order(i: int, base: int) -> float:
+    """Return the number whose digits follow the point in their original order."""
+    return i / float(base) ** len(find_digits(i, base))

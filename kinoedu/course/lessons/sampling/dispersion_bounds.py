@@ -1,5 +1,6 @@
-"""The exercise on dispersion: two bounds, from a lattice of probes. Bullo & Smith, chapter 4;
-LaValle, section 5.2.3.
+"""The exercise on dispersion: a lower and an upper bound from a lattice of probes.
+
+Bullo & Smith, chapter 4; LaValle, section 5.2.3.
 """
 
 import math
@@ -16,12 +17,12 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_holes
 
-APART = 0.02  # how far the bounds may be apart
+APART = 0.02  # the greatest allowed difference of the bounds
 SLACK = 1e-9
 
 
 class DispersionBounds(Exercise):
-    """Two numbers between which the Euclidean dispersion of points in the unit square lies."""
+    """Compute two bounds of the Euclidean dispersion of points in the unit square."""
 
     name = "dispersion_bounds"
     lesson = "06_sampling"
@@ -32,11 +33,11 @@ class DispersionBounds(Exercise):
     shown = staticmethod(largest_empty_disc)
 
     def right_answer(self, *given: Any) -> Any:
-        """The library knows it exactly."""
+        """Return the library's exact dispersion as both bounds."""
         return (dispersion(*given),) * 2
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Points that can be drawn by hand, the hundred of the book, then others of every kind."""
+        """Yield points that can be drawn by hand, the hundred of the book, and random ones."""
         for points in (
             [(0.5, 0.5)],
             [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -47,22 +48,22 @@ class DispersionBounds(Exercise):
             [(0.3, 0.3), (0.4, 0.3), (0.3, 0.4), (0.4, 0.4)],
             [(0.1, 0.5), (0.9, 0.5), (0.5, 0.5)],
         ):
-            yield hole_case(np.array(points, float))
-        yield hole_case(halton(100))
+            yield make_case(np.array(points, float))
+        yield make_case(halton(100))
         yield from self.chosen(rng)
 
     def chosen(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Eight of each kind, by chance."""
+        """Yield eight random cases of each kind."""
         for _ in range(8):
-            yield hole_case(np.round(rng.uniform(0, 1, (1, 2)), 2))
+            yield make_case(np.round(rng.uniform(0, 1, (1, 2)), 2))
             for kind in self.kinds[1:]:
-                case = hole_case(cloud(rng))
+                case = make_case(draw_points_at_random(rng))
                 while case.kind != kind:
-                    case = hole_case(cloud(rng))
+                    case = make_case(draw_points_at_random(rng))
                 yield case
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """Bounds: neither on the wrong side, and not far apart."""
+        """Judge that both bounds hold and that they are close to each other."""
         (low, high), points = value, case.given["points"]
         truth, sup = dispersion(points), dispersion(points, math.inf)
         rule = ""
@@ -77,16 +78,16 @@ class DispersionBounds(Exercise):
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what is asked for."""
         return self.words("wanted", truth=f"{dispersion(case.given['points']):.6f}", apart=APART)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points, the largest hole, and both bounds round its centre."""
+        """Draw the points, the largest hole, and both bounds around its centre."""
         draw_holes(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def hole_case(points: Array) -> Case:
-    """A case of the kind that it is: one point, or where the centre of the largest hole lies."""
+def make_case(points: Array) -> Case:
+    """Return a case, classified by where the centre of the largest hole lies."""
     centre = largest_empty_ball(points).centre
     walls = int(((centre < SLACK) | (centre > 1.0 - SLACK)).sum())
     return Case(
@@ -94,9 +95,10 @@ def hole_case(points: Array) -> Case:
     )
 
 
-def cloud(rng: np.random.Generator) -> Array:
-    """Points of the unit square, 2 to 60 of them: random ones, Halton's, or a grid moved a
-    little.
+def draw_points_at_random(rng: np.random.Generator) -> Array:
+    """Draw 2 to 60 points of the unit square.
+
+    They are random, of Halton's sequence, or of a perturbed grid.
     """
     n = int(rng.integers(2, 40))
     if rng.random() < 0.4:

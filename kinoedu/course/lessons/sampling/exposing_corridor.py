@@ -1,4 +1,4 @@
-"""The exercise "break it" of lesson 6: a corridor that finer and finer grids never find."""
+"""The exercise "break it" of lesson 6: a corridor that a sequence of grids never finds."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,13 +13,14 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from .pictures import draw_corridor
 
-WIDE = 0.031  # the widest that can hide is 1/32 = 0.03125 wide
+WIDE = 0.031  # the widest hidden corridor is 1/32 = 0.03125 wide
 SLACK = 1e-9
 
 
 class ExposeGrids(Exercise):
-    """Break it: a corridor across the unit square, as wide as possible, that `finds_corridor` does
-    not find.
+    """Give a corridor across the unit square that `finds_corridor` does not find.
+
+    It must be as wide as possible.
     """
 
     name = "exposing_corridor"
@@ -29,24 +30,24 @@ class ExposeGrids(Exercise):
     answer = Numbers((4,))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A rectangle from side to side; that no grid finds; as wide as can be."""
-        rule = fault_of_corridor(value)
+        """Judge that it is a corridor, that no grid finds it, and its width."""
+        rule = find_corridor_fault(value)
         if not rule and case.kind != "valid" and finds_corridor(value):
             rule = "exposes"
-        if not rule and case.kind == "widest" and width(value) < WIDE - SLACK:
+        if not rule and case.kind == "widest" and measure_width(value) < WIDE - SLACK:
             rule = "widest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_corridor.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points of all the grids, the corridor, and the points in it."""
+        """Draw the points of all grids, the corridor, and the points inside it."""
         draw_corridor(outcome.value if isinstance(outcome, Answer) else None, ax)
         from ....figures import plane
 
@@ -54,28 +55,27 @@ class ExposeGrids(Exercise):
 
 
 def finds_corridor(corridor: Array) -> bool:
-    """Whether there is a way along a corridor, an open rectangle (x0, y0, x1, y1): some grid has a
-    point in it.
+    """Whether some grid has a point inside an open rectangle (x0, y0, x1, y1).
 
-    It says False of corridors that are wide open. Which?
+    The program returns False for corridors that are wide open. Which?
     """
     x0, y0, x1, y1 = corridor
-    for k in (1, 2, 4, 8, 16):  # finer and finer, 341 points in all: what could hide from them?
+    for k in (1, 2, 4, 8, 16):  # finer and finer grids, 341 points in all: what could they miss?
         x, y = sukharev_grid(k * k).T
         if ((x0 < x) & (x < x1) & (y0 < y) & (y < y1)).any():
             return True
     return False
 
 
-def fault_of_corridor(corridor: Array) -> str:
-    """The rule that keeps it from being a corridor across the unit square, or ""."""
+def find_corridor_fault(corridor: Array) -> str:
+    """Return the rule that a corridor across the unit square breaks, or ""."""
     x0, y0, x1, y1 = corridor
     if not (-SLACK <= x0 < x1 <= 1.0 + SLACK and -SLACK <= y0 < y1 <= 1.0 + SLACK):
         return "valid"
     return "" if max(x1 - x0, y1 - y0) >= 1.0 - SLACK else "across"
 
 
-def width(corridor: Array) -> float:
-    """Across the corridor."""
+def measure_width(corridor: Array) -> float:
+    """Return the width of a corridor."""
     x0, y0, x1, y1 = corridor
     return float(min(x1 - x0, y1 - y0))

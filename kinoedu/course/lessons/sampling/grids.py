@@ -1,4 +1,4 @@
-"""Shared by the exercises on grids in the unit cube. Bullo & Smith, chapter 4."""
+"""The base class of the exercises on grids in the unit cube. Bullo & Smith, chapter 4."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -14,14 +14,8 @@ from ...whole_shapes import Whole
 from .pictures import draw_points
 
 POINTS = Numbers(("n", "d"))
-
-
 TOLERANCE = 1e-9
-
-
 DIMENSIONS = {1: "line", 2: "plane", 3: "space"}
-
-
 SMALL = [
     (2, 1),
     (4, 2),
@@ -45,7 +39,10 @@ SMALL += [(125, 3), (99, 2), (100, 3)]
 
 
 class GridExercise(ValueExercise):
-    """A grid of n = k^d points, in any order; a ValueError where n is no such power."""
+    """An exercise on a grid of n = k^d points, in any order.
+
+    Where n is no such power, a ValueError is the right answer.
+    """
 
     lesson = "06_sampling"
     kinds = ("line", "plane", "space", "power")
@@ -54,74 +51,71 @@ class GridExercise(ValueExercise):
     tolerance = TOLERANCE
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few points first; then other powers, and numbers that are none."""
+        """Yield few points first, then other powers, and numbers that are not powers."""
         for n, d in SMALL:
-            yield grid_case(n, d)
+            yield make_case(n, d)
         for _ in range(10):
             for d, most in ((1, 30), (2, 12), (3, 5)):
-                yield grid_case(int(rng.integers(2, most + 1)) ** d, d)
+                yield make_case(int(rng.integers(2, most + 1)) ** d, d)
             d, n = int(rng.integers(2, 4)), int(rng.integers(2, 200))
             while integer_root(n, d) ** d == n:
                 n = int(rng.integers(2, 200))
-            yield grid_case(n, d)
+            yield make_case(n, d)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """First how many, then whether they are in the cube, then where."""
+        """Judge the number of points, whether they are in the cube, and where."""
         return self.fault_of_points(case, value) or super().value_verdict(case, value)
 
     def fault_of_points(self, case: Case, value: Array) -> Verdict | None:
-        """The verdict on points of which there are too many or too few, or that lie outside the
-        cube.
-        """
-        rule = fault_of_points(value, case.given["n"], case.given["d"])
+        """Return the verdict on points of a wrong number or outside the cube, or None."""
+        rule = find_points_fault(value, case.given["n"], case.given["d"])
         return Verdict(0.0, rule, self.wanted(case)) if rule else None
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Grids are sets: the order of their points is free."""
-        return np.shape(value) == np.shape(truth) and super().same(in_order(value), in_order(truth))
-
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points that should be there, and the student's."""
-        found, truth = outcome.value if isinstance(outcome, Answer) else None, self.truth(case)
-        no_grid, (n, d) = isinstance(truth, ValueError), case.given.values()
-        draw_points(
-            self,
-            case,
-            found,
-            None if no_grid else truth,
-            ax,
-            cells=0 if no_grid or d == 1 else integer_root(n, d),
+        """Whether both are the same set of points."""
+        return np.shape(value) == np.shape(truth) and super().same(
+            sort_points(value), sort_points(truth)
         )
 
+    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+        """Draw the right points and the student's."""
+        found, truth = outcome.value if isinstance(outcome, Answer) else None, self.truth(case)
+        no_grid, (n, d) = isinstance(truth, ValueError), case.given.values()
+        cells = 0 if no_grid or d == 1 else integer_root(n, d)
+        draw_points(self, case, found, None if no_grid else truth, ax, cells=cells)
 
-def grid_case(n: int, d: int) -> Case:
-    """A case of the kind that it is."""
+
+def make_case(n: int, d: int) -> Case:
+    """Return a case and classify it."""
     kind = DIMENSIONS[d] if integer_root(n, d) ** d == n else "power"
     return Case(kind, {"n": n, "d": d})
 
 
-def fault_of_points(points: Array, n: int, d: int) -> str:
-    """The rule that an array of points breaks, whatever they are meant to be: n of them, in the
-    closed unit cube; or "".
-    """
+def find_points_fault(points: Array, n: int, d: int) -> str:
+    """Return the rule that n points of the closed unit cube break, or ""."""
     if points.shape != (n, d):
         return "count"
     return "" if ((points >= -TOLERANCE) & (points <= 1.0 + TOLERANCE)).all() else "outside"
 
 
-def in_order(points: Any) -> Array:
-    """The points sorted by their coordinates, whatever the rounding."""
+def sort_points(points: Any) -> Array:
+    """Return the points sorted by their rounded coordinates."""
     rows = np.asarray(points, float)
     return rows[np.lexsort(np.round(rows, 9).T[::-1])]
 
 
-def spread(n: int, d: int, place: Callable[[Any, int], Any]) -> Array:
-    """A grid whose coordinates are place(i, k) for i = 0, ..., k - 1."""
+def make_grid(n: int, d: int, place: Callable[[Any, int], Any]) -> Array:
+    """Return a grid whose coordinates are place(i, k) for i = 0, ..., k - 1."""
     k = points_per_side(n, d)
     return lattice(place(np.arange(k), k), d)
 
 
-def diagonal(n: int, d: int, place: Callable[[Any, int], Any], each: int = 0) -> Array:
-    """The points of a grid whose coordinates are equal; so many, or k."""
+def make_diagonal(n: int, d: int, place: Callable[[Any, int], Any], each: int = 0) -> Array:
+    """Return the points of a grid whose coordinates are all equal.
+
+    Parameters
+    ----------
+    each : number of points; k by default.
+    """
     k = points_per_side(n, d)
     return np.tile(place(np.arange(each or k), k)[:, None], (1, d))

@@ -10,15 +10,15 @@ from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record
 from ...whole_shapes import Whole
-from .digits import unmirrored
-from .grids import POINTS, TOLERANCE, fault_of_points, in_order
+from .digits import keep_order
+from .grids import POINTS, TOLERANCE, find_points_fault, sort_points
 from .pictures import draw_points
 
 PRIMES = (2, 3, 5, 7, 11, 13)
 
 
 class Halton(ValueExercise):
-    """The first n points of Halton's sequence, from number 1 on."""
+    """Compute the first n points of Halton's sequence, from number 1 on."""
 
     name = "halton"
     lesson = "06_sampling"
@@ -46,15 +46,16 @@ class Halton(ValueExercise):
         Slip(
             "forward",
             lambda n, primes: np.array(
-                [[unmirrored(i, p) for p in primes] for i in range(1, n + 1)]
+                [[keep_order(i, p) for p in primes] for i in range(1, n + 1)]
             ),
         ),
     )
     reference = staticmethod(halton)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One prime, then two, then more; then primes that are not the first, in any order. All a
-        hundred of the book.
+        """Yield one prime, two, and more; then other primes in any order.
+
+        The hundred points of the book are among them.
         """
         for n, *primes in (
             (1, 2),
@@ -68,41 +69,41 @@ class Halton(ValueExercise):
             (4, 5, 2),
             (8, 7),
         ):
-            yield halton_case(n, primes)
-        yield halton_case(100, (2, 3))
+            yield make_case(n, primes)
+        yield make_case(100, (2, 3))
         for _ in range(10):
-            yield halton_case(int(rng.integers(4, 60)), (2,))
-            yield halton_case(int(rng.integers(4, 60)), (2, 3))
-            yield halton_case(int(rng.integers(4, 60)), PRIMES[: int(rng.integers(3, 7))])
+            yield make_case(int(rng.integers(4, 60)), (2,))
+            yield make_case(int(rng.integers(4, 60)), (2, 3))
+            yield make_case(int(rng.integers(4, 60)), PRIMES[: int(rng.integers(3, 7))])
             primes = rng.permutation(PRIMES)[: int(rng.integers(2, 5))].tolist()
-            yield halton_case(
+            yield make_case(
                 int(rng.integers(4, 60)), primes[::-1] if primes == sorted(primes) else primes
             )
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """How many, whether they are in the cube, whether in another order, then where."""
-        rule = fault_of_points(value, case.given["n"], len(case.given["primes"]))
+        """Judge the number of points, whether they are in the cube, their order, and where."""
+        rule = find_points_fault(value, case.given["n"], len(case.given["primes"]))
         if (
             not rule
             and not self.same(value, self.truth(case))
-            and super().same(in_order(value), in_order(self.truth(case)))
+            and super().same(sort_points(value), sort_points(self.truth(case)))
         ):
             rule = "order"
         return Verdict(0.0, rule, self.wanted(case)) if rule else super().value_verdict(case, value)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Shapes count too."""
+        """Whether shapes and points are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The points that should be there, and the student's."""
+        """Draw the right points and the student's."""
         draw_points(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
 
 
-def halton_case(n: int, primes: Any) -> Case:
-    """A case of the kind that it is."""
+def make_case(n: int, primes: Any) -> Case:
+    """Return a case and classify it."""
     first = list(primes) == list(PRIMES[: len(primes)])
     kind = ("line", "plane", "more")[min(len(primes), 3) - 1] if first else "others"
     return Case(kind, {"n": n, "primes": list(primes)})

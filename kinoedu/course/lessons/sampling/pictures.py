@@ -1,5 +1,6 @@
-"""Pictures of failing cases in the unit cube. What is true is green, what the student's program
-says orange.
+"""Pictures of failing cases in the unit cube.
+
+The right answer is green, the student's is orange.
 """
 
 from textwrap import fill
@@ -12,11 +13,11 @@ from ....sampling import largest_empty_ball, sukharev_grid, van_der_corput
 from ....words import say
 from ...exercise import Case, Exercise
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 CORNERS = [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]
-FAR = 3.0  # points farther out are told in words
-BESIDE = 1.07  # where words stand, on the right of the unit square
+FAR = 3.0  # points farther out are described, not drawn
+BESIDE = 1.07  # x of labels, to the right of the unit square
 
 
 def draw_points(
@@ -28,17 +29,20 @@ def draw_points(
     *,
     cells: int = 0,
 ) -> None:
-    """The points that should be there as rings, the student's as crosses; of points in space the
-    first two coordinates.
+    """Draw the right points as rings and the student's as crosses.
 
-    cells : draw so many cells along each side.
+    Points in space are drawn by their first two coordinates.
+
+    Parameters
+    ----------
+    cells : number of cells to draw along each side.
     """
     from ....figures import palette, plane
 
-    shown = np.empty((0, 2)) if found is None else flat(found)
-    near = shown[(np.abs(shown) <= FAR).all(axis=1)]  # nan is not near
+    shown = np.empty((0, 2)) if found is None else project_points(found)
+    near = shown[(np.abs(shown) <= FAR).all(axis=1)]  # false for nan
     d = next((points.shape[1] for points in (truth, found) if points is not None), 2)
-    square(ax, near, [(0, 0.5), (1, 0.5)] if d == 1 else CORNERS)
+    draw_square(ax, near, [(0, 0.5), (1, 0.5)] if d == 1 else CORNERS)
     for share in np.arange(1, cells) / cells if cells else ():
         plane.stretch((share, 0), (share, 1), "", ax, colour=palette.OUTSIDE, width=0.9)
         plane.stretch((0, share), (1, share), "", ax, colour=palette.OUTSIDE, width=0.9)
@@ -49,60 +53,48 @@ def draw_points(
             "markeredgewidth": 2.2,
             "markersize": 11,
         }
-        ax.plot(*flat(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
+        ax.plot(*project_points(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
-        ax.plot(
-            *near.T,
-            "x",
-            color=palette.GOAL,
-            markersize=size,
-            markeredgewidth=2.2,
-            label=say("picture.yours_short"),
-            zorder=6,
-        )
+        look = {"color": palette.GOAL, "markeredgewidth": 2.2, "zorder": 6}
+        ax.plot(*near.T, "x", markersize=size, label=say("picture.yours_short"), **look)
     else:
-        beside(
-            say("picture.no_answer") if found is None else say("samples.elsewhere"),
-            0.05,
-            ax,
-            colour=palette.GOAL,
-        )
+        text = say("picture.no_answer" if found is None else "samples.elsewhere")
+        draw_label(text, 0.05, ax, colour=palette.GOAL)
     if truth is not None or len(near):
         ax.legend(fontsize=palette.TEXT_SIZE, loc="upper right", framealpha=1.0)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def flat(points: Array) -> Array:
-    """Places in the plane for points (n, d): those of a line at half height, those in space without
-    their third coordinate.
+def project_points(points: Array) -> Array:
+    """Return positions in the plane for points (n, d).
+
+    Points of a line are put at half height; points in space lose their third coordinate.
     """
     if points.shape[1] == 1:
         return np.column_stack([points[:, 0], np.full(len(points), 0.5)])
     return points[:, :2].reshape(-1, 2)
 
 
-def square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
-    """The outline of the unit square, or a line, with room for other points, and for words on the
-    right.
-    """
+def draw_square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
+    """Draw the outline of the unit square, or a line, with room for outliers and labels."""
     from ....figures import palette, plane
 
     plane.frame(np.vstack([[(0, 0), (1.45, 1)], others]), ax, margin=0.06)
     ax.plot(*np.transpose(outline), color=palette.INK, linewidth=1.8, zorder=2)
 
 
-def beside(words: str, y: float, ax: Any, *, colour: str) -> None:
-    """Words on the right of the square."""
+def draw_label(text: str, y: float, ax: Any, *, colour: str) -> None:
+    """Write a label to the right of the square."""
     from ....figures import palette
     from ....figures.drawing import HALO
 
     look: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "path_effects": HALO}
-    ax.text(BESIDE, y, fill(words, 16), color=colour, **look)
+    ax.text(BESIDE, y, fill(text, 16), color=colour, **look)
 
 
 def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) -> None:
-    """The way from 0 to 1, the true place and the student's, and the digits before and after."""
+    """Draw the interval from 0 to 1, the right and the student's number, and the digits."""
     from ....figures import palette, plane
     from ....figures.digits import digits_of, mirrored_digits
 
@@ -111,40 +103,25 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
     plane.frame([(0, -0.3), (1, 0.3)], ax, margin=0.06)
     plane.stretch((0, 0), (1, 0), "", ax, colour=palette.OBSTACLE)
     if len(digits_of(i, base)) <= 24:
-        words = say(
-            "samples.mirrored",
-            i=i,
-            digits=digits_of(i, base),
-            mirrored=mirrored_digits(i, base),
-            base=base,
-        )
+        both = {"digits": digits_of(i, base), "mirrored": mirrored_digits(i, base)}
+        text = say("samples.mirrored", i=i, base=base, **both)
         ax.text(
-            0.5, 0.27, fill(words, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
+            0.5, 0.27, fill(text, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
         )
     plane.dot((truth, 0), "", ax, colour=palette.START)
-    plane.label(
-        (truth, 0),
-        say("picture.should_be", value=f"{truth:.6g}"),
-        ax,
-        colour=palette.START,
-        offset=(9, 14),
-    )
+    text = say("picture.should_be", value=f"{truth:.6g}")
+    plane.label((truth, 0), text, ax, colour=palette.START, offset=(9, 14))
     if found is not None and -0.1 <= found <= 1.1:
         plane.dot((found, 0), "", ax, colour=palette.GOAL, marker="X")
-        plane.label(
-            (found, 0),
-            say("picture.yours", value=f"{found:.6g}"),
-            ax,
-            colour=palette.GOAL,
-            offset=(9, -32),
-        )
+        text = say("picture.yours", value=f"{found:.6g}")
+        plane.label((found, 0), text, ax, colour=palette.GOAL, offset=(9, -32))
     else:
-        words = (
+        text = (
             say("picture.no_answer")
             if found is None
             else say("picture.yours", value=f"{found:.6g}")
         )
-        plane.corner_note(words, ax, colour=palette.GOAL)
+        plane.corner_note(text, ax, colour=palette.GOAL)
     ax.set_yticks([])
     ax.set_ylabel("")
     ax.set_xlabel("")
@@ -152,14 +129,12 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
 
 
 def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> None:
-    """The points, the largest ball without any of them, and round its centre a circle for each of
-    the student's bounds.
-    """
+    """Draw the points, the largest empty ball, and the student's bounds as circles."""
     from ....figures import palette, plane
 
     points = case.given["points"]
     ball = largest_empty_ball(points)
-    square(ax, np.empty((0, 2)))
+    draw_square(ax, np.empty((0, 2)))
     (inside,) = ax.fill(*np.transpose(CORNERS), alpha=0.0)
     low, high = (np.nan, np.nan) if found is None else found
     for radius, colour, style in (
@@ -172,40 +147,29 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
                 circle.set_clip_path(inside)
     ax.plot(*points.T, "o", color=palette.TREE, markersize=7, zorder=5)
     plane.dot(ball.centre, "", ax, colour=palette.START, marker="X")
-    words = (
+    text = (
         say("picture.no_answer")
         if found is None
         else say("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
     )
-    beside(words, 0.05, ax, colour=palette.GOAL)
-    beside(say("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START)
+    draw_label(text, 0.05, ax, colour=palette.GOAL)
+    draw_label(say("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_corridor(corridor: Array | None, ax: Any) -> None:
-    """The points of all five grids, the corridor, and crosses on the points in it."""
+    """Draw the points of all five grids, the corridor, and crosses on the points inside it."""
     from ....figures import palette
 
-    square(ax, np.empty((0, 2)))
+    draw_square(ax, np.empty((0, 2)))
     points = np.vstack([sukharev_grid(k * k) for k in (1, 2, 4, 8, 16)])
     ax.plot(*points.T, "o", color=palette.TREE, markersize=4, zorder=4)
     if corridor is None or not (np.abs(corridor) <= FAR).all():
-        beside(
-            say("picture.no_answer") if corridor is None else say("samples.elsewhere"),
-            0.05,
-            ax,
-            colour=palette.GOAL,
-        )
+        text = say("picture.no_answer" if corridor is None else "samples.elsewhere")
+        draw_label(text, 0.05, ax, colour=palette.GOAL)
         return
     x0, y0, x1, y1 = corridor
-    ax.fill(
-        [x0, x1, x1, x0],
-        [y0, y0, y1, y1],
-        facecolor=palette.PATH,
-        alpha=0.4,
-        edgecolor=palette.GOAL,
-        linewidth=1.5,
-        zorder=3,
-    )
+    look = {"facecolor": palette.PATH, "alpha": 0.4, "edgecolor": palette.GOAL, "linewidth": 1.5}
+    ax.fill([x0, x1, x1, x0], [y0, y0, y1, y1], **look, zorder=3)
     inside = points[((points > (x0, y0)) & (points < (x1, y1))).all(axis=1)]
     ax.plot(*inside.T, "x", color=palette.GOAL, markersize=10, markeredgewidth=2.5, zorder=6)

@@ -11,7 +11,7 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ...whole_shapes import Whole
-from .digits import digits, unmirrored
+from .digits import find_digits, keep_order
 from .grids import TOLERANCE
 from .pictures import draw_mirrored
 
@@ -33,11 +33,15 @@ SMALL = [
 ]
 
 
-SMALL += [(243, 3), (1000, 10), (10**6, 10)]  # powers of the base, whose logarithm is rounded down
+SMALL += [
+    (243, 3),
+    (1000, 10),
+    (10**6, 10),
+]  # powers of the base, whose logarithms are rounded down
 
 
 class RadicalInverse(ValueExercise):
-    """The digits of a whole number, mirrored at the point."""
+    """Mirror the digits of a whole number at the point."""
 
     name = "radical_inverse"
     lesson = "06_sampling"
@@ -48,62 +52,65 @@ class RadicalInverse(ValueExercise):
     source = staticmethod(van_der_corput)
     shown = staticmethod(mirrored)
     slips = (
-        Slip("forward", lambda i, base: unmirrored(i, base)),
-        Slip("left", lambda i, base: base * inverse(i, base)),
-        Slip("right", lambda i, base: inverse(i, base) / base),
-        Slip("whole", lambda i, base: number_of(digits(i, base)[::-1], base)),
-        Slip("decimal", lambda i, base: float("0." + "".join(map(str, digits(i, base))))),
-        Slip("base_two", lambda i, base: inverse(i, 2)),
-        Slip("next", lambda i, base: inverse(i + 1, base)),
-        Slip("first_lost", lambda i, base: inverse(number_of(digits(i, base)[:-1], base), base)),
+        Slip("forward", lambda i, base: keep_order(i, base)),
+        Slip("left", lambda i, base: base * find_inverse(i, base)),
+        Slip("right", lambda i, base: find_inverse(i, base) / base),
+        Slip("whole", lambda i, base: join_digits(find_digits(i, base)[::-1], base)),
+        Slip("decimal", lambda i, base: float("0." + "".join(map(str, find_digits(i, base))))),
+        Slip("base_two", lambda i, base: find_inverse(i, 2)),
+        Slip("next", lambda i, base: find_inverse(i + 1, base)),
+        Slip(
+            "first_lost",
+            lambda i, base: find_inverse(join_digits(find_digits(i, base)[:-1], base), base),
+        ),
         Slip("last_only", lambda i, base: i % base / base),
-        Slip("divided", lambda i, base: divided(i, base)),
+        Slip("divided", lambda i, base: divide_inexactly(i, base)),
     )
 
     @staticmethod
     def reference(i: int, base: int) -> float:
-        """The one number of the sequence."""
-        return inverse(i, base)
+        """Return the number of van der Corput's sequence."""
+        return find_inverse(i, base)
 
     def right_answer(self, *given: Any) -> Any:
-        """The library has it for many numbers at once."""
-        return inverse(*given)
+        """Return the library's answer, which is computed for many numbers at once."""
+        return find_inverse(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Small numbers in base 2 and 3 first."""
+        """Yield small numbers in base 2 and 3 first, then others."""
         for i, base in SMALL:
-            yield inverse_case(i, base)
-        yield inverse_case(10**9 + 7, 7)
+            yield make_case(i, base)
+        yield make_case(10**9 + 7, 7)
         for _ in range(10):
             base = int(rng.integers(3, 17))
-            yield inverse_case(int(rng.integers(base)), base)
-            yield inverse_case(int(rng.integers(2, 1000)), 2)
-            yield inverse_case(int(rng.integers(base, 1000)), base)
-            yield inverse_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
+            yield make_case(int(rng.integers(base)), base)
+            yield make_case(int(rng.integers(2, 1000)), 2)
+            yield make_case(int(rng.integers(base, 1000)), base)
+            yield make_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The digits, and both places between 0 and 1."""
+        """Draw the digits, and the right and the student's number between 0 and 1."""
         draw_mirrored(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def inverse_case(i: int, base: int) -> Case:
-    """A case of the kind that it is."""
+def make_case(i: int, base: int) -> Case:
+    """Return a case and classify it."""
     kind = "one_digit" if i < base else "long" if i >= 10**6 else "binary" if base == 2 else "other"
     return Case(kind, {"i": i, "base": base})
 
 
-def inverse(i: int, base: int) -> float:
-    """Number i of van der Corput's sequence."""
+def find_inverse(i: int, base: int) -> float:
+    """Return number i of van der Corput's sequence."""
     return float(van_der_corput(1, base, start=i)[0])
 
 
-def number_of(low_first: list[int], base: int) -> int:
-    """The whole number of these digits, the last one first."""
+def join_digits(low_first: list[int], base: int) -> int:
+    """Return the whole number with these digits, lowest first."""
     return sum(digit * base**place for place, digit in enumerate(low_first))
 
 
-def divided(i: float, base: int) -> float:
-    """The sum, where i is divided without dropping what is left over."""
+def divide_inexactly(i: float, base: int) -> float:
+    """Return the sum that results when i is divided with / instead of //."""
     total, weight = 0.0, 1.0
     while i > 0.0 and weight > 0.0:
         weight /= base

@@ -11,19 +11,17 @@ from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together
 from ...whole_shapes import Whole
-from .grids import DIMENSIONS, POINTS, fault_of_points
+from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
 
-BOXES = {1: 64, 2: 8, 3: 4}  # along each side: always 64 boxes
-MANY = 640  # points from which on the boxes are counted: ten for each
-EVEN, UNEVEN = (
-    16.0,
-    160.0,
-)  # of 64 boxes' squared deviations over what is expected; outside once in 10^9 for random points
+BOXES = {1: 64, 2: 8, 3: 4}  # boxes along each side by dimension: 64 in all
+MANY = 640  # points from which their spread is tested: ten in each box
+# bounds of the chi-square statistic of 64 boxes; random points leave them once in 10^9 times
+EVEN, UNEVEN = 16.0, 160.0
 
 
 class UniformRandom(Exercise):
-    """n random points of the unit cube."""
+    """Draw n random points of the unit cube."""
 
     name = "uniform_random"
     lesson = "06_sampling"
@@ -33,51 +31,50 @@ class UniformRandom(Exercise):
     source = staticmethod(uniform_random)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Few points, the hundred of the book, then so many that one can count how they are
-        spread.
-        """
+        """Yield few points, the hundred of the book, and enough points to test their spread."""
         for n, d in ((3, 1), (4, 2), (1, 2), (2, 3), (100, 2)):
-            yield random_case(n, d, int(rng.integers(1000)))
+            yield make_case(n, d, int(rng.integers(1000)))
         for _ in range(10):
-            yield random_case(
+            yield make_case(
                 int(rng.integers(1, 50)), int(rng.integers(1, 4)), int(rng.integers(1000))
             )
             for d in DIMENSIONS:
-                yield random_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
+                yield make_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Three times: twice the same, then with another seed."""
+        """Call the student's function three times: twice with rng, once with rng + 1."""
         n, d, rng = given.values()
         return function(n, d, rng), function(n, d, rng), function(n, d, rng + 1)
 
     def right_answer(self, *given: Any) -> Any:
-        """The library's own takes rng by its name only."""
+        """Return the library's points; the library takes rng by name only."""
         n, d, rng = given
         return uniform_random(n, d, rng=rng)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """How many and where; the same again, others for another seed; how they are spread, and
-        whether the seeds share them.
+        """Judge number and range, repeatability, another seed, and the spread.
+
+        It also judges whether two seeds share points.
         """
         n, d, _ = case.given.values()
         first, again, other = value
-        rule = fault_of_points(first, n, d)
+        rule = find_points_fault(first, n, d)
         if not rule and not np.array_equal(first, again):
             rule = "again"
         if not rule and np.array_equal(first, other):
             rule = "another"
-        rule = rule or fault_of_chance(first)
-        if not rule and shares(first, other):
+        rule = rule or find_randomness_fault(first)
+        if not rule and share_points(first, other):
             rule = "shared"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what is asked for."""
         n, d, _ = case.given.values()
         return self.words("wanted", n=n, d=d)
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """The first of the three answers; where two are compared, those."""
+        """Describe the first of the three answers, or the two that are compared."""
         first, again, other = value
         rule = self.value_verdict(case, value).rule
         second = {"again": again, "another": other, "shared": other}.get(rule)
@@ -86,17 +83,17 @@ class UniformRandom(Exercise):
         return self.words(f"answers.{rule}", first=spoken(first[:3]), second=spoken(second[:3]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The student's points."""
+        """Draw the student's points."""
         draw_points(self, case, outcome.value[0] if isinstance(outcome, Answer) else None, None, ax)
 
 
-def random_case(n: int, d: int, rng: int) -> Case:
-    """A case of the kind that it is."""
+def make_case(n: int, d: int, rng: int) -> Case:
+    """Return a case and classify it."""
     return Case(DIMENSIONS[d] if n >= 100 else "few", {"n": n, "d": d, "rng": rng})
 
 
-def fault_of_chance(points: Array) -> str:
-    """What random points (n, d) of the cube would never do, as a rule; or ""."""
+def find_randomness_fault(points: Array) -> str:
+    """Return the rule that shows that points (n, d) are not random, or ""."""
     n, d = points.shape
     if d > 1 and (points == points[:, :1]).all():
         return "diagonal"
@@ -104,22 +101,24 @@ def fault_of_chance(points: Array) -> str:
         return "distinct"
     if n < MANY:
         return ""
-    off = unevenness(points)
+    off = measure_unevenness(points)
     return "uneven" if off > UNEVEN else "too_even" if off < EVEN else ""
 
 
-def shares(first: Array, other: Array) -> bool:
-    """Whether half of the points of one seed, or a coordinate of all of them, come again with
-    another; asked of three and more.
+def share_points(first: Array, other: Array) -> bool:
+    """Whether two seeds share half of their points, or one coordinate of all points.
+
+    It is tested for three points and more.
     """
     rows = set(map(tuple, first.tolist())) & set(map(tuple, other.tolist()))
     columns = (first.T[:, None] == other.T).all(axis=2)
     return len(first) > 2 and (2 * len(rows) >= len(first) or bool(columns.any()))
 
 
-def unevenness(points: Array) -> float:
-    """Of 64 equal boxes, the sum of (count - expected)^2 / expected: about 63 for random points,
-    whatever their number.
+def measure_unevenness(points: Array) -> float:
+    """Return the chi-square statistic of the counts of points in 64 equal boxes.
+
+    It is the sum of (count - expected)^2 / expected, about 63 for random points of any number.
     """
     n, d = points.shape
     places = np.clip(np.floor(points * BOXES[d]), 0, BOXES[d] - 1).astype(np.int64)

@@ -1,4 +1,4 @@
-"""Lesson 10: Terrains, or fifty seeds against one. Its exercises, as the notebook asks for them."""
+"""The exercises of lesson 10, terrains, in the order of the notebook."""
 
 from .compare_planners import ComparePlanners
 from .cost_along import CostAlong

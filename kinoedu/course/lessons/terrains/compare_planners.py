@@ -1,6 +1,4 @@
-"""The exercise that compares planners: many seeds, medians with quartiles, and failures that are
-counted.
-"""
+"""The exercise that compares planners over many seeds by medians, quartiles and failures."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -17,8 +15,9 @@ QUARTERS = (0.25, 0.5, 0.75)
 
 
 class ComparePlanners(ValueExercise):
-    """A row for each planner: the share of seeds with a path, and the quartiles and median of the
-    lengths of those.
+    """Compute for each planner how often it finds a path, and the quartiles of the lengths.
+
+    A row holds the fraction of seeds with a path, lower quartile, median and upper quartile.
     """
 
     name = "compare_planners"
@@ -29,57 +28,59 @@ class ComparePlanners(ValueExercise):
     )
     answer = Numbers(("n", 4))
     slips = (
-        Slip("mean", lambda lengths, *_: table_of(lengths, middle=np.mean)),
-        Slip("with_failures", lambda lengths, *_: table_of(lengths, found=np.ones_like)),
+        Slip("mean", lambda lengths, *_: make_table(lengths, middle=np.mean)),
+        Slip("with_failures", lambda lengths, *_: make_table(lengths, found=np.ones_like)),
         Slip(
             "failures_are_zero",
-            lambda lengths, *_: table_of(
+            lambda lengths, *_: make_table(
                 np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths
             ),
         ),
-        Slip("percent", lambda lengths, *_: table_of(lengths) * (100.0, 1.0, 1.0, 1.0)),
-        Slip("whole_spread", lambda lengths, *_: table_of(lengths, quarters=(0.0, 0.5, 1.0))),
-        Slip("not_between", lambda lengths, *_: table_of(lengths, method="nearest")),
-        Slip("not_between", lambda lengths, *_: table_of(lengths, method="lower")),
-        Slip("not_between", lambda lengths, *_: table_of(lengths, method="higher")),
-        Slip("deviation", lambda lengths, *_: deviations(lengths)),
-        Slip("one_seed", lambda lengths, *_: table_of(lengths[:, :1])),
-        Slip("counts", lambda lengths, *_: table_of(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
+        Slip("percent", lambda lengths, *_: make_table(lengths) * (100.0, 1.0, 1.0, 1.0)),
+        Slip("whole_spread", lambda lengths, *_: make_table(lengths, quarters=(0.0, 0.5, 1.0))),
+        Slip("not_between", lambda lengths, *_: make_table(lengths, method="nearest")),
+        Slip("not_between", lambda lengths, *_: make_table(lengths, method="lower")),
+        Slip("not_between", lambda lengths, *_: make_table(lengths, method="higher")),
+        Slip("deviation", lambda lengths, *_: use_deviations(lengths)),
+        Slip("one_seed", lambda lengths, *_: make_table(lengths[:, :1])),
+        Slip("counts", lambda lengths, *_: make_table(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
     )
 
     @staticmethod
     def reference(lengths: Array, planners: list[str], seeds: list[int]) -> Array:
-        """Rows of share, lower quartile, median, upper quartile."""
-        return table_of(lengths)
+        """Return rows of fraction found, lower quartile, median and upper quartile."""
+        return make_table(lengths)
 
     source = reference
 
     def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
-        """Hand over a runner that answers for those planners with those seeds, and for no
-        others.
+        """Call the student's function with a runner for the given planners and seeds.
+
+        The runner raises a ValueError for any other planner or seed.
         """
         lengths, planners, seeds = given.values()
 
         def run(planner: str, seed: int) -> float:
-            """The length of the path that a planner finds with a seed, infinite where it finds
-            none.
-            """
+            """Return the length of a planner's path with a seed; infinity without a path."""
             if planner not in planners or int(seed) not in seeds:
                 raise ValueError(
-                    f"run was asked for {planner!r} with seed {seed!r}; known are {planners} and "
-                    f"{seeds}"
+                    f"run was called with planner {planner!r} and seed {seed!r}; the planners are "
+                    f"{planners}, the seeds are {seeds}"
                 )
             return float(lengths[planners.index(planner), seeds.index(int(seed))])
 
         return function(run, list(planners), list(seeds))
 
     def right_answer(self, run: Any, planners: list[str], seeds: list[int]) -> Array:
-        """By asking the runner."""
-        return table_of(np.array([[run(planner, seed) for seed in seeds] for planner in planners]))
+        """Return the table of all runs."""
+        return make_table(
+            np.array([[run(planner, seed) for seed in seeds] for planner in planners])
+        )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Four runs that can be reckoned by hand; then more, with planners that fail and runs that
-        go far astray.
+        """Yield four tables that can be computed by hand, then random ones.
+
+        Some planners fail, and some runs are outliers.
         """
         inf = float("inf")
         for kind, rows, numbers in (
@@ -89,7 +90,7 @@ class ComparePlanners(ValueExercise):
             ("none_found", [[inf, inf], [1.0, 2.0]], [0, 1]),
             ("outlier", [[2.0, 2.0, 3.0, 100.0]], [0, 1, 2, 3]),
         ):
-            yield self.asked(kind, np.array(rows), numbers)
+            yield self.make_case(kind, np.array(rows), numbers)
         for _ in range(11):
             for kind in self.kinds:
                 n, m = int(rng.integers(1, 4)), int(rng.integers(5, 40))
@@ -104,15 +105,15 @@ class ComparePlanners(ValueExercise):
                 seeds = (
                     rng.permutation(100)[:m].tolist() if kind == "other_seeds" else list(range(m))
                 )
-                yield self.asked(kind, lengths, seeds)
+                yield self.make_case(kind, lengths, seeds)
 
-    def asked(self, kind: str, lengths: Array, seeds: list[int]) -> Case:
-        """A case with as many names as there are rows."""
+    def make_case(self, kind: str, lengths: Array, seeds: list[int]) -> Case:
+        """Return a case with a planner's name for each row."""
         names = ["RRT", "PRM", "A*"][: len(lengths)]
         return Case(kind, {"lengths": lengths, "planners": names, "seeds": seeds})
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """Every run as a dot, the right quartiles and median, and the student's."""
+        """Draw every run as a dot, the right quartiles and median, and the student's."""
         from .pictures import draw_runs
 
         draw_runs(
@@ -120,7 +121,7 @@ class ComparePlanners(ValueExercise):
         )
 
 
-def table_of(
+def make_table(
     lengths: Array,
     *,
     found: Callable[[Array], Any] = np.isfinite,
@@ -129,7 +130,17 @@ def table_of(
     method: Any = "linear",
     share_of: Array | None = None,
 ) -> Array:
-    """A row for each row of lengths; the other arguments are what may be got wrong."""
+    """Return a row of statistics for each row of lengths.
+
+    The keyword arguments replace parts of the computation, as mistaken programs do.
+
+    Parameters
+    ----------
+    found : which lengths count as found.
+    middle : statistic instead of the median.
+    quarters, method : arguments of `np.quantile`.
+    share_of : lengths from which the fraction found is computed.
+    """
     rows = []
     for runs, shown in zip(lengths, lengths if share_of is None else share_of):
         kept = runs[np.asarray(found(runs), bool)]
@@ -140,9 +151,9 @@ def table_of(
     return np.array(rows)
 
 
-def deviations(lengths: Array) -> Array:
-    """The mean, and a standard deviation to both sides."""
-    table = table_of(lengths, middle=np.mean)
+def use_deviations(lengths: Array) -> Array:
+    """Return mean and mean plus and minus one standard deviation."""
+    table = make_table(lengths, middle=np.mean)
     sigma = np.array(
         [np.std(runs[np.isfinite(runs)]) if np.isfinite(runs).any() else np.nan for runs in lengths]
     )

@@ -1,4 +1,4 @@
-"""The exercise on what a motion costs on a terrain: an integral, from cell to cell."""
+"""The exercise on the cost of a motion on a terrain: an integral over cells."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -12,11 +12,11 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..geometry.lines import POINT
-from .motions import crossed, cuts, length
+from .motions import find_crossed_cells, find_cuts, measure_length
 
 
 class CostAlong(ValueExercise):
-    """The integral of the cells' costs along a segment."""
+    """Integrate the cost of the cells along a segment."""
 
     name = "cost_along"
     lesson = "10_terrains"
@@ -25,28 +25,37 @@ class CostAlong(ValueExercise):
     answer = Number()
     shown = staticmethod(cost_on_terrain)
     slips = (
-        Slip("ends", lambda cost, a, b: length(a, b) * (at(cost, a) + at(cost, b)) / 2),
-        Slip("middle", lambda cost, a, b: length(a, b) * at(cost, (a + b) / 2)),
-        Slip("start", lambda cost, a, b: length(a, b) * at(cost, a)),
-        Slip("sampled", lambda cost, a, b: sampled(cost, a, b, 0.5)),
-        Slip("whole_x_only", lambda cost, a, b: summed(cost, a, b, cuts(a[:1], b[:1]), 0.5)),
-        Slip("first_end", lambda cost, a, b: summed(cost, a, b, cuts(a, b), 0.0)),
-        Slip("transposed", lambda cost, a, b: transposed(cost, a, b)),
-        Slip("upside_down", lambda cost, a, b: exact(cost[::-1], a, b)),
-        Slip("length", lambda cost, a, b: length(a, b)),
-        Slip("share", lambda cost, a, b: exact(cost, a, b) / length(a, b)),
-        Slip("cells", lambda cost, a, b: sum(cost[j, i] for i, j in crossed(cost, a, b))),
+        Slip(
+            "ends",
+            lambda cost, a, b: (
+                measure_length(a, b) * (look_up_cost(cost, a) + look_up_cost(cost, b)) / 2
+            ),
+        ),
+        Slip("middle", lambda cost, a, b: measure_length(a, b) * look_up_cost(cost, (a + b) / 2)),
+        Slip("start", lambda cost, a, b: measure_length(a, b) * look_up_cost(cost, a)),
+        Slip("sampled", lambda cost, a, b: sum_samples(cost, a, b, 0.5)),
+        Slip(
+            "whole_x_only", lambda cost, a, b: sum_pieces(cost, a, b, find_cuts(a[:1], b[:1]), 0.5)
+        ),
+        Slip("first_end", lambda cost, a, b: sum_pieces(cost, a, b, find_cuts(a, b), 0.0)),
+        Slip("transposed", lambda cost, a, b: integrate_transposed(cost, a, b)),
+        Slip("upside_down", lambda cost, a, b: integrate(cost[::-1], a, b)),
+        Slip("length", lambda cost, a, b: measure_length(a, b)),
+        Slip("share", lambda cost, a, b: integrate(cost, a, b) / measure_length(a, b)),
+        Slip(
+            "cells", lambda cost, a, b: sum(cost[j, i] for i, j in find_crossed_cells(cost, a, b))
+        ),
     )
 
     @staticmethod
     def reference(cost: Array, a: Array, b: Array) -> float:
-        """The library's."""
-        return exact(cost, a, b)
+        """Return the library's integral."""
+        return integrate(cost, a, b)
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two cells first; no motion runs along a side."""
+        """Yield motions over two cells first; no motion runs along a side of a cell."""
         two = np.array([[1.0, 3.0]])
         square = np.array([[1.0, 2.0], [4.0, 8.0]])
         for kind, cost, a, b in (
@@ -61,18 +70,18 @@ class CostAlong(ValueExercise):
             yield Case(kind, {"cost": cost, "a": np.array(a), "b": np.array(b)})
         for number in range(10):
             for kind in self.kinds:
-                yield Case(kind, case_by_chance(kind, 2 + number // 2, rng))
+                yield Case(kind, draw_case(kind, 2 + number // 2, rng))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The cells with their costs, and the motion cut where it enters another."""
+        """Draw the cells with their costs, and the motion cut where it enters another cell."""
         from .pictures import draw_costs
 
         found = outcome.value if isinstance(outcome, Answer) else None
         draw_costs(self, case, found, say("picture.should_be", value=self.wanted(case)), ax)
 
 
-def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
-    """A motion over cells of whole costs, in rows and columns of different number."""
+def draw_case(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
+    """Draw a motion over cells with whole costs; rows and columns differ in number."""
     cost = rng.integers(1, 10, (n, n + 1)).astype(float)
     a, b = np.round(rng.uniform((0, 0), (n + 1, n), (2, 2)), 2) * 0.98 + 0.013
     if kind == "row":
@@ -92,45 +101,51 @@ def case_by_chance(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any
     return {"cost": cost, "a": a, "b": b}
 
 
-def exact(cost: Array, a: Array, b: Array) -> float:
-    """The library's integral over cells of side 1; none outside."""
+def integrate(cost: Array, a: Array, b: Array) -> float:
+    """Return the library's integral over cells of side 1, with cost 0 outside."""
     value = float(integral(np.ascontiguousarray(cost), a[0], a[1], b[0], b[1]))
     if value == np.inf:
         raise ValueError("outside")
     return value
 
 
-def transposed(cost: Array, a: Array, b: Array) -> float:
-    """The sum with cost[column, row], where there is one."""
-    stretches = np.diff(cuts(a, b)) * length(a, b)
+def integrate_transposed(cost: Array, a: Array, b: Array) -> float:
+    """Return the integral with cost[column, row], 0 where there is no such cell."""
+    stretches = np.diff(find_cuts(a, b)) * measure_length(a, b)
     inside = [
         (s, i, j)
-        for s, (i, j) in zip(stretches, crossed(cost, a, b))
+        for s, (i, j) in zip(stretches, find_crossed_cells(cost, a, b))
         if i < len(cost) and j < len(cost[0])
     ]
     return float(sum(cost[i, j] * s for s, i, j in inside))
 
 
-def summed(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
-    """The sum over the pieces between shares of a motion, each looked up at one of its places: 0 is
-    its first end, 1 its last.
+def sum_pieces(cost: Array, a: Array, b: Array, shares: Array, look: float) -> float:
+    """Return the sum of the costs of the pieces of a motion.
+
+    Parameters
+    ----------
+    shares : fractions of the motion at which it is cut.
+    look : where in a piece its cost is looked up, 0 at its beginning and 1 at its end.
     """
     looked = shares[:-1] + look * np.diff(shares)
     return float(
-        sum(at(cost, a + (b - a) * t) * s for t, s in zip(looked, np.diff(shares) * length(a, b)))
+        sum(
+            look_up_cost(cost, a + (b - a) * t) * s
+            for t, s in zip(looked, np.diff(shares) * measure_length(a, b))
+        )
     )
 
 
-def at(cost: Array, q: Array) -> float:
-    """The cost of the cell that holds a place."""
+def look_up_cost(cost: Array, q: Array) -> float:
+    """Return the cost of the cell that contains a point."""
     return float(cost[int(q[1]), int(q[0])])
 
 
-def sampled(cost: Array, a: Array, b: Array, step: float) -> float:
-    """A sum over samples, each worth a step."""
-    whole = length(a, b)
-    return (
-        sum(at(cost, a + (b - a) * (s / whole)) * step for s in np.arange(0.0, whole, step))
-        if whole
-        else 0.0
-    )
+def sum_samples(cost: Array, a: Array, b: Array, step: float) -> float:
+    """Return the sum of costs at samples, each multiplied by the step."""
+    whole = measure_length(a, b)
+    if not whole:
+        return 0.0
+    shares = np.arange(0.0, whole, step) / whole
+    return sum(look_up_cost(cost, a + (b - a) * share) * step for share in shares)

@@ -1,6 +1,4 @@
-"""The exercise "break it" of lesson 10: a motion judged by samples half a cell apart goes through a
-rock.
-"""
+"""The exercise "break it" of lesson 10: a motion through a rock between two samples."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,15 +11,13 @@ from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
-from .motions import crossed, cuts, fault_of_motion, length, samples_along
+from .motions import find_crossed_cells, find_cuts, find_motion_fault, measure_length, samples_along
 
-DEEP = 0.49  # of the half that samples are apart
+DEEP = 0.49  # least length in the rock; samples are 0.5 apart
 
 
 class ExposeSampling(Exercise):
-    """Break it: a terrain and a motion through a blocked cell that `is_free_by_samples` lets
-    pass.
-    """
+    """Give a terrain and a motion through a blocked cell that `is_free_by_samples` accepts."""
 
     name = "exposing_motion"
     lesson = "10_terrains"
@@ -30,26 +26,24 @@ class ExposeSampling(Exercise):
     answer = Together((Numbers(("rows", "columns")), POINT, POINT))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A terrain with a motion; that is let pass; and goes through the rock for as long as can
-        be.
-        """
-        rule = fault_of_motion(*value)
+        """Judge that the motion is valid, is accepted, and how long it is in the rock."""
+        rule = find_motion_fault(*value)
         if not rule and case.kind != "valid":
-            rule = exposing_fault(*value)
-        if not rule and case.kind == "deepest" and deepest(*value) < DEEP:
+            rule = find_exposing_fault(*value)
+        if not rule and case.kind == "deepest" and measure_deepest(*value) < DEEP:
             rule = "deepest"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_motion.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The cells, the motion, and its samples."""
+        """Draw the cells, the motion and its samples."""
         from .pictures import draw_samples_on
 
         draw_samples_on(
@@ -58,23 +52,24 @@ class ExposeSampling(Exercise):
 
 
 def is_free_by_samples(free: Array, a: Array, b: Array) -> bool:
-    """Whether a motion is free, judged every half cell, much as the document does.
+    """Whether a motion is free at samples half a cell apart, much as the document does.
 
-    It lets motions pass that go through rocks. Which?
+    The program accepts motions that go through rocks. Which?
     """
     return all(free[int(y), int(x)] for x, y in samples_along(a, b))
 
 
-def exposing_fault(free: Array, a: Array, b: Array) -> str:
-    """The rule that keeps it from exposing the samples, or ""."""
+def find_exposing_fault(free: Array, a: Array, b: Array) -> str:
+    """Return the rule that keeps the motion from exposing the samples, or ""."""
     if not is_free_by_samples(free, a, b):
         return "seen"
-    return "" if deepest(free, a, b) > 0.0 else "exposes"
+    return "" if measure_deepest(free, a, b) > 0.0 else "exposes"
 
 
-def deepest(free: Array, a: Array, b: Array) -> float:
-    """The longest stretch of a motion inside one blocked cell."""
-    pieces = np.diff(cuts(a, b)) * length(a, b)
+def measure_deepest(free: Array, a: Array, b: Array) -> float:
+    """Return the greatest length of a motion inside one blocked cell."""
+    pieces = np.diff(find_cuts(a, b)) * measure_length(a, b)
     return max(
-        (float(s) for s, (i, j) in zip(pieces, crossed(free, a, b)) if not free[j, i]), default=0.0
+        (float(s) for s, (i, j) in zip(pieces, find_crossed_cells(free, a, b)) if not free[j, i]),
+        default=0.0,
     )

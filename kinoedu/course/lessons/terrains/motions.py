@@ -1,21 +1,19 @@
-"""Straight motions on a terrain: where they cross cells, samples along them, and what may be wrong
-with one.
-"""
+"""Straight motions on a terrain: the cells they cross, samples along them, and their faults."""
 
 import numpy as np
 
 from ....geometry.checks import Array
 
-MOST = 12  # cells either way
+MOST = 12  # cells along each side
 
 
-def length(a: Array, b: Array) -> float:
-    """|b - a|."""
+def measure_length(a: Array, b: Array) -> float:
+    """Return |b - a|."""
     return float(np.sqrt(((b - a) ** 2).sum()))
 
 
-def cuts(a: Array, b: Array) -> Array:
-    """The shares of a motion after which it enters another cell, with 0 and 1, in order."""
+def find_cuts(a: Array, b: Array) -> Array:
+    """Return the sorted fractions of a motion at which it enters another cell, with 0 and 1."""
     shares = [0.0, 1.0]
     for p, q in zip(a, b):
         lines = np.arange(np.ceil(min(p, q)), np.floor(max(p, q)) + 1.0)
@@ -23,25 +21,28 @@ def cuts(a: Array, b: Array) -> Array:
     return np.unique(np.clip(shares, 0.0, 1.0))
 
 
-def crossed(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
-    """The cells (i, j) that a motion passes through, in order; the one that holds it where it
-    stays.
+def find_crossed_cells(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
+    """Return the cells (i, j) that a motion crosses, in order.
+
+    A motion of length 0 crosses the cell that contains it.
     """
-    shares = cuts(a, b)
+    shares = find_cuts(a, b)
     middles = [a + (b - a) * t for t in (shares[1:] + shares[:-1]) / 2]
     return [(int(x), int(y)) for x, y in middles]
 
 
 def samples_along(a: Array, b: Array) -> Array:
-    """Places half a cell apart along a motion, from a, and b itself, (n, 2)."""
-    shares = np.append(np.arange(0.0, length(a, b), 0.5) / (length(a, b) or 1.0), 1.0)
+    """Return points half a cell apart along a motion from a, and b itself, (n, 2)."""
+    shares = np.append(
+        np.arange(0.0, measure_length(a, b), 0.5) / (measure_length(a, b) or 1.0), 1.0
+    )
     return a + shares[:, None] * (b - a)
 
 
-def fault_of_motion(free: Array, a: Array, b: Array) -> str:
-    """The rule that keeps it from being a terrain with a motion inside it, or ""."""
+def find_motion_fault(free: Array, a: Array, b: Array) -> str:
+    """Return the rule that a terrain with a motion inside it breaks, or ""."""
     rows, columns = free.shape
     if not (1 <= rows <= MOST and 1 <= columns <= MOST) or not np.isin(free, (0, 1)).all():
         return "valid"
-    inside = all(0 < x < columns and 0 < y < rows for x, y in (a, b))  # false for nan as well
+    inside = all(0 < x < columns and 0 < y < rows for x, y in (a, b))  # false for nan
     return "" if inside else "inside"

@@ -1,5 +1,6 @@
-"""Pictures of failing cases of lesson 10. What is true is green, what the student's program says
-orange.
+"""Pictures of failing cases of lesson 10.
+
+The right answer is green, the student's is orange.
 """
 
 from typing import Any
@@ -9,13 +10,13 @@ import numpy as np
 from ....geometry.checks import Array
 from ....words import say
 from ...exercise import Case, Exercise, spoken
-from .motions import cuts, fault_of_motion, samples_along
+from .motions import find_cuts, find_motion_fault, samples_along
 
-# figures are imported inside the functions: matplotlib is not needed until something is wrong
+# functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, ax: Any) -> None:
-    """The cells with their costs, and the motion cut where it enters another."""
+    """Draw the cells with their costs, and the motion cut where it enters another cell."""
     from ....figures import palette, plane
 
     cost, a, b = case.given.values()
@@ -30,26 +31,20 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
         zorder=0,
     )
     for j, i in np.ndindex(rows, columns):
-        ax.text(
-            i + 0.08,
-            j + 0.08,
-            f"{cost[j, i]:g}",
-            fontsize=palette.TEXT_SIZE,
-            color=palette.INK,
-            zorder=3,
-        )
-    places = a + cuts(a, b)[:, None] * (b - a)
+        look = {"fontsize": palette.TEXT_SIZE, "color": palette.INK, "zorder": 3}
+        ax.text(i + 0.08, j + 0.08, f"{cost[j, i]:g}", **look)
+    places = a + find_cuts(a, b)[:, None] * (b - a)
     ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
     ax.plot(*places.T, "o", color=palette.INK, markersize=6, zorder=5)
-    dress(ax, columns, rows)
+    set_cell_axes(ax, columns, rows)
     plane.dot(a, "a", ax, colour=palette.START)
     plane.dot(b, "b", ax, colour=palette.GOAL)
     yours = say("picture.no_answer") if found is None else say("picture.yours", value=spoken(found))
     plane.title(f"{exercise.words(f'pictures.{case.kind}')}\n{truth}; {yours}", ax)
 
 
-def dress(ax: Any, columns: int, rows: int) -> None:
-    """Equal axes with a line at every side of a cell."""
+def set_cell_axes(ax: Any, columns: int, rows: int) -> None:
+    """Set equal axes with a line at every side of a cell."""
     from ....figures import palette
 
     ax.set_aspect("equal")
@@ -62,7 +57,7 @@ def dress(ax: Any, columns: int, rows: int) -> None:
 
 
 def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, ax: Any) -> None:
-    """The table; what is repeated in green, what else was named in orange."""
+    """Draw the table with the repeats in green and the student's wrong entries in orange."""
     from ....figures import palette, plane
 
     table = case.given["table"]
@@ -71,68 +66,41 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
     ax.set_ylim(n - 0.4, -1.0)
     ax.axis("off")
     right = {(row, c) for i, j, c in truth for row in (i, j)}
-    named = {
-        (row, c)
-        for i, j, c in np.reshape(found if found is not None else [], (-1, 3)).tolist()
-        for row in (i, j)
-    }
+    triples = np.reshape([] if found is None else found, (-1, 3)).tolist()
+    named = {(row, c) for i, j, c in triples for row in (i, j)}
     size = palette.TEXT_SIZE if n <= 12 else 10
     for (row, c), value in np.ndenumerate(table):
-        colour = (
-            palette.START
-            if (row, c) in right
-            else palette.GOAL
-            if (row, c) in named
-            else palette.INK
-        )
+        colour = palette.GOAL if (row, c) in named else palette.INK
+        colour = palette.START if (row, c) in right else colour
         weight = "bold" if (row, c) in right | named else "normal"
         ax.text(c, row, f"{value:.7g}", fontsize=size, color=colour, fontweight=weight, va="center")
     for row in range(n):
         ax.text(-0.5, row, f"{row}", fontsize=size, color=palette.OBSTACLE, va="center")
     for c in range(m):
-        ax.text(
-            c,
-            -0.8,
-            say("repeated_rows.column", number=c),
-            fontsize=size,
-            color=palette.OBSTACLE,
-            va="center",
-        )
+        look = {"fontsize": size, "color": palette.OBSTACLE, "va": "center"}
+        ax.text(c, -0.8, say("repeated_rows.column", number=c), **look)
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
 def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Any) -> None:
-    """Every run with a path as a dot; the right quartiles and median in green, the student's in
-    orange below.
+    """Draw every run with a path as a dot, with quartiles and medians.
+
+    The right ones are green, the student's are orange and below.
     """
     from ....figures import palette, plane
 
     lengths, planners, _ = case.given.values()
     for i, (runs, row) in enumerate(zip(lengths, truth)):
         ends = np.isfinite(runs)
-        ax.plot(
-            runs[ends],
-            np.full(ends.sum(), i),
-            "o",
-            color=palette.TREE,
-            markersize=6,
-            alpha=0.6,
-            zorder=3,
-        )
+        look = {"color": palette.TREE, "markersize": 6, "alpha": 0.6, "zorder": 3}
+        ax.plot(runs[ends], np.full(ends.sum(), i), "o", **look)
         rows = [(row, 0.15, palette.START)]
         if found is not None and len(found) == len(truth):
             rows.append((found[i], 0.3, palette.GOAL))
         for (_, low, median, high), below, colour in rows:
             ax.plot([low, high], [i + below] * 2, color=colour, linewidth=4.0, zorder=4)
-            ax.plot(
-                median,
-                i + below,
-                "D",
-                color=colour,
-                markersize=9,
-                markeredgecolor="white",
-                zorder=5,
-            )
+            look = {"color": colour, "markeredgecolor": "white", "zorder": 5}
+            ax.plot(median, i + below, "D", markersize=9, **look)
     ax.set_yticks(range(len(planners)), planners, fontsize=palette.TEXT_SIZE)
     ax.set_ylim(len(planners) - 0.4, -0.5)
     ax.set_xlabel(say("comparisons.cost"), fontsize=palette.TEXT_SIZE)
@@ -140,17 +108,14 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
     plane.title(exercise.words(f"pictures.{case.kind}"), ax)
 
 
-def draw_samples_on(value: Any, words: str, ax: Any) -> None:
-    """A small terrain, a motion, and the places where it is looked at."""
+def draw_samples_on(value: Any, text: str, ax: Any) -> None:
+    """Draw a small terrain, a motion and its samples."""
     from ....figures import palette, plane
 
-    if value is None or fault_of_motion(*value):
+    if value is None or find_motion_fault(*value):
         plane.frame([(0, 0), (3, 2)], ax)
-        plane.corner_note(
-            say("picture.no_answer" if value is None else "exposing_motion.outside"),
-            ax,
-            colour=palette.GOAL,
-        )
+        note = say("picture.no_answer" if value is None else "exposing_motion.outside")
+        plane.corner_note(note, ax, colour=palette.GOAL)
     else:
         free, a, b = value
         rows, columns = free.shape
@@ -164,13 +129,7 @@ def draw_samples_on(value: Any, words: str, ax: Any) -> None:
             zorder=0,
         )
         ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
-        ax.plot(
-            *samples_along(a, b).T,
-            "o",
-            color=palette.TREE,
-            markersize=8,
-            markeredgecolor="white",
-            zorder=5,
-        )
-        dress(ax, columns, rows)
-    plane.title(words, ax)
+        look = {"color": palette.TREE, "markeredgecolor": "white", "zorder": 5}
+        ax.plot(*samples_along(a, b).T, "o", markersize=8, **look)
+        set_cell_axes(ax, columns, rows)
+    plane.title(text, ax)

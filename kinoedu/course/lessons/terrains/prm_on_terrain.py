@@ -1,6 +1,4 @@
-"""The exercise that asks for the document's second planner: PRM on a bitmap, with every free pair
-joined.
-"""
+"""The exercise on the document's second planner: a PRM on a bitmap that joins every free pair."""
 
 from typing import Any
 
@@ -17,13 +15,13 @@ from ..shared.planned import NODES, PATH, Asked, Fault, Task, empty_boxes, three
 from .rrt_on_terrain import TerrainPlanner
 
 
-def bounds(problem: Any) -> tuple[Array, Array]:
-    """The corners of a problem's world."""
+def find_bounds(problem: Any) -> tuple[Array, Array]:
+    """Return the corners of a problem's world."""
     return problem.world.lo, problem.world.hi
 
 
-def own_prm(problem: Any, n: int, rng: int) -> Any:
-    """PRM as the exercise asks for it."""
+def build_roadmap(problem: Any, n: int, rng: int) -> Any:
+    """Build the PRM as the exercise demands, and return nodes, edges and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
         q = problem.sample(chance)
@@ -35,12 +33,12 @@ def own_prm(problem: Any, n: int, rng: int) -> Any:
         for j in range(i + 1, n + 2)
         if problem.is_free_path(nodes[i], nodes[j])
     ]
-    numbers = shortest(problem, np.array(nodes), np.array(edges))
+    numbers = find_shortest(problem, np.array(nodes), np.array(edges))
     return nodes, edges, None if numbers is None else np.array(nodes)[numbers]
 
 
-def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
-    """The numbers of the nodes on a shortest path from node 0 to node 1, or None."""
+def find_shortest(problem: Any, nodes: Array, edges: Array) -> Any:
+    """Return the indices of the nodes on a shortest path from node 0 to node 1, or None."""
     lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
     return astar(
         Graph(len(nodes), np.reshape(edges, (-1, 2)), np.array(lengths)), 0, 1, np.zeros(len(nodes))
@@ -48,43 +46,44 @@ def shortest(problem: Any, nodes: Array, edges: Array) -> Any:
 
 
 class PrmOnTerrain(TerrainPlanner):
-    """A roadmap of so many free samples, every free pair joined, and a shortest path on it."""
+    """Build a roadmap of n free samples and all free pairs, and find a shortest path."""
 
     name = "prm_on_terrain"
     given = Record(problem=Task(), n=Whole(), rng=Whole())
     result = Together((NODES, WholeNumbers(("m", 2)), Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_prm)
+    source = staticmethod(build_roadmap)
     shown = staticmethod(prm)
 
-    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """Enough samples for every trap."""
+    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
+        """Return a case with enough samples for every trap."""
         return Case(kind, {"problem": problem, "n": 8 if kind == "same" else 40, "rng": rng})
 
     def uses_chance(self, case: Case) -> bool:
-        """Nodes are drawn in every case."""
+        """Another seed always gives another answer."""
         return True
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The nodes; the edges, each free pair once; the path, along them, and as short as they
-        allow.
+        """Judge the nodes, the edges and the path.
+
+        Each free pair must be there once; the path must follow edges and be shortest.
         """
         nodes, edges, path = answer
         problem, n = case.given["problem"], case.given["n"]
-        fault = fault_of_nodes(problem, nodes, n) or fault_of_edges(problem, nodes, edges)
+        fault = find_node_fault(problem, nodes, n) or find_edge_fault(problem, nodes, edges)
         if fault is not None or path is None:
-            known = fault is not None or shortest(problem, nodes, edges) is None
+            known = fault is not None or find_shortest(problem, nodes, edges) is None
             return fault if known else Fault("missed", nodes[:0])
-        return self.fault_of_end(case, path) or fault_of_way(problem, nodes, edges, path)
+        return self.fault_of_end(case, path) or find_path_fault(problem, nodes, edges, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The nodes, as trees of one node each, and the path."""
+        """Return the nodes, as trees of one node each, and the path."""
         nodes, _, path = answer
         return [Tree(nodes, np.full(len(nodes), -1))], path
 
 
-def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
-    """Start, goal and n free samples from everywhere."""
+def find_node_fault(problem: Any, nodes: Array, n: int) -> Fault | None:
+    """Judge that the nodes are start, goal and n free samples of the whole terrain."""
     if len(nodes) != n + 2:
         return Fault("count", nodes[:0])
     if not (np.array_equal(nodes[0], problem.start) and np.array_equal(nodes[1], problem.goal)):
@@ -93,12 +92,14 @@ def fault_of_nodes(problem: Any, nodes: Array, n: int) -> Fault | None:
         if not problem.problem.is_free(q):
             return Fault("free_node", q[None])
     return (
-        Fault("corner", nodes[:0]) if n >= 40 and empty_boxes(nodes, *bounds(problem), 2) else None
+        Fault("corner", nodes[:0])
+        if n >= 40 and empty_boxes(nodes, *find_bounds(problem), 2)
+        else None
     )
 
 
-def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
-    """Every free pair, each once and no other."""
+def find_edge_fault(problem: Any, nodes: Array, edges: Array) -> Fault | None:
+    """Judge that every free pair is an edge, once, and no other pair is."""
     if len(edges) and (edges.min() < 0 or edges.max() >= len(nodes)):
         return Fault("numbers_of_nodes", nodes[:0])
     pairs = {(min(i, j), max(i, j)) for i, j in edges.tolist()}
@@ -111,15 +112,15 @@ def fault_of_edges(problem: Any, nodes: Array, edges: Array) -> Fault | None:
     return None
 
 
-def fault_of_way(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault | None:
-    """A path along the edges, no longer than the shortest."""
+def find_path_fault(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault | None:
+    """Judge that the path follows edges and is shortest."""
     at = [int(np.argmin(((nodes - q) ** 2).sum(axis=1))) for q in path]
     pairs = {(i, j) for i, j in edges.tolist()} | {(j, i) for i, j in edges.tolist()}
     for a, b, i, j in zip(path[:-1], path[1:], at[:-1], at[1:]):
         on_nodes = np.allclose(nodes[[i, j]], [a, b], rtol=0.0, atol=1e-9)
         if not on_nodes or ((i, j) not in pairs and i != j):
             return Fault("along_edges", np.array([a, b]))
-    best = nodes[shortest(problem, nodes, edges)]
+    best = nodes[find_shortest(problem, nodes, edges)]
     found, least = (
         sum(problem.distance(a, b) for a, b in zip(way[:-1], way[1:])) for way in (path, best)
     )

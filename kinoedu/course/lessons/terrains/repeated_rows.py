@@ -1,6 +1,4 @@
-"""The exercise on a table of measurements in which numbers come twice: what chance does not do, and
-copying does.
-"""
+"""The exercise on repeated numbers in a table of measurements, which chance rarely makes."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,16 +11,26 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import WholeNumbers
 
-# path length and seconds, RRT on six terrains, then PRM on the same: P. A. Maniar, "AI path
-# prediction and planning for autonomous vehicles", section 6
+# path length and seconds of RRT on six terrains, then of PRM on the same terrains: P. A. Maniar,
+# "AI path prediction and planning for autonomous vehicles", section 6
 PUBLISHED = (
-    (810.1928, 11.88077), (1295.298, 36.51574), (925.14, 23.3382), (1400.944, 36.13657), (1388.704, 36.13657), (1718.973, 25.15795),
-    (685.8932, 7.299953), (1076.54, 6.519054), (925.14, 23.3382), (1311.246, 9.929559), (1228.797, 5.207032), (1433.969, 9.230730),
-)  # fmt: skip
+    (810.1928, 11.88077),
+    (1295.298, 36.51574),
+    (925.14, 23.3382),
+    (1400.944, 36.13657),
+    (1388.704, 36.13657),
+    (1718.973, 25.15795),
+    (685.8932, 7.299953),
+    (1076.54, 6.519054),
+    (925.14, 23.3382),
+    (1311.246, 9.929559),
+    (1228.797, 5.207032),
+    (1433.969, 9.230730),
+)
 
 
 class RepeatedRows(ValueExercise):
-    """Which two rows of a table have the same number in which column."""
+    """Find pairs of rows that have the same number in the same column."""
 
     name = "repeated_rows"
     lesson = "10_terrains"
@@ -30,37 +38,38 @@ class RepeatedRows(ValueExercise):
     given = Record(table=Numbers(("n", "m")))
     answer = WholeNumbers(("k", 3))
     slips = (
-        Slip("neighbours", lambda table: [r for r in repeats(table) if r[1] == r[0] + 1]),
+        Slip("neighbours", lambda table: [r for r in find_repeats(table) if r[1] == r[0] + 1]),
         Slip(
-            "whole", lambda table: [r for r in repeats(table) if (table[r[0]] == table[r[1]]).all()]
+            "whole",
+            lambda table: [r for r in find_repeats(table) if (table[r[0]] == table[r[1]]).all()],
         ),
-        Slip("one_each", lambda table: one_each(repeats(table))),
-        Slip("first_column", lambda table: [r for r in repeats(table) if r[2] == 0]),
-        Slip("from_one", lambda table: [(i + 1, j + 1, c + 1) for i, j, c in repeats(table)]),
+        Slip("one_each", lambda table: keep_one_each(find_repeats(table))),
+        Slip("first_column", lambda table: [r for r in find_repeats(table) if r[2] == 0]),
+        Slip("from_one", lambda table: [(i + 1, j + 1, c + 1) for i, j, c in find_repeats(table)]),
         Slip(
             "both_ways",
-            lambda table: [r for i, j, c in repeats(table) for r in ((i, j, c), (j, i, c))],
+            lambda table: [r for i, j, c in find_repeats(table) for r in ((i, j, c), (j, i, c))],
         ),
         Slip(
             "itself",
             lambda table: sorted(
-                repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()]
+                find_repeats(table) + [(i, i, c) for i, c in np.argwhere(table == table).tolist()]
             ),
         ),
-        Slip("missing", lambda table: repeats(np.where(np.isnan(table), -1.0, table))),
-        Slip("close", lambda table: repeats(table, 0.5)),
-        Slip("close", lambda table: repeats(table, 0.01)),
+        Slip("missing", lambda table: find_repeats(np.where(np.isnan(table), -1.0, table))),
+        Slip("close", lambda table: find_repeats(table, 0.5)),
+        Slip("close", lambda table: find_repeats(table, 0.01)),
     )
 
     @staticmethod
     def reference(table: Array) -> list[tuple[int, int, int]]:
-        """Every pair, column by column."""
-        return repeats(table)
+        """Return every pair, column by column."""
+        return find_repeats(table)
 
     source = reference
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Two rows first; then the published table; then tables by chance, with copies put in."""
+        """Yield two rows, the published table, then random tables with copied numbers."""
         nan = float("nan")
         for kind, rows in (
             ("none", [[1, 2], [2, 1]]),
@@ -77,30 +86,26 @@ class RepeatedRows(ValueExercise):
             yield Case(kind, {"table": np.array(rows, float)})
         for number in range(10):
             for kind in self.kinds:
-                yield Case(kind, {"table": table_by_chance(kind, 4 + number, rng)})
+                yield Case(kind, {"table": draw_table_at_random(kind, 4 + number, rng)})
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same triples, in any order, each once."""
+        """Whether both hold the same triples, each once, in any order."""
         return sorted(map(tuple, np.reshape(value, (-1, 3)).tolist())) == sorted(
             map(tuple, np.reshape(truth, (-1, 3)).tolist())
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The table, what is repeated in green, what was said besides in orange."""
+        """Draw the table, the repeats in green and the student's wrong entries in orange."""
         from .pictures import draw_table
 
-        draw_table(
-            self,
-            case,
-            np.asarray(outcome.value) if isinstance(outcome, Answer) else None,
-            self.truth(case),
-            ax,
-        )
+        value = np.asarray(outcome.value) if isinstance(outcome, Answer) else None
+        draw_table(self, case, value, self.truth(case), ax)
 
 
-def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
-    """All (i, j, column), i < j, in which rows i and j differ by at most `near`; what is missing
-    (nan) is equal to nothing.
+def find_repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
+    """Return all (i, j, column), i < j, whose numbers differ by at most `near`.
+
+    A missing number, nan, is equal to nothing.
     """
     n, m = table.shape
     return [
@@ -112,14 +117,15 @@ def repeats(table: Array, near: float = 0.0) -> list[tuple[int, int, int]]:
     ]
 
 
-def one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
-    """The first triple of each two rows."""
+def keep_one_each(found: list[tuple[int, int, int]]) -> list[tuple[int, int, int]]:
+    """Return the first triple of each pair of rows."""
     return [t for k, t in enumerate(found) if t[:2] not in {other[:2] for other in found[:k]}]
 
 
-def table_by_chance(kind: str, n: int, rng: np.random.Generator) -> Array:
-    """Lengths, seconds and counts of n runs, all different but for what is copied; two are near
-    each other where nothing is.
+def draw_table_at_random(kind: str, n: int, rng: np.random.Generator) -> Array:
+    """Draw lengths, seconds and counts of n runs, all different except for copies.
+
+    In tables without copies, two numbers are close to each other.
     """
     table = np.column_stack(
         [700.0 + rng.permutation(10 * n)[:n] * 7.31, 5.0 + rng.permutation(9 * n)[:n] * 0.37]

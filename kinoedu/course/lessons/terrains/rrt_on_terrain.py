@@ -1,6 +1,4 @@
-"""What the exercises share that ask for the two planners of the document, and the one on RRT on a
-bitmap, with its parameters.
-"""
+"""The base class of the document's two planners on a bitmap, and the exercise on its RRT."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -32,11 +30,12 @@ from ..shared.planned import (
 
 STEP, SPACING, FAILURES = 6.0, 3.0, 400
 KINDS = ("same", "open", "thin", "bag", "sealed")
-SMALL = 40  # cells either way
+LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 60 and more
+SMALL = 40  # cells along each side
 
 
-def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
-    """A point on a terrain of 40 x 40 cells; blocked boxes (x0, y0, x1, y1)."""
+def make_terrain_problem(blocked: Any, start: Any, goal: Any) -> Asked:
+    """Return a point's problem on 40 x 40 cells with blocked boxes (x0, y0, x1, y1)."""
     free = np.ones((SMALL, SMALL), np.bool_)
     for x0, y0, x1, y1 in blocked:
         free[y0:y1, x0:x1] = False
@@ -44,52 +43,53 @@ def on_terrain(blocked: Any, start: Any, goal: Any) -> Asked:
 
 
 TERRAINS = {
-    "same": on_terrain([], (20.5, 20.5), (20.5, 20.5)),
-    "open": on_terrain([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
-    "thin": on_terrain(
-        [(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)
-    ),  # one cell thick, less than a step before the goal
-    "bag": on_terrain(
+    "same": make_terrain_problem([], (20.5, 20.5), (20.5, 20.5)),
+    "open": make_terrain_problem([(17, 12, 20, 16)], (5.5, 5.5), (34.5, 33.5)),
+    # a wall one cell thick, less than a step from the goal
+    "thin": make_terrain_problem([(33, 14, 34, 26)], (6.5, 20.5), (35.5, 20.5)),
+    "bag": make_terrain_problem(
         [(26, 10, 28, 30), (14, 10, 28, 12), (14, 28, 28, 30)], (22.5, 20.5), (34.5, 20.5)
     ),
-    "sealed": on_terrain([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
+    "sealed": make_terrain_problem([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
 }
-EMPTY = on_terrain([], (5.5, 5.5), (34.5, 33.5))
+EMPTY = make_terrain_problem([], (5.5, 5.5), (34.5, 33.5))
 
 
 class TerrainPlanner(PlannerExercise):
-    """A planner on small terrains that are traps."""
+    """An exercise on a planner on small terrains that are traps."""
 
     lesson = "10_terrains"
     kinds = KINDS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Each terrain twice, and rocks by chance."""
+        """Yield each terrain twice, and random rocks."""
         for _ in range(2):
             for kind, problem in TERRAINS.items():
-                yield self.asked(kind, problem, int(rng.integers(1000)))
+                yield self.make_case(kind, problem, int(rng.integers(1000)))
         for _ in range(2):
             corners = rng.integers(8, 28, (5, 2))
             rocks = [(x, y, x + 4, y + 4) for x, y in corners.tolist()]
-            yield self.asked(
-                "open", on_terrain(rocks, (3.5, 3.5), (36.5, 36.5)), int(rng.integers(1000))
+            yield self.make_case(
+                "open",
+                make_terrain_problem(rocks, (3.5, 3.5), (36.5, 36.5)),
+                int(rng.integers(1000)),
             )
 
-    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """The case of a problem, with a seed."""
+    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
+        """Return the case of a problem with a seed."""
         raise NotImplementedError
 
     def fault_of_end(self, case: Case, path: Array | None) -> Fault | None:
-        """What is wrong with a path, or with there being none where there is a way."""
+        """Judge the path, or that none is returned only where none exists."""
         if path is None:
             return None if case.kind == "sealed" else Fault("missed", np.empty((0, 2)))
         return why_not_a_path(case.given["problem"], path)
 
 
-def own_rrt(
+def grow_tree(
     problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int
 ) -> Any:
-    """RRT as the exercise asks for it."""
+    """Grow the RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent, in_a_row = np.random.default_rng(rng), [problem.start], [-1], 0
 
     def reached(q: Array) -> bool:
@@ -113,7 +113,7 @@ def own_rrt(
 
 
 class RrtOnTerrain(TerrainPlanner):
-    """One tree, half of whose samples are the goal, given up after so many failures in a row."""
+    """Grow one tree with a goal bias, until too many attempts in a row fail."""
 
     name = "rrt_on_terrain"
     given = Record(
@@ -126,28 +126,29 @@ class RrtOnTerrain(TerrainPlanner):
     )
     result = Together((NODES, WholeNumbers(("n",)), Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_rrt)
+    source = staticmethod(grow_tree)
     shown = staticmethod(grow_spaced)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """As for both planners; then empty ground, where every sample is the goal."""
+        """Yield the cases of both planners, then open ground with goal bias 1."""
         yield from super().cases(rng)
-        always = self.asked("open", EMPTY, int(rng.integers(1000)))
+        always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
 
-    def asked(self, kind: str, problem: Asked, rng: int) -> Case:
-        """Fewer failures where there is no way: a tree that nothing stops grows for ever."""
+    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
+        """Return a case, with fewer failures where no path exists, to end the tree's growth."""
         failures = 80 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
 
     def uses_chance(self, case: Case) -> bool:
-        """Not where every sample is the goal."""
+        """Whether another seed gives another answer: not with goal bias 1."""
         return super().uses_chance(case) and case.given["goal_bias"] < 1.0
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; the tree and its rule; whether the one belongs to the other; where it gave
-        up.
+        """Judge the path, the tree and its rule, and where the search gave up.
+
+        The path must also belong to the tree.
         """
         nodes, parent, path = answer
         problem = case.given["problem"]
@@ -159,11 +160,11 @@ class RrtOnTerrain(TerrainPlanner):
         )
         fault = (
             fault
-            or too_near(problem, nodes, case.given["spacing"])
-            or went_past(problem, nodes, path, case.given["step"])
+            or find_close_node(problem, nodes, case.given["spacing"])
+            or find_missed_goal(problem, nodes, path, case.given["step"])
         )
         fault = fault or (
-            not_at_the_goal(problem, nodes) if case.given["goal_bias"] == 1.0 else None
+            find_stray_node(problem, nodes) if case.given["goal_bias"] == 1.0 else None
         )
         if fault is None and path is not None:
             fault = not_along_tree(path, nodes, parent)
@@ -172,16 +173,16 @@ class RrtOnTerrain(TerrainPlanner):
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The tree and the path."""
+        """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
 
 
-LEAST = 45  # nodes of a tree that has filled what is not sealed: it has 60 and more
+def find_close_node(problem: Any, nodes: Array, spacing: float) -> Fault | None:
+    """Return the fault of a node nearer than the spacing to an earlier one, or None.
 
-
-def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
-    """A node that is nearer than the spacing to an earlier one, the goal excepted."""
+    The goal is excepted.
+    """
     for i in range(1, len(nodes)):
         apart = [problem.distance(q, nodes[i]) for q in nodes[:i]]
         if min(apart) < spacing * (1.0 - 1e-9) and not np.array_equal(nodes[i], problem.goal):
@@ -189,9 +190,10 @@ def too_near(problem: Any, nodes: Array, spacing: float) -> Fault | None:
     return None
 
 
-def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
-    """A node in free reach of the goal, after which the tree went on: with a path, any but the goal
-    and the one it hangs on.
+def find_missed_goal(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
+    """Return the fault of a tree that grew on although the goal could be added, or None.
+
+    With a path, only the goal and its parent may be within free reach of the goal.
     """
     for q in nodes[: len(nodes) - (0 if path is None else 2)]:
         if problem.distance(q, problem.goal) <= step * (
@@ -201,8 +203,11 @@ def went_past(problem: Any, nodes: Array, path: Array | None, step: float) -> Fa
     return None
 
 
-def not_at_the_goal(problem: Any, nodes: Array) -> Fault | None:
-    """A node off the straight way from start to goal, where every sample is the goal."""
+def find_stray_node(problem: Any, nodes: Array) -> Fault | None:
+    """Return the fault of a node that is off the segment from start to goal, or None.
+
+    With goal bias 1 on open ground every node lies on that segment.
+    """
     whole = problem.distance(problem.start, problem.goal)
     for q in nodes:
         if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (

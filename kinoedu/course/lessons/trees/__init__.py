@@ -1,6 +1,4 @@
-"""Lesson 9: Trees, or one question, one answer, now. Its exercises, as the notebook asks for
-them.
-"""
+"""The exercises of lesson 9, trees, in the order of the notebook."""
 
 from .exposing_room import ExposeHastyGoal
 from .follow import Follow

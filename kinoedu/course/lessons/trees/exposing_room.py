@@ -1,4 +1,4 @@
-"""The exercise "break it" of lesson 9: a room in which an RRT claims a path that is none."""
+"""The exercise "break it" of lesson 9: a room in which an RRT returns a path that is not free."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,8 +20,9 @@ POINT = Numbers((2,))
 
 
 class ExposeHastyGoal(Exercise):
-    """Break it: start, goal and one triangle in a room of 10 x 10, with which `hasty_rrt` goes
-    through a wall.
+    """Give start, goal and a triangle with which `hasty_rrt` goes through a wall.
+
+    The room is 10 x 10.
     """
 
     name = "exposing_room"
@@ -31,41 +32,38 @@ class ExposeHastyGoal(Exercise):
     answer = Together((POINT, POINT, Numbers((3, 2))))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """The same question three times: each asks more of the answer."""
+        """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
-        """A problem; with a path that is not free; although there is no way at all."""
-        problem = problem_with(*value)
+        """Judge that the problem is valid, that the path is not free, and that no path exists."""
+        problem = make_problem(*value)
         rule = "valid" if problem is None else ""
         if problem is not None and case.kind != "valid":
             path = hasty_rrt(problem, 1.0, 0.05, 500, 0)
-            rule = (
-                "none"
-                if path is None
-                else "exposes"
-                if why_not_a_path(problem, path) is None
-                else ""
-            )
-            if not rule and case.kind == "no_way" and in_one_part(*value):
+            if path is None:
+                rule = "none"
+            elif why_not_a_path(problem, path) is None:
+                rule = "exposes"
+            if not rule and case.kind == "no_way" and is_connected(*value):
                 rule = "no_way"
         return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what the answer to a case must be."""
         return say(f"exposing_room.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The room, and the path that the program claims."""
-        problem = problem_with(*outcome.value) if isinstance(outcome, Answer) else None
+        """Draw the room and the path that the program returns."""
+        problem = make_problem(*outcome.value) if isinstance(outcome, Answer) else None
         path = None if problem is None else hasty_rrt(problem, 1.0, 0.05, 500, 0)
         shown = (problem or in_room((1, 1), (9, 9))).problem
         fault = None if problem is None or path is None else why_not_a_path(problem, path)
         draw_answer(shown, [], path, fault, say("exposing_room.picture"), ax)
 
 
-def problem_with(start: Array, goal: Array, triangle: Array) -> Asked | None:
-    """The problem, or None where it is none."""
+def make_problem(start: Array, goal: Array, triangle: Array) -> Asked | None:
+    """Return the problem, or None where it is not valid."""
     if not all((np.abs(points) <= 100.0).all() for points in (start, goal, triangle)):
         return None
     try:
@@ -74,9 +72,10 @@ def problem_with(start: Array, goal: Array, triangle: Array) -> Asked | None:
         return None
 
 
-def in_one_part(start: Array, goal: Array, triangle: Array) -> bool:
-    """Whether a way leads from start to goal, both free: whether they lie in one part of what the
-    triangle leaves of the room.
+def is_connected(start: Array, goal: Array, triangle: Array) -> bool:
+    """Whether a path leads from start to goal, both of them free.
+
+    They must lie in one connected part of the room without the triangle.
     """
     import shapely
 
@@ -90,9 +89,9 @@ def in_one_part(start: Array, goal: Array, triangle: Array) -> bool:
 def hasty_rrt(
     problem: Any, step: float, goal_bias: float, iterations: int, rng: int
 ) -> Array | None:
-    """A path from start to goal by a rapidly-exploring random tree, or None.
+    """Find a path from start to goal by a rapidly-exploring random tree, or return None.
 
-    It is wrong somewhere. Where?
+    The program is wrong somewhere. Where?
     """
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     for _ in range(iterations):

@@ -1,5 +1,6 @@
-"""The exercise on planning with a receding horizon: how far a plan is followed. Bullo & Smith,
-chapter 5.
+"""The exercise on planning with a receding horizon: how far a robot follows its plan.
+
+Bullo & Smith, chapter 5.
 """
 
 from collections.abc import Iterator
@@ -18,8 +19,8 @@ from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 
 
-def followed(problem: Any, path: Array, horizon: float) -> Array:
-    """The first part of a path, as long as the horizon, up to the first motion that is not free."""
+def follow_path(problem: Any, path: Array, horizon: float) -> Array:
+    """Return the first part of a path, as long as the horizon, up to the first blocked motion."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, left)
@@ -30,8 +31,8 @@ def followed(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def to_the_corner(problem: Any, path: Array, horizon: float) -> Array:
-    """Goes on to the end of the motion on which the horizon ends."""
+def follow_to_next_corner(problem: Any, path: Array, horizon: float) -> Array:
+    """Go on to the end of the motion in which the horizon ends."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
         if left <= 0.0 or not problem.is_free_path(a, b):
@@ -41,16 +42,16 @@ def to_the_corner(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def before_the_corner(problem: Any, path: Array, horizon: float) -> Array:
-    """Stops at the last corner before the horizon."""
-    whole = followed(problem, path, horizon)
+def stop_at_last_corner(problem: Any, path: Array, horizon: float) -> Array:
+    """Stop at the last corner before the horizon."""
+    whole = follow_path(problem, path, horizon)
     return (
         whole if len(whole) < 2 or np.array_equal(whole[-1], path[len(whole) - 1]) else whole[:-1]
     )
 
 
-def trusting(problem: Any, path: Array, horizon: float) -> Array:
-    """Asks nothing of the motions."""
+def follow_unchecked(problem: Any, path: Array, horizon: float) -> Array:
+    """Check no motion."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
         if left > 0.0:
@@ -59,8 +60,8 @@ def trusting(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def each_within(problem: Any, path: Array, horizon: float) -> Array:
-    """Measures every motion anew."""
+def restart_horizon(problem: Any, path: Array, horizon: float) -> Array:
+    """Begin a new horizon at every corner."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
         q = problem.steer(a, b, horizon)
@@ -72,9 +73,9 @@ def each_within(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def asking_beyond(problem: Any, path: Array, horizon: float) -> Array:
-    """Asks about motions as the plan has them, beyond the horizon too."""
-    whole = followed(problem, path, horizon)
+def check_beyond(problem: Any, path: Array, horizon: float) -> Array:
+    """Check whole motions of the path, also beyond the horizon."""
+    whole = follow_path(problem, path, horizon)
     for i, (a, b) in enumerate(zip(path[: len(whole) - 1], path[1:])):
         if not problem.is_free_path(a, b):
             return whole[: i + 1]
@@ -82,66 +83,66 @@ def asking_beyond(problem: Any, path: Array, horizon: float) -> Array:
 
 
 class Follow(ValueExercise):
-    """The stretch of a plan that a robot follows before it looks again."""
+    """Find the part of a plan that a robot follows before it senses again."""
 
     name = "follow"
     lesson = "09_trees"
     kinds = ("straight", "corners", "whole", "blocked")
     given = Record(problem=Task(), path=PATH, horizon=Number())
     answer = PATH
-    source = staticmethod(followed)
+    source = staticmethod(follow_path)
     shown = staticmethod(receding_horizon)
     slips = (
-        Slip("to_the_corner", to_the_corner),
-        Slip("before_the_corner", before_the_corner),
-        Slip("trusting", trusting),
-        Slip("each_within", each_within),
-        Slip("asking_beyond", asking_beyond),
+        Slip("to_the_corner", follow_to_next_corner),
+        Slip("before_the_corner", stop_at_last_corner),
+        Slip("trusting", follow_unchecked),
+        Slip("each_within", restart_horizon),
+        Slip("asking_beyond", check_beyond),
     )
 
     @staticmethod
     def reference(*given: Any) -> Any:
-        """The stretch."""
-        return followed(*given)
+        """Return the part that is followed."""
+        return follow_path(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """One motion; round corners; a horizon beyond the goal; a wall that the plan did not
-        know.
-        """
+        """Yield one motion, corners, a horizon beyond the goal, and an unexpected wall."""
         free = in_room((1, 1), (9, 5))
-        yield case("straight", free, [(1, 1), (9, 1)], 3.0)
-        yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
-        yield case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.0)
-        yield case("whole", free, [(1, 1), (4, 1)], 5.0)
-        yield case(
+        yield make_case("straight", free, [(1, 1), (9, 1)], 3.0)
+        yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
+        yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.0)
+        yield make_case("whole", free, [(1, 1), (4, 1)], 5.0)
+        yield make_case(
             "blocked",
             in_room((1, 1), (9, 5), box(6, 0, 7, 3)),
             [(1, 1), (4, 1), (9, 1), (9, 5)],
             7.0,
         )
-        yield case(
+        yield make_case(
             "blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
         )
-        yield case(
+        yield make_case(
             "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
         )
         for _ in range(14):
             path = np.round(rng.uniform(0.5, 9.5, (int(rng.integers(4, 8)), 2)), 1)
             motions = np.linalg.norm(np.diff(path, axis=0), axis=1)
-            yield case(
+            yield make_case(
                 "straight", free, path[:2], round(float(rng.uniform(0.2, 0.9) * motions[0]), 2)
             )
-            yield case(
+            yield make_case(
                 "corners",
                 free,
                 path,
                 round(float(motions[:2].sum() + rng.uniform(0.2, 0.8) * motions[2]), 2),
             )
-            yield case("whole", free, path, round(float(motions.sum() + rng.uniform(0.5, 5.0)), 2))
+            yield make_case(
+                "whole", free, path, round(float(motions.sum() + rng.uniform(0.5, 5.0)), 2)
+            )
             i = int(rng.integers(1, len(path) - 1))
             x, y = np.round(0.5 * (path[i] + path[i + 1]), 2)
             wall = in_room((0.1, 0.1), (9.9, 9.9), box(x - 0.2, y - 0.2, x + 0.2, y + 0.2))
-            yield case(
+            yield make_case(
                 "blocked",
                 wall,
                 path,
@@ -149,11 +150,11 @@ class Follow(ValueExercise):
             )
 
     def same(self, value: Any, truth: Any) -> bool:
-        """Row for row."""
+        """Whether all rows are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The plan, the stretch that should be followed, and the student's end of it."""
+        """Draw the plan, the part that should be followed, and where the student's part ends."""
         from ....figures import palette
 
         problem, path = case.given["problem"], case.given["path"]
@@ -167,6 +168,6 @@ class Follow(ValueExercise):
         ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
 
 
-def case(kind: str, problem: Asked, path: Any, horizon: float) -> Case:
-    """A case."""
+def make_case(kind: str, problem: Asked, path: Any, horizon: float) -> Case:
+    """Return a case."""
     return Case(kind, {"problem": problem, "path": np.array(path, float), "horizon": horizon})

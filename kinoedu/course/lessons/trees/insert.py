@@ -1,9 +1,10 @@
-"""The exercise on one insertion of RRT*. Karaman, Frazzoli, "Sampling-based algorithms for optimal
-motion planning" (2011).
+"""The exercise on one insertion of RRT*.
+
+S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning" (2011).
 """
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,50 +20,114 @@ from ...whole_shapes import WholeNumbers
 from ..shared.planned import NODES, Fault, Task
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
-from .rrt import own_rrt
+from .rrt import grow_tree
 
 LISTS = WholeNumbers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
 WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
+Parents = NDArray[np.int64]
+Insertion = tuple[list[int], list[float]]
+
+
+class WithoutObstacles(NamedTuple):
+    """The distances of a problem in which every motion is free."""
+
+    distance: Callable[[Array, Array], float]
+
+    def is_free_path(self, a: Array, b: Array) -> bool:
+        """Accept every motion."""
+        return True
 
 
 def inserted(
-    problem: Any,
-    nodes: Array,
-    parent: NDArray[np.int64],
-    cost: Array,
-    q_new: Array,
-    radius: float,
-    *,
-    chooses: bool = True,
-    rewires: bool = True,
-    passes_on: bool = True,
-    checks: bool = True,
-) -> tuple[list[int], list[float]]:
-    """Parents and costs after one insertion; without one of its parts, what those get who forget
-    it.
+    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+) -> Insertion:
+    """Insert a node into a tree as RRT* does.
+
+    Returns
+    -------
+    Parents and costs of n + 1 nodes, the new one last.
     """
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    best = min(near, key=lambda i: cost[i] + apart[i])
+    return rewire(near, apart, *attach(parent, cost, best, apart[best]))
+
+
+def find_neighbours(
+    problem: Any, nodes: Array, q_new: Array, radius: float
+) -> tuple[list[int], list[float]]:
+    """Return the nodes in the radius with a free motion, and the distance of every node."""
     apart = [problem.distance(q, q_new) for q in nodes]
-    near = [
-        i
-        for i in range(len(nodes))
-        if apart[i] <= radius and (not checks or problem.is_free_path(nodes[i], q_new))
-    ]
-    best = min(near, key=lambda i: cost[i] + apart[i] if chooses else apart[i])
-    parents, costs = [*parent.tolist(), best], [*cost.tolist(), cost[best] + apart[best]]
-    for i in near if rewires else []:
+    near = [i for i, q in enumerate(nodes) if apart[i] <= radius and problem.is_free_path(q, q_new)]
+    return near, apart
+
+
+def attach(parent: Parents, cost: Array, best: int, distance: float) -> Insertion:
+    """Append a node whose parent is `best`."""
+    return [*parent.tolist(), best], [*cost.tolist(), cost[best] + distance]
+
+
+def find_descendants(node: int, parents: list[int]) -> list[int]:
+    """Return a node and all nodes below it; the last of all nodes is not looked at."""
+    return [j for j in range(len(parents) - 1) if node in find_ancestors(j, parents)]
+
+
+def rewire(
+    near: list[int],
+    apart: list[float],
+    parents: list[int],
+    costs: list[float],
+    *,
+    lowered: Callable[[int, list[int]], list[int]] = find_descendants,
+) -> Insertion:
+    """Make the last node the parent of each neighbour that becomes cheaper by it.
+
+    Parameters
+    ----------
+    lowered : returns the nodes whose cost falls together with that of a neighbour.
+    """
+    for i in near:
         gain = costs[i] - (costs[-1] + apart[i])
         if gain > 0.0:
-            parents[i] = len(nodes)
-            for below in (
-                [j for j in range(len(nodes)) if i in upwards(j, parents)] if passes_on else [i]
-            ):
-                costs[below] -= gain
+            parents[i] = len(apart)
+            for j in lowered(i, parents):
+                costs[j] -= gain
     return parents, costs
 
 
-def upwards(node: int, parent: list[int]) -> list[int]:
-    """A node, its parent, its parent's parent, and so on."""
+def insert_at_nearest(
+    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+) -> Insertion:
+    """Take the nearest neighbour as the parent instead of the cheapest."""
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    best = min(near, key=lambda i: apart[i])
+    return rewire(near, apart, *attach(parent, cost, best, apart[best]))
+
+
+def insert_without_rewiring(
+    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+) -> Insertion:
+    """Choose the parent of the new node, and change no other node."""
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    best = min(near, key=lambda i: cost[i] + apart[i])
+    return attach(parent, cost, best, apart[best])
+
+
+def insert_without_descendants(*given: Any) -> Insertion:
+    """Rewire neighbours, and leave the costs of their descendants as they were."""
+    problem, nodes, _, _, q_new, radius = given
+    near, apart = find_neighbours(problem, nodes, q_new, radius)
+    tree = insert_without_rewiring(*given)
+    return rewire(near, apart, *tree, lowered=lambda i, parents: [i])
+
+
+def insert_unchecked(problem: Any, *given: Any) -> Insertion:
+    """Insert a node as if every motion were free."""
+    return inserted(WithoutObstacles(problem.distance), *given)
+
+
+def find_ancestors(node: int, parent: list[int]) -> list[int]:
+    """Return a node, its parent, its parent's parent, and so on to the root."""
     way = []
     while node >= 0:
         way.append(node)
@@ -71,7 +136,7 @@ def upwards(node: int, parent: list[int]) -> list[int]:
 
 
 class Insert(ValueExercise):
-    """Hang a new node where it costs least, and its neighbours below it where that costs less."""
+    """Attach a new node at least cost, and rewire its neighbours where that is cheaper."""
 
     name = "insert"
     lesson = "09_trees"
@@ -88,24 +153,20 @@ class Insert(ValueExercise):
     source = staticmethod(inserted)
     shown = staticmethod(grow_shortest)
     slips = (
-        Slip("nearest", lambda *given: inserted(*given, chooses=False)),
-        Slip("no_rewiring", lambda *given: inserted(*given, rewires=False)),
-        Slip("not_below", lambda *given: inserted(*given, passes_on=False)),
-        Slip("unchecked", lambda *given: inserted(*given, checks=False)),
+        Slip("nearest", insert_at_nearest),
+        Slip("no_rewiring", insert_without_rewiring),
+        Slip("not_below", insert_without_descendants),
+        Slip("unchecked", insert_unchecked),
     )
 
-    @staticmethod
-    def reference(*given: Any) -> Any:
-        """The parents and the costs."""
-        return inserted(*given)
+    reference = staticmethod(inserted)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """On paper; then by chance, each of the kind that it is."""
+        """Yield cases that can be done on paper, then random ones of each kind."""
         yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
-        yield by_hand(
-            "parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0
-        )  # the root is as far away as the radius
+        # the root is exactly at the radius
+        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
         yield by_hand("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
         yield by_hand(
             "rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5
@@ -123,16 +184,16 @@ class Insert(ValueExercise):
         left = dict.fromkeys(self.kinds, 12)
         while any(left.values()):
             blocked = bool(rng.random() < 0.5)
-            case = by_chance(rng, WALL if blocked else OPEN, int(rng.integers(3, 8)))
+            case = draw_case(rng, WALL if blocked else OPEN, int(rng.integers(3, 8)))
             if case is not None and left[case.kind]:
                 left[case.kind] -= 1
                 yield case
             if left["grown"]:
                 left["grown"] -= 1
-                yield grown_case(rng, WALL)
+                yield grow_case(rng, WALL)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same parents, and costs that are equal but for rounding."""
+        """Whether the parents are the same, and the costs up to rounding."""
         return (
             len(value[0]) == len(truth[0])
             and (np.array(value[0]) == truth[0]).all()
@@ -140,43 +201,29 @@ class Insert(ValueExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The tree that should be, and a cross on the first node that has another parent or
-        cost.
-        """
+        """Draw the right tree, and a cross at the first node with a wrong parent or cost."""
         from ....figures import palette, plane
 
-        problem, nodes = (
-            case.given["problem"],
-            np.vstack([case.given["nodes"], case.given["q_new"]]),
-        )
+        problem = case.given["problem"]
+        nodes = np.vstack([case.given["nodes"], case.given["q_new"]])
         parent, cost = self.truth(case)
         trees, fault = [Tree(nodes, np.array(parent))], None
         if isinstance(outcome, Answer):
-            fault = next(
-                (
-                    Fault("", nodes[i : i + 1])
-                    for i in range(len(nodes))
-                    if differs(outcome.value, parent, cost, i)
-                ),
-                None,
-            )
+            wrong = (i for i in range(len(nodes)) if differs(outcome.value, parent, cost, i))
+            first = next(wrong, None)
+            fault = None if first is None else Fault("", nodes[first : first + 1])
         draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
         plane.ring(
             case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":"
         )
         if len(nodes) <= 9:
             for number, (q, c) in enumerate(zip(nodes, cost)):
-                plane.label(
-                    q,
-                    f"{number}: {c:.3g}",
-                    ax,
-                    colour=palette.INK,
-                    offset=(8, -16 if number % 2 else 8),
-                )
+                offset = (8, -16 if number % 2 else 8)
+                plane.label(q, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=offset)
 
 
 def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
-    """Whether an answer is another for node i."""
+    """Whether an answer has another parent or another cost for node i."""
     parents, costs = value
     return (
         i >= min(len(parents), len(costs))
@@ -186,33 +233,34 @@ def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
 
 
 def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radius: float) -> Case:
-    """A case with the costs that belong to its tree."""
+    """Return a case with the costs that belong to its tree."""
     places, above = np.array(nodes, float), np.array(parent)
     cost = np.zeros(len(places))
     for i in range(len(places)):
-        way = upwards(i, parent)
+        way = find_ancestors(i, parent)
         cost[i] = sum(problem.distance(places[a], places[b]) for a, b in zip(way, way[1:]))
     tree = {"problem": problem, "nodes": places, "parent": above, "cost": cost}
     return Case(kind, {**tree, "q_new": np.array(q_new, float), "radius": radius})
 
 
-def by_chance(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
-    """A small free tree and a new node, of the kind that it is; None where two answers would be
-    nearly as good.
+def draw_case(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
+    """Draw a small free tree and a new node, and classify the case.
+
+    Returns
+    -------
+    The case; None where two answers would be nearly equally good.
     """
     nodes = np.round(rng.uniform(0.5, 9.5, (n, 2)), 1)
     nodes[0] = problem.start
     parent = [-1, *(int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n))]
     q_new = np.round(rng.uniform(1.0, 9.0, 2), 1)
     case = by_hand("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
-    return case._replace(kind=kind_of(case.given)) if is_fair(case.given) else None
+    return case._replace(kind=classify(case.given)) if is_fair(case.given) else None
 
 
-def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
-    """A tree that an RRT grew, in which two nodes were put in already, and a new node within a step
-    of it.
-    """
-    nodes, parent, _ = own_rrt(
+def grow_case(rng: np.random.Generator, problem: Asked) -> Case:
+    """Draw a tree of an RRT with two nodes inserted, and a new node near it."""
+    nodes, parent, _ = grow_tree(
         problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6))
     )
     for left in (2, 1, 0):
@@ -227,8 +275,9 @@ def grown_case(rng: np.random.Generator, problem: Asked) -> Case:
 
 
 def is_fair(given: dict[str, Any]) -> bool:
-    """Whether the tree is free, the new node has a free neighbour, and no two costs that are
-    compared are nearly equal.
+    """Whether the case is valid and no two costs that are compared are nearly equal.
+
+    It is valid if the tree is free and the new node has a neighbour with a free motion.
     """
     problem, nodes, parent, cost, q_new, radius = given.values()
     if (
@@ -238,10 +287,8 @@ def is_fair(given: dict[str, Any]) -> bool:
         return False
     if not all(problem.is_free_path(nodes[p], q) for p, q in zip(parent[1:], nodes[1:])):
         return False
-    apart = np.array([problem.distance(q, q_new) for q in nodes])
-    near = [
-        i for i in range(len(nodes)) if apart[i] <= radius and problem.is_free_path(nodes[i], q_new)
-    ]
+    near, distances = find_neighbours(problem, nodes, q_new, radius)
+    apart = np.array(distances)
     if not near or (np.abs(apart - radius) < 1e-6).any() or (apart < 1e-3).any():
         return False
     through = np.sort(cost[near] + apart[near])
@@ -249,11 +296,11 @@ def is_fair(given: dict[str, Any]) -> bool:
     return bool((np.diff(through) > 1e-3).all() and (np.abs(gains) > 1e-3).all())
 
 
-def kind_of(given: dict[str, Any]) -> str:
-    """What the case asks for beyond what the simpler kinds do."""
+def classify(given: dict[str, Any]) -> str:
+    """Return which part of the insertion the case needs."""
     truth = inserted(*given.values())
-    if inserted(*given.values(), checks=False) != truth:
+    if insert_unchecked(*given.values()) != truth:
         return "blocked"
-    if inserted(*given.values(), passes_on=False) != truth:
+    if insert_without_descendants(*given.values()) != truth:
         return "below"
     return "rewire" if truth[0][:-1] != given["parent"].tolist() else "parent"

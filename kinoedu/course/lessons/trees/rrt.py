@@ -28,9 +28,12 @@ from ..shared.planned import (
 )
 from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 
+# of 16 boxes: one is behind the walls of the trap, and one more may stay empty by chance
+LEFT_OUT = 2
 
-def own_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Any:
-    """RRT as the exercise asks for it."""
+
+def grow_tree(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Any:
+    """Grow an RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     if problem.distance(problem.start, problem.goal) <= step and problem.is_free_path(
         problem.start, problem.goal
@@ -54,7 +57,7 @@ def own_rrt(problem: Any, step: float, goal_bias: float, iterations: int, rng: i
 
 
 class Rrt(TreeExercise):
-    """One tree."""
+    """Grow one tree."""
 
     name = "rrt"
     given = Record(
@@ -62,11 +65,11 @@ class Rrt(TreeExercise):
     )
     result = Together((NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_rrt)
+    source = staticmethod(grow_tree)
     shown = staticmethod(grow)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
-        """As many iterations as the trap needs, and more."""
+        """Return a case with more iterations than the trap needs."""
         given = {
             "problem": problem,
             "step": STEP,
@@ -77,26 +80,25 @@ class Rrt(TreeExercise):
         return Case(kind, given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Some chance is left to the goal in most; then all of it, with a way to the goal and
-        without.
-        """
+        """Yield traps with a goal bias, then goal bias 1 with and without a free straight path."""
         yield from super().cases(rng)
         for kind in ("room", "sealed"):
-            yield straight(self.asked(kind, TRAPS[kind], rng))
+            yield aim_at_goal(self.asked(kind, TRAPS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
-        """Not where every sample is the goal."""
+        """Whether another seed gives another answer: not with goal bias 1."""
         return case.given["goal_bias"] < 1.0 and super().uses_chance(case)
 
     def wanted(self, case: Case) -> str:
-        """What is asked for."""
+        """Describe what is asked for."""
         return (
             super().wanted(case) if case.given["goal_bias"] < 1.0 else self.words("wanted.straight")
         )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; the tree and its rule; whether the one belongs to the other; what the samples
-        leave out.
+        """Judge the path, the tree and its rule, and the spread of the samples.
+
+        The path must also belong to the tree.
         """
         nodes, parent, path = answer
         if case.given["goal_bias"] == 1.0 and not has_same_nodes(case, nodes):
@@ -111,39 +113,41 @@ class Rrt(TreeExercise):
         if fault is None and len(nodes) > case.given["iterations"] + 2:
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
-            fault = not_along_tree(path, nodes, parent) or not_returned(problem, nodes, step)
+            fault = not_along_tree(path, nodes, parent) or find_missed_goal(problem, nodes, step)
         if (
             fault is None
-            and leaves_out(case)
+            and must_cover_room(case)
             and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT
         ):
             fault = Fault("corner", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """The tree and the path."""
+        """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
 
 
-def straight(case: Case) -> Case:
-    """The case in which every sample is the goal."""
+def aim_at_goal(case: Case) -> Case:
+    """Return the case with goal bias 1."""
     return case._replace(given={**case.given, "goal_bias": 1.0, "iterations": 20})
 
 
 def has_same_nodes(case: Case, nodes: Array) -> bool:
-    """Whether they are the nodes of the course's own RRT: where every sample is the goal, nothing
-    is left to chance.
+    """Whether the nodes are those of the course's own RRT.
+
+    With goal bias 1 nothing is random.
     """
-    own = own_rrt(*case.given.values())[0]
+    own = grow_tree(*case.given.values())[0]
     return nodes.shape == (len(own), len(own[0])) and all(
         same(case.given["problem"], a, b) for a, b in zip(nodes, own)
     )
 
 
-def not_returned(problem: Any, nodes: Array, step: float) -> Fault | None:
-    """A node, the last two excepted, from which the goal could have been reached by one free
-    motion.
+def find_missed_goal(problem: Any, nodes: Array, step: float) -> Fault | None:
+    """Return the fault of a node that could have reached the goal by one free motion, or None.
+
+    The last two nodes are excepted.
     """
     for q in nodes[:-2]:
         if problem.distance(q, problem.goal) < step * (1.0 - 1e-9) and problem.problem.is_free_path(
@@ -153,9 +157,6 @@ def not_returned(problem: Any, nodes: Array, step: float) -> Fault | None:
     return None
 
 
-def leaves_out(case: Case) -> bool:
-    """Whether it is a case in which samples must have led everywhere."""
+def must_cover_room(case: Case) -> bool:
+    """Whether the samples of this case must cover the whole room."""
     return case.kind == "sealed" and case.given.get("goal_bias", 0.0) < 1.0
-
-
-LEFT_OUT = 2  # of 16 boxes: one lies behind the walls of the trap, and one more may be missed

@@ -25,8 +25,8 @@ from ..shared.planned import (
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 
-def own_rrt_connect(problem: Any, step: float, iterations: int, rng: int) -> Any:
-    """RRT-Connect as the exercise asks for it."""
+def grow_two_trees(problem: Any, step: float, iterations: int, rng: int) -> Any:
+    """Grow both trees as the exercise demands, and return them with the path."""
     chance, trees = np.random.default_rng(rng), [([problem.start], [-1]), ([problem.goal], [-1])]
 
     def extend(tree: Any, q: Array) -> Any:
@@ -56,30 +56,24 @@ def own_rrt_connect(problem: Any, step: float, iterations: int, rng: int) -> Any
 
 
 class RrtConnect(TreeExercise):
-    """Two trees."""
+    """Grow two trees."""
 
     name = "rrt_connect"
     given = Record(problem=Task(), step=Number(), iterations=Whole(), rng=Whole())
     result = Together((NODES, PARENTS, NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
-    source = staticmethod(own_rrt_connect)
+    source = staticmethod(grow_two_trees)
     shown = staticmethod(grow_both)
 
     def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
-        """As many iterations as the trap needs, and more."""
-        return Case(
-            kind,
-            {
-                "problem": problem,
-                "step": STEP,
-                "iterations": ENOUGH[kind],
-                "rng": int(rng.integers(1000)),
-            },
-        )
+        """Return a case with more iterations than the trap needs."""
+        question = {"problem": problem, "step": STEP, "iterations": ENOUGH[kind]}
+        return Case(kind, {**question, "rng": int(rng.integers(1000))})
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
-        """The path; both trees and their rule; whether it belongs to them; whether one tree runs
-        all the way to the other.
+        """Judge the path, both trees and their rule, and that one tree connects greedily.
+
+        The path must also belong to the trees.
         """
         *both, path = answer
         problem, step = case.given["problem"], case.given["step"]
@@ -91,34 +85,31 @@ class RrtConnect(TreeExercise):
                 or not_to_nearest(problem, nodes, parent)
             )
         if fault is None and path is not None:
-            fault = not_along_trees(path, *both)
-        if (
-            fault is None
-            and case.kind == "room"
-            and not ran_straight(problem, both[0], both[2], step)
-        ):
+            fault = find_path_fault(path, *both)
+        if fault is None and case.kind == "room" and not is_greedy(problem, both[0], both[2], step):
             fault = Fault("greedy", both[0][:0])
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """Both trees and the path."""
+        """Return both trees and the path."""
         return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
 
 
-def ran_straight(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
-    """Whether one tree took a step, and the other ran to its end in as few steps as there can
-    be.
-    """
+def is_greedy(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
+    """Whether one tree took a step and the other went to its end in the fewest steps."""
     for tree in (nodes, goal_nodes):
         if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):
             return False
     return min(len(nodes), len(goal_nodes)) <= 2
 
 
-def not_along_trees(
+def find_path_fault(
     path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any
 ) -> Fault | None:
-    """A stretch of a path that is an edge of neither tree: down the start's, then up the goal's."""
+    """Return the fault of a path that leaves the trees, or None.
+
+    It must go down the start's tree and then up the goal's tree.
+    """
     for a, b in zip(path[:-1], path[1:]):
         down = not_along_tree(np.array([a, b]), nodes, parent)
         if (

@@ -21,10 +21,10 @@ from ..shared.small_problems import box, in_room
 PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8, 8))
 
 
-def grown(
+def grow_by(
     problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The tree that an expansion grows, with those of its edges that are accepted."""
+    """Grow a tree by an expansion, with only those of its edges that are accepted."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     for _ in range(iterations):
         node, q = expand(problem, np.array(nodes), chance)
@@ -34,114 +34,115 @@ def grown(
     return np.array(nodes), np.array(parent)
 
 
-def free_tree(
+def grow_free_tree(
     problem: Any, expand: Any, iterations: int, rng: int
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The tree of all edges that are free."""
-    return grown(
+    """Grow the tree of all free edges."""
+    return grow_by(
         problem, expand, iterations, rng, accepts=lambda problem, a, b: problem.is_free_path(a, b)
     )
 
 
-def unchecked(*given: Any) -> Any:
-    """Adds every edge."""
-    return grown(*given, accepts=lambda problem, a, b: True)
+def grow_unchecked(*given: Any) -> Any:
+    """Add every edge."""
+    return grow_by(*given, accepts=lambda problem, a, b: True)
 
 
-def ends_only(*given: Any) -> Any:
-    """Asks whether the new end is free."""
-    return grown(*given, accepts=lambda problem, a, b: problem.is_free(b))
+def check_ends_only(*given: Any) -> Any:
+    """Check only whether the new node is free."""
+    return grow_by(*given, accepts=lambda problem, a, b: problem.is_free(b))
 
 
-def parents_from_one(*given: Any) -> Any:
-    """Counts from 1."""
-    nodes, parent = free_tree(*given)
+def count_from_one(*given: Any) -> Any:
+    """Count parents from 1."""
+    nodes, parent = grow_free_tree(*given)
     return nodes, np.where(parent < 0, -1, parent + 1)
 
 
-def chained(*given: Any) -> Any:
-    """Every node hangs on the one before it."""
-    nodes, _ = free_tree(*given)
+def chain_nodes(*given: Any) -> Any:
+    """Attach every node to the one before it."""
+    nodes, _ = grow_free_tree(*given)
     return nodes, np.arange(len(nodes)) - 1
 
 
 class TreeRoadmap(ValueExercise):
-    """A tree grown by an expansion that is given."""
+    """Grow a tree with a given expansion function."""
 
     name = "tree_roadmap"
     lesson = "09_trees"
     kinds = ("few", "room", "pillars")
     given = Record(problem=Task(), expand=Rule(), iterations=Whole(), rng=Whole())
     answer = Together((NODES, WholeNumbers(("n",))))
-    source = staticmethod(free_tree)
+    source = staticmethod(grow_free_tree)
     shown = staticmethod(planners.tree_roadmap)
     slips = (
-        Slip("unchecked", unchecked),
-        Slip("ends_only", ends_only),
-        Slip("from_one", parents_from_one),
-        Slip("chained", chained),
+        Slip("unchecked", grow_unchecked),
+        Slip("ends_only", check_ends_only),
+        Slip("from_one", count_from_one),
+        Slip("chained", chain_nodes),
     )
 
     @staticmethod
     def reference(*given: Any) -> Any:
-        """The tree of all free edges."""
-        return free_tree(*given)
+        """Return the tree of all free edges."""
+        return grow_free_tree(*given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """No iteration, one, a few; then many, by every expansion."""
+        """Yield no iteration, one and a few; then many, with every expansion."""
         for iterations in (0, 1, 2, 3, 4, 5):
             for trap in ("room", "wall"):
-                yield case("few", TRAPS[trap], "reach_out", iterations, rng)
+                yield make_case("few", TRAPS[trap], "reach_out", iterations, rng)
         for _ in range(4):
             for name in EXPANSIONS:
-                yield case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
-                yield case(
-                    "pillars",
-                    (PILLARS, TRAPS["passage"])[int(rng.integers(2))],
-                    name,
-                    int(rng.integers(20, 80)),
-                    rng,
-                )
+                yield make_case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
+                problem = (PILLARS, TRAPS["passage"])[int(rng.integers(2))]
+                yield make_case("pillars", problem, name, int(rng.integers(20, 80)), rng)
 
     def same(self, value: Any, truth: Any) -> bool:
-        """The same nodes, in the same order, with the same parents."""
+        """Whether the nodes are the same, in the same order, with the same parents."""
         return all(
             np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=0, atol=1e-9)
             for a, b in zip(value, truth)
         )
 
     def wanted(self, case: Case) -> str:
-        """How many nodes of how many were to be added."""
+        """Describe the size of the right tree."""
         nodes, _ = self.truth(case)
         return self.words("wanted", nodes=len(nodes), iterations=case.given["iterations"])
 
     def answer_words(self, case: Case, value: Any) -> str:
-        """How many nodes there are, and the first that is another."""
-        at = first_other(value, self.truth(case))
+        """Describe the size of the student's tree and its first wrong node."""
+        at = find_first_difference(value, self.truth(case))
         return self.words("answered", nodes=len(value[0]), node=at)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
-        """The student's tree, with what is wrong in it."""
+        """Draw the student's tree and its first fault."""
         problem = case.given["problem"]
         trees = [Tree(*outcome.value)] if isinstance(outcome, Answer) else []
         fault = why_not_a_tree(problem, *trees[0], step=np.inf) if trees else None
-        at = first_other(outcome.value, self.truth(case)) if isinstance(outcome, Answer) else 0
+        at = (
+            find_first_difference(outcome.value, self.truth(case))
+            if isinstance(outcome, Answer)
+            else 0
+        )
         if fault is None and trees and at < len(trees[0].nodes):
             fault = Fault("other", trees[0].nodes[at : at + 1])
         fault = None if fault is None or fault.marked.shape[1] != len(problem.start) else fault
         draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
 
 
-def first_other(value: Any, truth: Any) -> int:
-    """The number of the first node that differs from the true one, in place or in parent."""
+def find_first_difference(value: Any, truth: Any) -> int:
+    """Return the index of the first node that differs in position or parent."""
     for i, (p, q, a, b) in enumerate(zip(value[0], truth[0], value[1], truth[1])):
         if np.shape(p) != np.shape(q) or not np.allclose(p, q, rtol=0, atol=1e-9) or a != b:
             return i
     return min(len(value[0]), len(truth[0]))
 
 
-def case(kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator) -> Case:
-    """A case with a seed by chance."""
+def make_case(
+    kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator
+) -> Case:
+    """Return a case with a random seed."""
     seed = int(rng.integers(1000))
     return Case(
         kind,
