@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from kinoedu.collision import is_free
-from kinoedu.curves.arcs import driven
+from kinoedu.curves.arcs import drive_arc
 from kinoedu.problems import ProblemRecord
 
 
@@ -99,7 +99,7 @@ def compiled_for(problem: ProblemRecord) -> tuple[Callable[..., Any], Callable[.
 
     @numba.njit
     def step(x, y, theta, gear, phi, seconds):  # type: ignore[no-untyped-def]
-        return driven(x, y, theta, seconds if gear >= 0.0 else -seconds, np.tan(phi) / wheelbase)
+        return drive_arc(x, y, theta, seconds if gear >= 0.0 else -seconds, np.tan(phi) / wheelbase)
 
     @numba.njit
     def free(x, y, theta):  # type: ignore[no-untyped-def]

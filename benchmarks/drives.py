@@ -15,7 +15,7 @@ from random_problems import robot_at_random, world_at_random
 from timing import Contestant, measure, report, run
 
 from kinoedu.collision import is_free, is_free_drive
-from kinoedu.curves.arcs import driven
+from kinoedu.curves.arcs import drive_arc
 from kinoedu.robots.car import CarRobot
 
 SECONDS = 100
@@ -67,7 +67,7 @@ def judged_in_steps(car, world, poses, lengths, curvatures):  # type: ignore[no-
     free = np.ones(len(poses), np.bool_)
     for i in range(len(poses)):
         for k in range(STEPS + 1):
-            x, y, theta = driven(
+            x, y, theta = drive_arc(
                 poses[i, 0], poses[i, 1], poses[i, 2], lengths[i] * k / STEPS, curvatures[i]
             )
             if not is_free(car, world, np.array([x, y, theta]), 0.0):

@@ -14,7 +14,7 @@ from timing import Contestant, Goal, Judge, available, measure, report, run
 import kinoedu as ke
 from kinoedu.collision import is_free
 from kinoedu.collision.turning import contact_size
-from kinoedu.planners.driving.common import bias_of, driven, drives_of, new_growth
+from kinoedu.planners.driving.common import as_bias, as_car_problem, as_drives, begin_tree
 from kinoedu.problems import ProblemRecord
 
 SECONDS = 90
@@ -98,10 +98,10 @@ def ruler() -> Contestant:
     library.grow.restype = None
 
     def contestant(case: Case) -> Callable[[], Any]:
-        asked = driven(case.problem, "the ruler", None)
+        asked = as_car_problem(case.problem, "the ruler", None)
         bias, drives = (
-            bias_of(asked, 4, 7, None, np.radians(90.0)),
-            drives_of(asked, TRIALS, None, None, 4),
+            as_bias(asked, 4, 7, None, np.radians(90.0)),
+            as_drives(asked, TRIALS, None, None, 4),
         )
         robot, space, world = asked.robot, asked.space, world_of(asked)
         contact = contact_size(asked.world.lo, asked.world.hi)
@@ -109,7 +109,7 @@ def ruler() -> Contestant:
         car = CarInC(pointer(robot.outline), pointer(robot.speeds), len(robot.speeds), *numbers)
 
         def run() -> Any:
-            growth, rng = new_growth(asked, ITERATIONS + 1), np.random.default_rng(case.seed)
+            growth, rng = begin_tree(asked, ITERATIONS + 1), np.random.default_rng(case.seed)
             growth.tree.head[:] = -1  # the ruler adds the root itself
             in_c, draws = tree_of(growth.tree), rng.bit_generator.ctypes
             arrays = [pointer(array) for array in (growth.controls, growth.durations)]

@@ -13,7 +13,7 @@ from random_problems import ROBOTS, WORLDS, Drawn, drawn
 
 import kinoedu as ke
 from kinoedu.bench import surroundings
-from kinoedu.chances import wilson
+from kinoedu.chances import wilson_interval
 
 PLANNERS: dict[str, Callable[[Any, int], ke.Plan]] = {
     "RRT": lambda problem, seed: ke.rrt(problem, max_nodes=1500, rng=seed),
@@ -107,7 +107,7 @@ def table(title: str, outcomes: Iterable[Outcome], key: Callable[[Outcome], str]
     for name in sorted(groups, key=lambda name: (name == "all", name)):
         group = groups[name]
         solved = sum(one.solved for one in group)
-        low, high = wilson(solved, len(group))
+        low, high = wilson_interval(solved, len(group))
         invalid = sum(not one.valid for one in group)
         share = f"{100 * solved / len(group):.1f} | {100 * low:.1f} to {100 * high:.1f}"
         print(f"| {name} | {len(group):,} | {share} | {solved:,} | {invalid} |")

@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 from docutils import nodes
 from sphinx import addnodes
 
-from kinoedu.words import say
+from kinoedu.messages import get_message
 
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 NAMED = re.compile(r"(?m)^(\w[\w\\, ()]*) : (.*)")
@@ -130,10 +130,10 @@ def tell_pictures(app, doctree):
             for image in output.findall(nodes.image):
                 told = kinds["text/plain"].astext()
                 figure = FIGURE.match(told)
-                image["alt"] = say("site.figure", section=section_of(output)) if figure else told
+                image["alt"] = get_message("site.figure", section=section_of(output)) if figure else told
                 image["classes"] += ["wide"] if figure and int(figure[1]) > WIDE else []
             if BOARD in kinds:
-                kinds["image/png"] += nodes.paragraph("", say("site.still"), classes=["still"])
+                kinds["image/png"] += nodes.paragraph("", get_message("site.still"), classes=["still"])
 
 
 def section_of(node):

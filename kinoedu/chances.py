@@ -9,7 +9,7 @@ from .geometry.checks import Array, as_array
 Z = 1.959963984540054  # 95 percent of a normal distribution lie within Z standard deviations
 
 
-def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
+def wilson_interval(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
     """Wilson's 95 percent confidence interval of a proportion.
 
     Source: E. B. Wilson, "Probable inference, the law of succession, and statistical inference"
@@ -35,7 +35,7 @@ def wilson(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> low, high = wilson([0, 50, 100], 100)
+    >>> low, high = wilson_interval([0, 50, 100], 100)
     >>> low.round(3).tolist(), high.round(3).tolist()
     ([0.0, 0.404, 0.963], [0.037, 0.596, 1.0])
     """

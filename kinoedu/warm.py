@@ -9,7 +9,7 @@ from typing import Any
 from .collision import free_configurations, free_motions
 from .compiled import HAS_COMPILER, requests
 from .compiled.store import folder
-from .compiled.tiers import called
+from .compiled.tiers import requests_of_called_algorithms
 from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, bfs, dfs, dijkstra
 from .planners import (
@@ -29,7 +29,7 @@ from .planners.registry import ARM, CAR, DISK, PLANNERS, POINT, TRANSLATING, TUR
 from .problems import Problem, ProblemRecord
 from .problems.in_time import TimedProblem
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
-from .support.progress import counted
+from .support.progress import show_progress
 from .worlds import Moving, MovingWorld, PolygonWorld, Terrain
 from .worlds.terrain import TerrainRecord
 
@@ -65,8 +65,10 @@ def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -
         return
     for _, job, *given in jobs:
         job(*given)
-    with counted("compiling once") as tell:
-        requests.compile_all(place, called(), workers=workers, gives_way=gives_way, tell=tell)
+    with show_progress("compiling once") as tell:
+        requests.compile_all(
+            place, requests_of_called_algorithms(), workers=workers, gives_way=gives_way, tell=tell
+        )
 
 
 def first_jobs() -> Iterator[Job]:

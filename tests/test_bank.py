@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kinoedu import words
+from kinoedu import messages
 from kinoedu.course import EXERCISES
 from kinoedu.course.bank import read_bank
-from kinoedu.course.feedback import Feedback, picture_of, rule_words
-from kinoedu.course.judging import attempted, report_on
+from kinoedu.course.feedback import Feedback, draw_failure, rule_message
+from kinoedu.course.judging import judge_outcomes, run_encoded_case
 from kinoedu.course.outcomes import decode_outcome, encode_outcome
-from kinoedu.support.time_limit import within_processor_time
+from kinoedu.support.time_limit import run_within_processor_time
 
 HOUSE = Path(__file__).resolve().parent.parent
 BANK = [
@@ -34,7 +34,7 @@ def cases_of(exercise):
 
 def travelled(exercise, function, sent):
     """Outcome of a call, with case and outcome encoded as JSON."""
-    outcome = attempted(exercise, function, json.loads(sent), within_processor_time)
+    outcome = run_encoded_case(exercise, function, json.loads(sent), run_within_processor_time)
     return decode_outcome(
         json.loads(json.dumps(encode_outcome(outcome, exercise.answer), allow_nan=False)),
         exercise.answer,
@@ -47,17 +47,17 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
     monkeypatch.setattr(type(exercise), "seconds", 4.0)
-    report = report_on(
+    report = judge_outcomes(
         exercise, cases, (travelled(exercise, item.function, sent) for sent in given)
     )
     assert not report.is_right
     assert report.score < 1.0
     assert report.failure.slip == item.slip
-    assert rule_words(exercise, report.failure)
-    assert words.say("check.hint") in repr(Feedback(report))
+    assert rule_message(exercise, report.failure)
+    assert messages.get_message("check.hint") in repr(Feedback(report))
     if item in FIRST_OF_ITS_SLIP:  # a page is drawn in a third of the time that a case is judged
-        assert words.say("check.hint") in Feedback(report)._repr_html_()
-        assert picture_of(exercise, report.failure).startswith(b"\x89PNG")
+        assert messages.get_message("check.hint") in Feedback(report)._repr_html_()
+        assert draw_failure(exercise, report.failure).startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))

@@ -23,7 +23,7 @@ from kinoedu.geometry import (
     convex_polygons_intersect,
 )
 from kinoedu.geometry.convex_pairs import as_convex_polygons, convex_orientation
-from kinoedu.worlds.known_cells import (
+from kinoedu.worlds.occupancy import (
     ALONG,
     FINE,
     FREE,
@@ -31,16 +31,16 @@ from kinoedu.worlds.known_cells import (
     MOST,
     RIM,
     SOLID,
-    known_at,
-    known_between,
-    nothing_known,
+    no_occupancy,
+    occupancy_at,
+    occupancy_between,
 )
 
 TRIANGLE, SQUARE = [(0, 0), (2, 0), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = PolygonWorld(
     BOX, [[(1, 1), (3, 1), (3, 3), (1, 3)], [(5, 5), (20, 5), (12, 20)], ((-8, -8), 3)]
 )
-UNKNOWN = WORLD._replace(known=nothing_known())  # the same without occupancy cells
+UNKNOWN = WORLD._replace(occupancy=no_occupancy())  # the same without occupancy cells
 NONE = np.empty((0, 2))
 
 
@@ -85,7 +85,7 @@ def test_points_are_located_at_any_scale(size: float, shift: float) -> None:
     world = PolygonWorld([(x - far, -far), (x + far, -far), (x + far, far), (x - far, far)])
     qs = [(x, 0), (x + far, 0), (x, -far), (x + 2 * far, 0), (-x - 2 * far, 0)]
     assert free_configurations(Point(), world, qs).tolist() == [True, False, False, False, False]
-    assert (world.known.reach.size > 0) == (size > 1e-290 and shift == 0.0)
+    assert (world.occupancy.reach.size > 0) == (size > 1e-290 and shift == 0.0)
 
 
 def test_points_are_located_between_the_smallest_numbers() -> None:
@@ -103,7 +103,7 @@ def test_points_are_located_between_the_smallest_numbers() -> None:
 def test_occupancy_cells_are_right() -> None:
     """Many points of each kind of cell; most cells are entirely free or entirely blocked."""
     rng = np.random.default_rng(2)
-    known = WORLD.known
+    known = WORLD.occupancy
     assert known.reach.shape == (FINE * WORLD.cells.rows, FINE * WORLD.cells.columns)
     assert np.isin(known.reach, (MIXED, RIM)).mean() < 0.5 and {
         FREE,
@@ -122,9 +122,9 @@ def test_occupancy_cells_are_right() -> None:
 
 def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
     """Measured in moves of a chess king, up to a limit."""
-    far = distance_transform_cdt(WORLD.known.reach >= FREE, "chessboard")
-    assert far.max() > MOST == WORLD.known.reach.max()
-    assert (np.maximum(WORLD.known.reach, 0) == np.minimum(far, MOST)).all()
+    far = distance_transform_cdt(WORLD.occupancy.reach >= FREE, "chessboard")
+    assert far.max() > MOST == WORLD.occupancy.reach.max()
+    assert (np.maximum(WORLD.occupancy.reach, 0) == np.minimum(far, MOST)).all()
 
 
 @pytest.mark.parametrize("excess", [0.0, 1e-12, 1e-4, 0.005, 0.0099, 0.3])
@@ -144,9 +144,9 @@ def test_occupancy_cells_are_right_in_oblong_worlds(excess: float, upright: bool
         world = PolygonWorld(
             np.array([(0, 0), (1, 0), (1, height), (0, height)])[:, turned], corners
         )
-        judged = world._replace(known=nothing_known())
-        assert (world.known.reach[[0, -1]] < FREE).all() and (
-            world.known.reach[:, [0, -1]] < FREE
+        judged = world._replace(occupancy=no_occupancy())
+        assert (world.occupancy.reach[[0, -1]] < FREE).all() and (
+            world.occupancy.reach[:, [0, -1]] < FREE
         ).all()
         a = rng.uniform((0, height - 0.02), (1, height), (400, 2))[:, turned]
         b = np.clip(a + rng.uniform(-0.1, 0.1, a.shape), 0, 1)
@@ -163,7 +163,7 @@ def test_occupancy_cells_are_right_in_oblong_worlds(excess: float, upright: bool
 
 def test_a_disc_fills_the_reach_and_no_more() -> None:
     """At the corners of free cells, for discs of about their reach."""
-    known, rng = WORLD.known, np.random.default_rng(3)
+    known, rng = WORLD.occupancy, np.random.default_rng(3)
     for j, i in rng.permutation(np.argwhere(known.reach >= FREE))[:400].tolist():
         corner = np.array(
             [
@@ -195,17 +195,19 @@ def test_occupancy_cells_decide_most_queries() -> None:
         (*a, *np.clip(a + step, WORLD.lo, WORLD.hi))
         for a, step in zip(rng.uniform(-24, 24, (300, 2)), rng.uniform(-3, 3, (300, 2)))
     ]
-    answers = [known_between.py_func(*motion, 0.0, WORLD.known) for motion in ends]
+    answers = [occupancy_between.py_func(*motion, 0.0, WORLD.occupancy) for motion in ends]
     assert {SOLID, FREE} < set(answers) and np.isin(answers, (SOLID, FREE)).mean() > 0.8
     assert (
         np.isin(
-            [known_at.py_func(*motion[:2], 0.0, WORLD.known) for motion in ends], (SOLID, FREE)
+            [occupancy_at.py_func(*motion[:2], 0.0, WORLD.occupancy) for motion in ends],
+            (SOLID, FREE),
         ).mean()
         > 0.9
     )
     assert (
         np.isin(
-            [known_at.py_func(*motion[:2], 1.0, WORLD.known) for motion in ends], (SOLID, FREE)
+            [occupancy_at.py_func(*motion[:2], 1.0, WORLD.occupancy) for motion in ends],
+            (SOLID, FREE),
         ).mean()
         > 0.6
     )
@@ -216,7 +218,10 @@ def test_a_world_of_many_parts_has_no_more_small_cells() -> None:
     x, y = np.meshgrid(np.arange(-23.0, 23.0), np.arange(-23.0, 23.0))
     parts = [[(x, y), (x + 0.5, y), (x, y + 0.5)] for x, y in zip(x.flat, y.flat, strict=True)]
     world = PolygonWorld(BOX, parts)
-    assert ALONG / 2 < max(world.known.reach.shape) <= ALONG and (world.known.reach == SOLID).any()
+    assert (
+        ALONG / 2 < max(world.occupancy.reach.shape) <= ALONG
+        and (world.occupancy.reach == SOLID).any()
+    )
 
 
 @pytest.mark.parametrize("robot", [Point(), Disk(0.05), Disk(1.7)])
@@ -225,7 +230,7 @@ def test_occupancy_cells_change_no_answer(robot: Any) -> None:
 
     Compiled and interpreted.
     """
-    rng, known = np.random.default_rng(5), WORLD.known
+    rng, known = np.random.default_rng(5), WORLD.occupancy
     corners = (
         np.array([known.x, known.y])
         + rng.integers(0, known.reach.shape[::-1], (4000, 2, 2)) * known.side

@@ -21,7 +21,7 @@ from kinoedu.planners.bugs.bug1 import bug1_walk
 from kinoedu.planners.bugs.bug2 import bug2_walk
 from kinoedu.planners.bugs.bug2_prelim import bug2_prelim_walk
 from kinoedu.planners.bugs.bug_base import bug_base_walk
-from kinoedu.planners.bugs.walls import as_rings, contact, make_walls
+from kinoedu.planners.bugs.walls import check_obstacles, contact, make_walls
 
 matplotlib.use("Agg")
 
@@ -398,7 +398,7 @@ class Witness:
 def test_algorithms_ask_a_contact_sensor_and_nothing_else(algorithm, turn):
     """With a Witness instead of the robot the walk is the same."""
     start, goal = np.array(ME145["start"], float), np.array(ME145["goal"], float)
-    walls = make_walls(as_rings(ME145["obstacles"]), 0.0)
+    walls = make_walls(check_obstacles(ME145["obstacles"]), 0.0)
     robot, watched = BugRobot(walls, start, goal, turn), BugRobot(walls, start, goal, turn)
     witness = Witness(watched)
     assert algorithm(witness) == algorithm(robot)
@@ -690,7 +690,7 @@ def test_messages_name_what_is_wrong():
 
 def test_contact_knows_rooms():
     """Inside an obstacle, on its wall, in the room that obstacles close, outside."""
-    walls = make_walls(as_rings(RING), 0.0)
+    walls = make_walls(check_obstacles(RING), 0.0)
     places = [(1, 4), (2, 4), (4, 4), (20, 4)]
     assert [contact(walls, np.array(q, float)) for q in places] == [1, 0, -1, -1]
 

@@ -17,7 +17,7 @@ from kinoedu.curves import Curve
 from kinoedu.curves.space import pieces_between
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidRobot, InvalidStart
 from kinoedu.spaces import diameter, distance, interpolate
-from kinoedu.spaces.angles import wrapped
+from kinoedu.spaces.angles import wrap_angle
 
 CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())[
     "cases"
@@ -34,7 +34,7 @@ CAR = ke.Car(30, 10, 20)
 
 def apart(a: Any, b: Any) -> float:
     """How far two poses differ, in any coordinate."""
-    return max(math.dist(a[:2], b[:2]), abs(wrapped(a[2] - wrapped(b[2]))))
+    return max(math.dist(a[:2], b[:2]), abs(wrap_angle(a[2] - wrap_angle(b[2]))))
 
 
 def ahead(pose: Any, distance: float) -> Any:

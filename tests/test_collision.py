@@ -918,5 +918,5 @@ def test_a_problem_asks_collision_with_its_clearance_and_counts() -> None:
         assert recorder.is_free_path(a, b) == free(Disk(0.75), world, a, b)
         assert recorder.is_semi_free_path(a, b) == semi_free(Disk(0.75), world, a, b)
         assert recorder.is_free(a) == bool(is_free(Disk(0.75), world, a, 0.0))
-    assert problem.asked.tolist() == [400, 200]
+    assert problem.query_counts.tolist() == [400, 200]
     assert recorder.counts() == {"is_free": 200, "is_free_path": 200, "is_semi_free_path": 200}

@@ -28,8 +28,8 @@ from kinoedu.compiled import (
     store,
     tiers,
 )
-from kinoedu.compiled.keeper import WatchedCall
 from kinoedu.compiled.kinds import kind_of, kinds_of, spelled
+from kinoedu.compiled.numba_thread import WatchedCall
 from kinoedu.compiled.store import UPPER_ROOMS, Request, is_digested, source_digest
 from kinoedu.course.exercise import Exercise
 from kinoedu.errors import DuplicateKind, InvalidParameter
@@ -249,7 +249,7 @@ def test_a_planner_leaves_its_problem_as_it_was() -> None:
     del plans
     assert [sys.getrefcount(array) for array in held] == counts
     assert all((now == then).all() for now, then in zip(held, before, strict=True))
-    assert problem.asked[0] > 0
+    assert problem.query_counts[0] > 0
 
 
 # ---- generic functions -------------------------------------------------------------------------
@@ -371,7 +371,7 @@ class Impatient(WatchedCall):
 @pytest.mark.parametrize("looks", [0, 1, 2, 3, 5, 8])
 def test_restarts_as_machine_code_give_the_same_tree(trees, looks, monkeypatch) -> None:
     """An interpreted call is interrupted at any time and restarted, with identical results."""
-    import kinoedu.compiled.keeper as keeper
+    import kinoedu.compiled.numba_thread as keeper
 
     monkeypatch.setattr(keeper, "WatchedCall", Impatient)
     monkeypatch.setattr(keeper, "POLL_INTERVAL", 0.004)
@@ -416,7 +416,7 @@ def test_a_restart_begins_with_the_original_arguments() -> None:
 @needs_compiler
 def test_an_error_is_raised_though_machine_code_is_loaded(monkeypatch) -> None:
     """The same holds for Ctrl-C at that moment."""
-    import kinoedu.compiled.keeper as keeper
+    import kinoedu.compiled.numba_thread as keeper
 
     @tiers.algorithm
     def fails(x):
@@ -652,11 +652,11 @@ def test_what_cannot_be_compiled_stays_interpreted(tmp_path: Path, monkeypatch) 
 
     monkeypatch.setattr(store, "user_cache", lambda: tmp_path)
     place = store.folder.__wrapped__()
-    impossible = Request("kinoedu.geometry.exact", "turn", ("none",) * 6)
+    impossible = Request("kinoedu.geometry.exact", "orientation_sign", ("none",) * 6)
     assert requests.compile_all(place, [impossible], workers=1) == [impossible]
     assert "none" in (place / f"{impossible.name}.refused").read_text()
     assert not requests.request_compilation(place, impossible)
-    deadly = Request("kinoedu.geometry.exact", "turn", ("f8",) * 6)
+    deadly = Request("kinoedu.geometry.exact", "orientation_sign", ("f8",) * 6)
     taken = place / "taken-7"
     taken.mkdir()
     for attempt in range(3):

@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kinoedu import words
+from kinoedu import messages
 from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMMON_ERRORS
 from kinoedu.course.feedback import fold_line
-from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.outcomes import (
     Answer,
     Changed,
@@ -45,7 +45,7 @@ def short_time():
 def judged(exercise, function, seed=0):
     """Report on a function."""
     cases = list(exercise.cases(np.random.default_rng(seed)))
-    return report_on(exercise, cases, (attempt(exercise, function, case) for case in cases))
+    return judge_outcomes(exercise, cases, (run_case(exercise, function, case) for case in cases))
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -646,7 +646,7 @@ def test_a_long_line_opens_on_a_click():
 
 def test_every_word_is_there_and_used():
     """Each exercise has messages for its kinds, rules, hints, slips and pictures, and no others."""
-    files = [*words.HERE.glob("en/*.toml"), *words.LESSONS.glob("*/*.toml")]
+    files = [*messages.HERE.glob("en/*.toml"), *messages.LESSONS.glob("*/*.toml")]
     tables = [tomllib.loads(file.read_text(encoding="utf-8")) for file in files]
     table = {name: rows for one in tables for name, rows in one.items()}
     assert sum(map(len, tables)) == len(table)  # no table is in two files
@@ -661,7 +661,7 @@ def test_every_word_is_there_and_used():
         assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
         rules, hints = set(mine.get("rules", {})), set(mine.get("hints", {}))
         assert rules <= hints <= rules.union(*(other["rules"] for other in lent))
-        assert all(words.has_words(f"advice.{key}") for key, _, _ in COMMON_ERRORS)
+        assert all(messages.has_message(f"advice.{key}") for key, _, _ in COMMON_ERRORS)
         assert any("section" in one for one in (mine, *lent))
         assert mine["wonder"]
     files = [*(HOUSE / "kinoedu").rglob("*.[pj][ys]"), *(HOUSE / "docs").glob("*.py")]
@@ -685,14 +685,14 @@ def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
     shutil.copytree(HOUSE / "kinoedu" / "words" / "en", tmp_path / "en")
     (tmp_path / "xx").mkdir()
     (tmp_path / "xx" / "some.toml").write_text('[check]\nhint = "Wink"\n')
-    monkeypatch.setattr(words, "HERE", tmp_path)
+    monkeypatch.setattr(messages, "HERE", tmp_path)
     monkeypatch.setenv("KINOEDU_LANGUAGE", "xx")
-    words.catalogue.cache_clear()
+    messages.catalogue.cache_clear()
     try:
-        assert words.say("check.hint") == "Wink"
-        assert words.say("check.rule") == "The rule"
+        assert messages.get_message("check.hint") == "Wink"
+        assert messages.get_message("check.rule") == "The rule"
     finally:
-        words.catalogue.cache_clear()
+        messages.catalogue.cache_clear()
 
 
 LATE = encode_outcome(Late(False, 5.2, 5.0, 7.5, []), None)

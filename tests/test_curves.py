@@ -13,7 +13,7 @@ from kinoedu.curves import dubins as dubins_file
 from kinoedu.curves import reeds_shepp as reeds_shepp_file
 from kinoedu.curves.space import pieces_between
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.spaces.angles import wrapped
+from kinoedu.spaces.angles import wrap_angle
 
 CASES = json.loads((Path(__file__).parent / "data" / "kino" / "cases_expected.json").read_text())[
     "cases"
@@ -39,7 +39,7 @@ def poses(rng: np.random.Generator, n: int) -> Any:
 def miss(curve: Curve, goal: Any) -> float:
     """The error of the curve's end, in position or heading."""
     end = curve.at(curve.length)
-    return max(math.dist(end[:2], goal[:2]), abs(wrapped(end[2] - wrapped(goal[2]))))
+    return max(math.dist(end[:2], goal[:2]), abs(wrap_angle(end[2] - wrap_angle(goal[2]))))
 
 
 @pytest.mark.parametrize("case", CURVES, ids=lambda case: case["id"])

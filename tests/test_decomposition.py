@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from matplotlib import pyplot as plt
 
 import kinoedu as ke
-from kinoedu.decomposition.free_space import edges_round, free_polygons
+from kinoedu.decomposition.free_space import edges_around, free_polygons
 from kinoedu.decomposition.status import (
     ABOVE,
     HIGH,
@@ -747,7 +747,7 @@ def test_problems_it_cannot_plan_for_are_refused(problem, says):
 def test_free_polygons_on_a_grid():
     """After a union on a grid, edges do not cross, and the solid is on their left."""
     world = ke.PolygonWorld(SQUARE, [diamond(3.3, 4.1), diamond(4.2, 4.7)])
-    edges = edges_round(free_polygons(world, 2.0**-20)[0])
+    edges = edges_around(free_polygons(world, 2.0**-20)[0])
     assert drain(new_sweep(edges))
     assert (edges[:, :4] % 2.0**-20 == 0).all()
 

@@ -31,7 +31,7 @@ from kinoedu.experiments.cells import digest_of
 from kinoedu.experiments.digests import digest
 from kinoedu.experiments.files import planners_by_name
 from kinoedu.experiments.plots import save_plots
-from kinoedu.experiments.summaries import share_of
+from kinoedu.experiments.summaries import success_fraction
 
 HOUSE = Path(__file__).resolve().parent.parent
 PROBLEM = scattered_polygons(6, rng=1)
@@ -101,7 +101,7 @@ def test_rows_are_what_the_planners_answer(table):
         ("rubble", "grid", None),
     ]
     for row, seed in zip(table[:3], (3, 5, 8)):
-        PROBLEM.asked[:] = 0
+        PROBLEM.query_counts[:] = 0
         plan = ke.rrt(PROBLEM, max_nodes=60, rng=seed)
         assert (row.found, row.status) == (
             (True, "found") if plan.path is not None else (False, "no path")
@@ -112,7 +112,7 @@ def test_rows_are_what_the_planners_answer(table):
             plan.stats["iterations"],
             plan.reason,
         )
-        assert (row.motions, row.places) == tuple(PROBLEM.asked)
+        assert (row.motions, row.places) == tuple(PROBLEM.query_counts)
         assert row.path == (digest_of(plan.path) if plan.path is not None else "")
         assert row.seconds > 0.0
     assert {row.status for row in table} == {"found", "no path"}
@@ -497,7 +497,7 @@ def test_a_summary_is_numpys_and_scipys(table):
 
     for successes, runs in ((0, 1), (1, 1), (0, 30), (7, 30), (30, 30), (499, 500)):
         interval = binomtest(successes, runs).proportion_ci(method="wilson")
-        assert share_of(successes, runs) == pytest.approx(
+        assert success_fraction(successes, runs) == pytest.approx(
             (interval.low, successes / runs, interval.high), abs=1e-12
         )
     lines = summary(table)

@@ -10,7 +10,7 @@ import zipfile
 import numpy as np
 import pytest
 
-from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Misshapen, Raised
 from kinoedu.grading.collect.found import MOST_OF_ONE
@@ -181,10 +181,10 @@ def test_handing_in_meets_any_notebook(odd):
 )
 def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
     cases = list(EXERCISE.cases(np.random.default_rng(0)))
-    every_one = [attempt(EXERCISE, EXERCISE.reference, case) for case in cases]
-    assert report_on(EXERCISE, cases, every_one).score == 1.0
+    every_one = [run_case(EXERCISE, EXERCISE.reference, case) for case in cases]
+    assert judge_outcomes(EXERCISE, cases, every_one).score == 1.0
     for at in range(len(cases)):
-        report = report_on(EXERCISE, iter(cases), every_one[:at] + [end] * (end is not None))
+        report = judge_outcomes(EXERCISE, iter(cases), every_one[:at] + [end] * (end is not None))
         assert set(report.failed) >= {case.kind for case in cases[at:]}
 
 

@@ -15,8 +15,8 @@ import kinoedu as ke
 from kinoedu.collision import is_free_trajectory
 from kinoedu.curves import integrators
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.planners.driving.common import closest_step, driven, drives_of
-from kinoedu.spaces.angles import short_way
+from kinoedu.planners.driving.common import as_car_problem, as_drives, closest_step
+from kinoedu.spaces.angles import angle_difference
 
 INSIDE = [(10, 10), (290, 10), (290, 290), (10, 290)]  # the map's walls are 10 thick
 SQUARE = [(75, 75), (100, 75), (100, 100), (75, 100)]
@@ -34,7 +34,7 @@ SOLID = shapely.union_all(
 
 def apart(a: Any, b: Any) -> float:
     """The greatest difference of two poses in any coordinate."""
-    return max(math.dist(a[:2], b[:2]), abs(short_way(a[2], b[2])))
+    return max(math.dist(a[:2], b[:2]), abs(angle_difference(a[2], b[2])))
 
 
 def by_hand(
@@ -90,7 +90,7 @@ def check_driven(plan: Any, problem: Any = PROBLEM, solid: Any = SOLID) -> None:
         return
     assert np.array_equal(plan.path, there.poses) and plan.cost == pytest.approx(there.length)
     assert math.dist(poses[-1][:2], problem.goal[:2]) <= 5 + 1e-9
-    assert abs(short_way(poses[-1][2], problem.goal[2])) <= math.radians(15) + 1e-9
+    assert abs(angle_difference(poses[-1][2], problem.goal[2])) <= math.radians(15) + 1e-9
 
 
 def test_twenty_of_twenty() -> None:
@@ -145,8 +145,8 @@ def test_interpreted_is_compiled(planner: str) -> None:
 
 def test_steps_passed_over_are_never_the_closest() -> None:
     """The closest step is that of simulating every one of the 150."""
-    asked, rng = driven(PROBLEM, "a test", None), np.random.default_rng(5)
-    drives, there = drives_of(asked, 20, None, None, 1), np.empty(3)
+    asked, rng = as_car_problem(PROBLEM, "a test", None), np.random.default_rng(5)
+    drives, there = as_drives(asked, 20, None, None, 1), np.empty(3)
     assert (drives.steps, drives.step) == (150, pytest.approx(0.1))
     for _ in range(300):
         q, q_rand = asked.sample(rng), asked.sample(rng)

@@ -17,7 +17,7 @@ from kinoedu.geometry import (
     minkowski_difference,
     minkowski_sum,
 )
-from kinoedu.geometry.exact import bend
+from kinoedu.geometry.exact import cross_sign
 from kinoedu.geometry.rings import as_convex_ring
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
@@ -131,7 +131,7 @@ def test_nearly_parallel_edges_keep_their_order():
     for end in (1.0, np.nextafter(1.0, 2), np.nextafter(1.0, 0)):
         Q = [(0, 0), (3.0, end), (0, 4.0)]
         exact = all_sums(np.array(P).tolist(), np.array(Q).tolist())
-        assert bend(0.0, 0.0, 3.0, 1.0, 0.0, 0.0, 3.0, end) == int(end > 1.0) - int(end < 1.0)
+        assert cross_sign(0.0, 0.0, 3.0, 1.0, 0.0, 0.0, 3.0, end) == int(end > 1.0) - int(end < 1.0)
         assert len(minkowski_sum(P, Q)) <= len(exact) and (len(exact) == 4) == (end == 1.0)
 
 
@@ -143,7 +143,7 @@ def test_directions_are_compared_exactly():
         b, d = a + u, c + u * rng.integers(-3, 4) + rng.integers(-1, 2) * np.spacing(c)
         (ax, ay), (bx, by), (cx, cy), (dx, dy) = (tuple(map(Fraction, p)) for p in (a, b, c, d))
         value = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)
-        assert bend(*a, *b, *c, *d) == (value > 0) - (value < 0)
+        assert cross_sign(*a, *b, *c, *d) == (value > 0) - (value < 0)
 
 
 def test_the_difference_is_where_the_robot_touches():

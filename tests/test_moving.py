@@ -15,7 +15,7 @@ from kinoedu import (
     TranslatingPolygon,
     plan_in_time,
 )
-from kinoedu.collision import departures
+from kinoedu.collision import collision_intervals as departures
 from kinoedu.errors import (
     InvalidGoal,
     InvalidParameter,
@@ -155,9 +155,11 @@ def test_departures_that_are_met_are_met(robot):
     for _ in range(12):
         world = MovingWorld(EMPTY, some_movers(rng))
         problem = TimedProblem(robot, world, (40, 40), (40, 40), speed=9.0, horizon=12.0)
-        hulls, knots = departures.seen_from_movers(problem.robot, problem.world, problem.clearance)
+        hulls, knots = departures.relative_obstacles(
+            problem.robot, problem.world, problem.clearance
+        )
         a, v, duration = rng.uniform(0, 8, 2), rng.uniform(-2, 2, 2), rng.uniform(0.3, 3)
-        met = departures.met_departures(
+        met = departures.collision_intervals(
             hulls, knots, world.times, world.places, 12.0, a, *v, duration
         )
         for t in rng.uniform(0, 12 - duration, 40):
@@ -295,13 +297,13 @@ def test_compiled_and_interpreted_search_alike():
     problem = corridor(2)
     plan = plan_in_time(problem, n=12, k=4, rng=1)
     nodes, edges = plan.roadmap
-    hulls, knots = departures.seen_from_movers(problem.robot, problem.world, problem.clearance)
+    hulls, knots = departures.relative_obstacles(problem.robot, problem.world, problem.clearance)
     given = hulls, knots, problem.world.times, problem.world.places, problem.horizon, nodes
     from kinoedu.graphs import flat_graph
 
     graph = flat_graph(len(nodes), edges, np.hypot(*(nodes[edges[:, 0]] - nodes[edges[:, 1]]).T))
-    safe, first = departures.all_safe_intervals(*given)
-    again = departures.all_safe_intervals.py_func(*given)
+    safe, first = departures.find_safe_intervals(*given)
+    again = departures.find_safe_intervals.py_func(*given)
     assert np.array_equal(safe, again[0]) and np.array_equal(first, again[1])
     both = [
         search(problem, graph, nodes, safe, first, hulls, knots)

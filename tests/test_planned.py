@@ -7,12 +7,12 @@ import pytest
 
 from kinoedu.course.lessons.shared.planned import (
     TRAPS,
-    Task,
-    not_along_tree,
-    not_to_nearest,
+    ProblemShape,
+    find_motion_off_tree,
+    find_node_off_nearest,
+    find_path_fault,
+    find_tree_fault,
     problem_of,
-    why_not_a_path,
-    why_not_a_tree,
 )
 from kinoedu.course.lessons.trees.exposing_room import is_connected
 from kinoedu.planners import rrt
@@ -27,10 +27,10 @@ def test_what_the_library_builds_is_accepted(name, seed):
     problem = TRAPS[name]
     plan = rrt(problem.problem, step=1.0, goal_bias=0.1, max_iterations=5000, rng=seed)
     nodes, parent = plan.tree
-    assert why_not_a_path(problem, plan.path) is None
-    assert why_not_a_tree(problem, nodes, parent, 1.0) is None
-    assert not_to_nearest(problem, nodes, parent) is None
-    assert not_along_tree(plan.path, nodes, parent) is None
+    assert find_path_fault(problem, plan.path) is None
+    assert find_tree_fault(problem, nodes, parent, 1.0) is None
+    assert find_node_off_nearest(problem, nodes, parent) is None
+    assert find_motion_off_tree(plan.path, nodes, parent) is None
 
 
 def test_a_wrong_path_is_named():
@@ -46,31 +46,35 @@ def test_a_wrong_path_is_named():
         ("numbers", np.column_stack([path, path])),
         ("start", path[:0]),
     ):
-        assert why_not_a_path(problem, wrong).rule == rule
+        assert find_path_fault(problem, wrong).rule == rule
 
 
 def test_a_wrong_tree_is_named():
     """Each rule is broken by the least possible change."""
     problem = TRAPS["sealed"]
     nodes, parent = rrt(problem.problem, step=1.0, max_iterations=200, rng=0).tree
-    assert why_not_a_tree(problem, nodes, parent, 0.9).rule == "step"
-    assert why_not_a_tree(problem, nodes, parent + 1, 1.0).rule == "root"
-    assert why_not_a_tree(problem, nodes, parent[:-1], 1.0).rule == "parents"
-    assert why_not_a_tree(problem, nodes, np.maximum(parent, 0), 1.0).rule == "root"
+    assert find_tree_fault(problem, nodes, parent, 0.9).rule == "step"
+    assert find_tree_fault(problem, nodes, parent + 1, 1.0).rule == "root"
+    assert find_tree_fault(problem, nodes, parent[:-1], 1.0).rule == "parents"
+    assert find_tree_fault(problem, nodes, np.maximum(parent, 0), 1.0).rule == "root"
     round_the_wall = rrt(TRAPS["wall"].problem, step=1.0, rng=0).tree.nodes
     star = np.where(np.arange(len(round_the_wall)) > 0, 0, -1)
-    assert why_not_a_tree(TRAPS["wall"], round_the_wall, star, 1e9).rule == "free"
-    assert not_to_nearest(problem, nodes, np.where(parent < 0, -1, 0)).rule == "nearest"
-    assert not_along_tree(nodes[[0, 5]], nodes, np.arange(len(nodes)) - 1).rule == "along"
+    assert find_tree_fault(TRAPS["wall"], round_the_wall, star, 1e9).rule == "free"
+    assert find_node_off_nearest(problem, nodes, np.where(parent < 0, -1, 0)).rule == "nearest"
+    assert find_motion_off_tree(nodes[[0, 5]], nodes, np.arange(len(nodes)) - 1).rule == "along"
 
 
 @pytest.mark.parametrize("name", list(TRAPS))
 def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
     """Through JSON, and through what a student copies; of the copy nothing has been asked."""
     problem = TRAPS[name]
-    sent = Task().decode(json.loads(json.dumps(Task().encode(problem))))
+    sent = ProblemShape().decode(json.loads(json.dumps(ProblemShape().encode(problem))))
     copied = eval(repr(problem), {"problem_of": problem_of})
-    assert Task().encode(sent) == Task().encode(copied) == Task().encode(problem)
+    assert (
+        ProblemShape().encode(sent)
+        == ProblemShape().encode(copied)
+        == ProblemShape().encode(problem)
+    )
     assert sent.counts() == {}
 
 

@@ -11,7 +11,7 @@ import nbformat
 import numpy as np
 import pytest
 
-from kinoedu.course.release import assignments, pack, release, without_answers
+from kinoedu.course.release import assignments, pack_course, release, remove_answers
 from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -27,7 +27,7 @@ def sources(book):
 @pytest.mark.parametrize("name", assignments())
 def test_the_committed_exercise_is_what_its_solution_makes(name):
     """Else it was edited by hand, or not released again: python start.py release."""
-    made = without_answers(HOUSE / "solutions" / f"{name}.ipynb")
+    made = remove_answers(HOUSE / "solutions" / f"{name}.ipynb")
     committed = nbformat.read(HOUSE / "exercises" / f"{name}.ipynb", as_version=4)
     assert sources(committed) == sources(made)
 
@@ -72,7 +72,7 @@ def test_points_are_the_kinds_of_input(name):
 def test_the_solutions_answers_are_right_for_other_seeds(name):
     """What the solution says is right on cases that nobody has seen."""
     from kinoedu.course import EXERCISES
-    from kinoedu.course.judging import attempt, report_on
+    from kinoedu.course.judging import judge_outcomes, run_case
 
     names = {}
     for cell in nbformat.read(HOUSE / "solutions" / f"{name}.ipynb", as_version=4).cells:
@@ -87,9 +87,9 @@ def test_the_solutions_answers_are_right_for_other_seeds(name):
     for exercise in asked:
         for seed in (1, 2, 3):
             cases = list(exercise.cases(np.random.default_rng(seed)))
-            exercise.wanted(cases[0])
-            report = report_on(
-                exercise, cases, (attempt(exercise, names[exercise.name], case) for case in cases)
+            exercise.describe_expected(cases[0])
+            report = judge_outcomes(
+                exercise, cases, (run_case(exercise, names[exercise.name], case) for case in cases)
             )
             assert report.is_right, (exercise.name, seed, report.failure)
 
@@ -118,14 +118,14 @@ def test_a_model_answer_is_left_out_as_a_whole(house):
     """
     file = house / "solutions" / "01_geometry.ipynb"
     book = nbformat.read(file, as_version=4)
-    whole = sources(without_answers(file))
+    whole = sources(remove_answers(file))
     book.cells.append(nbformat.v4.new_code_cell("### BEGIN SOLUTION\n1 / 0\n### END SOLUTION"))
     nbformat.write(book, file)
-    assert sources(without_answers(file)) == whole
+    assert sources(remove_answers(file)) == whole
     book.cells[-1].source += "\n2 / 0"
     nbformat.write(book, file)
     with pytest.raises(InvalidParameter, match="01_geometry"):
-        without_answers(file)
+        remove_answers(file)
 
 
 def test_release_refuses_what_it_cannot_make(house):
@@ -149,8 +149,8 @@ def test_the_students_zip_holds_no_secret(tmp_path):
     """Lessons, exercises and the library; no solutions, no bank, no tests, nothing that running
     left behind; the same zip twice.
     """
-    pack(tmp_path / "a.zip")
-    pack(tmp_path / "b.zip")
+    pack_course(tmp_path / "a.zip")
+    pack_course(tmp_path / "b.zip")
     assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
     names = zipfile.ZipFile(tmp_path / "a.zip").namelist()
     assert "kinoedu-course/exercises/01_geometry.ipynb" in names

@@ -20,7 +20,7 @@ from kinoedu.boards.core.drawing import Drawing, cells, encode_drawing
 from kinoedu.boards.trees.rewired import costs_at, find_near_pairs, find_ways_to_goal
 from kinoedu.errors import InvalidParameter
 from kinoedu.graphs import dijkstra
-from kinoedu.planners.exploring.receding_horizon import plan_of_looks, receding_horizon_looks
+from kinoedu.planners.exploring.receding_horizon import plan_from_looks, receding_horizon_looks
 from kinoedu.planners.roadmaps.prm import sample_free
 from kinoedu.planners.roadmaps.properties import survey_roadmap
 from kinoedu.planners.trees.rewiring import rrt_star_rewirings
@@ -405,7 +405,7 @@ def test_looks_add_up_to_the_plan():
     """The generator's looks match the planner's counts; a robot at its goal does not look."""
     problem = problem_of()
     plan, looks = ke.receding_horizon(problem, rng=3), list(receding_horizon_looks(problem, rng=3))
-    same = plan_of_looks(problem, looks)
+    same = plan_from_looks(problem, looks)
     assert np.array_equal(plan.path, same.path) and plan.stats == same.stats
     assert all(
         len(a.walls) <= len(b.walls) and (b.walls[: len(a.walls)] == a.walls).all()
@@ -425,7 +425,9 @@ def test_a_world_of_triangles_is_the_polygon_world_of_them():
     )[:, 2]
     corners[area < 0] = corners[area < 0, ::-1]
     checked = ke.PolygonWorld(SQUARE, list(corners))
-    made = world_of_triangles(np.zeros(2), np.full(2, 10.0), corners)._replace(known=checked.known)
+    made = world_of_triangles(np.zeros(2), np.full(2, 10.0), corners)._replace(
+        occupancy=checked.occupancy
+    )
     assert all(np.array_equal(a, b) for a, b in zip(flat(made), flat(checked), strict=True))
 
 

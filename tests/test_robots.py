@@ -28,7 +28,7 @@ from kinoedu.errors import (
     InvalidStart,
 )
 from kinoedu.files.scenes import read_scene, write_scene
-from kinoedu.robots import ArmChain, Disk, placed, why_unreachable
+from kinoedu.robots import ArmChain, Disk, place_body, why_unreachable
 
 CASES = json.loads(
     (Path(__file__).parent / "data" / "arm" / "cases.json").read_text(encoding="utf-8")
@@ -178,7 +178,7 @@ def test_clearance_is_shapelys(robot: Any, world: Any) -> None:
             else 2
         )
         q = rng.uniform(-3.5, 3.5, d)
-        body = placed(robot, q)
+        body = place_body(robot, q)
         pieces = [body.points[a:b] for a, b in zip(body.first, body.first[1:])]
         shapes = [
             shapely.Point(p[0]) if len(p) == 1 else shapely.MultiPoint(p).convex_hull

@@ -13,7 +13,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 
-from kinoedu.words import say
+from kinoedu.messages import get_message
 
 HOUSE = Path(__file__).resolve().parent.parent
 LESSONS = sorted((HOUSE / "notebooks").glob("*.ipynb"))
@@ -131,7 +131,9 @@ def test_pictures_stand_for_boards(site, pages, notebook):
     pictures, text = pages[file].pictures, file.read_text(encoding="utf-8")
     assert len(pictures) == sum("image/png" in output for output in outputs)
     assert all(picture["alt"] and not picture["alt"].endswith(".png") for picture in pictures)
-    named = [picture["alt"].removesuffix(say("site.figure", section="")) for picture in pictures]
+    named = [
+        picture["alt"].removesuffix(get_message("site.figure", section="")) for picture in pictures
+    ]
     sections = [
         name for name, picture in zip(named, pictures, strict=True) if name != picture["alt"]
     ]

@@ -42,9 +42,9 @@ from kinoedu.spaces import (
     sample,
     wrapped_configuration,
 )
-from kinoedu.spaces.angles import FULL_TURN, short_way, wrapped
+from kinoedu.spaces.angles import FULL_TURN, angle_difference, wrap_angle
 from kinoedu.spaces.buckets import add, empty_tree
-from kinoedu.spaces.closest import fill, k_closest_in_buckets
+from kinoedu.spaces.closest import add_nodes, k_closest_in_buckets
 from kinoedu.spaces.rings import SMALL
 
 LAW = settings(
@@ -240,7 +240,7 @@ def test_k_closest_in_buckets_equals_brute_force(shape, kind):
     }[kind]
     space = RealSpace(nodes.min(axis=0), nodes.max(axis=0))
     tree = empty_tree(len(nodes), space.lo, space.hi)
-    fill(tree, nodes)
+    add_nodes(tree, nodes)
     for k in {1, min(7, len(nodes) - 1)}:
         found = k_closest_in_buckets(space, tree, k)
         apart = ((nodes[:, None] - nodes[None]) ** 2).sum(axis=2)
@@ -292,9 +292,11 @@ def test_circle_distance_is_exact(a: float, b: float) -> None:
 @given(ANGLES, ANGLES, st.floats(0, 1))
 def test_differences_of_angles_are_exact_and_short(a: float, b: float, t: float) -> None:
     """Its length is the circle distance, it leads from a to b, and its points are wrapped."""
-    turn = short_way(a, b)
+    turn = angle_difference(a, b)
     assert (
-        -PI <= turn < PI and abs(turn) == circle_distance(a, b) and turn == short_way.py_func(a, b)
+        -PI <= turn < PI
+        and abs(turn) == circle_distance(a, b)
+        and turn == angle_difference.py_func(a, b)
     )
     assert circle_distance(a + turn, b) < 1e-15
     q = interpolate(Circle(), np.array([a]), np.array([b]), t)
@@ -475,8 +477,8 @@ def test_angles_are_wrapped() -> None:
         == [[-3 * PI, -3 * PI, -PI]] * 2
     )
     for angle in (-1e6, -PI, 0.3, PI, 7.0, 1e6):
-        assert -PI <= wrapped(angle) < PI
-        assert circle_distance(wrapped(angle), angle) < 1e-9
+        assert -PI <= wrap_angle(angle) < PI
+        assert circle_distance(wrap_angle(angle), angle) < 1e-9
 
 
 # ---- displacements -----------------------------------------------------------------------------

@@ -7,13 +7,13 @@ import time
 
 import pytest
 
-from kinoedu.compiled import keeper
+from kinoedu.compiled import numba_thread as keeper
 from kinoedu.course import EXERCISES, check
-from kinoedu.course.feedback import late_words
+from kinoedu.course.feedback import late_message
 from kinoedu.course.outcomes import Late, outcome_of
 from kinoedu.course.shapes import Number
 from kinoedu.support import time_limit
-from kinoedu.support.time_limit import TimeUp, within, within_processor_time
+from kinoedu.support.time_limit import TimeUp, run_within, run_within_processor_time
 
 has_clocks = pytest.mark.skipif(
     not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is told here"
@@ -43,15 +43,15 @@ def endless():
 def stopped(seconds, work):
     """The TimeUp of a program."""
     with pytest.raises(TimeUp) as over:
-        within_processor_time(seconds, work)
+        run_within_processor_time(seconds, work)
     return over.value
 
 
 def test_an_answer_and_an_error_come_through():
     """The work's result is returned, and its error is raised."""
-    assert within_processor_time(5.0, lambda: 42) == within(5.0, lambda: 42) == 42
+    assert run_within_processor_time(5.0, lambda: 42) == run_within(5.0, lambda: 42) == 42
     with pytest.raises(ZeroDivisionError):
-        within_processor_time(5.0, lambda: 1 / 0)
+        run_within_processor_time(5.0, lambda: 1 / 0)
 
 
 def test_an_endless_loop_is_stopped_and_the_next_program_runs():
@@ -59,7 +59,7 @@ def test_an_endless_loop_is_stopped_and_the_next_program_runs():
     over = stopped(0.3, endless)
     assert over.used > over.allowed == 0.3 and not over.left_running
     assert over.seen is not None and over.seen.function == "endless"
-    assert within_processor_time(5.0, lambda: compute(0.01)) == 0.01
+    assert run_within_processor_time(5.0, lambda: compute(0.01)) == 0.01
 
 
 @has_clocks
@@ -73,20 +73,20 @@ def test_a_program_that_waits_is_ended(wait):
 @has_clocks
 def test_a_program_may_wait_for_a_while():
     """Time in which other processes use the processor does not count."""
-    assert within_processor_time(0.2, lambda: time.sleep(0.4)) is None
+    assert run_within_processor_time(0.2, lambda: time.sleep(0.4)) is None
 
 
 def test_what_the_library_takes_is_not_counted(monkeypatch):
     """Interpreted functions of the library take all the time, and the program is not stopped."""
     monkeypatch.setattr(time_limit, "library_seconds", lambda thread: time.perf_counter())
-    assert within_processor_time(0.1, lambda: compute(0.5)) == 0.5
+    assert run_within_processor_time(0.1, lambda: compute(0.5)) == 0.5
     assert stopped(0.02, endless).passed > 20 * 0.02  # the longest time for any program
 
 
 def test_a_slow_computer_gets_more_time(monkeypatch):
     """Its limit is longer in proportion, and the message says so."""
     monkeypatch.setattr(time_limit, "speed", lambda: 10.0)
-    assert within_processor_time(0.05, lambda: compute(0.2)) == 0.2
+    assert run_within_processor_time(0.05, lambda: compute(0.2)) == 0.2
     assert stopped(0.03, endless).allowed == pytest.approx(0.3)
 
 
@@ -97,7 +97,7 @@ def test_the_speed_of_a_computer_is_kept_in_bounds(monkeypatch):
         assert measured() == factor
 
 
-measured = time_limit.speed.__wrapped__
+measured = time_limit.slowdown.__wrapped__
 
 
 def test_wall_clock_time_counts_where_processor_time_is_unknown(monkeypatch):
@@ -105,7 +105,7 @@ def test_wall_clock_time_counts_where_processor_time_is_unknown(monkeypatch):
     monkeypatch.setattr(time_limit, "clock_of_this_thread", lambda: None)
     over = stopped(0.1, lambda: time.sleep(100))
     assert over.used > over.allowed == 0.1
-    assert within_processor_time(5.0, lambda: 42) == 42
+    assert run_within_processor_time(5.0, lambda: 42) == 42
 
 
 def test_imports_do_not_count():
@@ -141,11 +141,11 @@ def test_a_location_is_reported_only_for_few_lines():
 
 def test_the_message_has_both_numbers():
     """The time used and the time allowed; loops are mentioned only where one was seen."""
-    late = late_words(Late(False, 7.61, 7.5, 8.0, []))
+    late = late_message(Late(False, 7.61, 7.5, 8.0, []))
     assert "7.6 s" in late and "7.5 s" in late and "this computer" in late
-    waited = late_words(Late(True, 0.01, 5.0, 20.0, []))
+    waited = late_message(Late(True, 0.01, 5.0, 20.0, []))
     assert "20.0 s" in waited and "0.0 s" in waited and "restart the kernel" in waited
-    assert "time that is allowed" in late_words(Late(False))
+    assert "time that is allowed" in late_message(Late(False))
 
 
 def test_the_message_mentions_loops_only_where_one_was_seen(monkeypatch):

@@ -20,7 +20,7 @@ from kinoedu import (
 from kinoedu.collision import is_free_path, is_semi_free_path
 from kinoedu.compiled import compiled
 from kinoedu.geometry.separation import dividing_line, insides_meet, pieces_distance, pieces_meet
-from kinoedu.robots import placed
+from kinoedu.robots import place_body
 from kinoedu.spaces import distance, interpolate
 
 L_SHAPE = [(-1, -0.3), (1, -0.3), (1, 0.3), (-0.6, 0.3), (-0.6, 1.2), (-1, 1.2)]
@@ -278,7 +278,7 @@ def test_planners_plan(robot: Any, world: Any) -> None:
 
 def test_placed_turns_about_the_reference_point() -> None:
     """A quarter turn of a polygon about a point outside it."""
-    body = placed(RigidPolygon([(1, 0), (2, 0), (2, 1)]), np.array([5.0, 5.0, np.pi / 2]))
+    body = place_body(RigidPolygon([(1, 0), (2, 0), (2, 1)]), np.array([5.0, 5.0, np.pi / 2]))
     np.testing.assert_allclose(
         body.points[np.lexsort(body.points.T)], [(5, 6), (4, 7), (5, 7)], atol=1e-15
     )

@@ -10,7 +10,7 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.course import EXERCISES, check
-from kinoedu.course.judging import attempt, report_on
+from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import first_in
 from kinoedu.errors import InvalidParameter
@@ -71,7 +71,7 @@ PROGRAMS = {
 def judged(exercise, function, seed=0):
     """The report on a function."""
     cases = list(exercise.cases(np.random.default_rng(seed)))
-    return report_on(exercise, cases, (attempt(exercise, function, case) for case in cases))
+    return judge_outcomes(exercise, cases, (run_case(exercise, function, case) for case in cases))
 
 
 @pytest.mark.parametrize("name", ["bfs_tree", "bug1", "bug2"])

@@ -4,7 +4,7 @@ from .pages import as_markdown, as_table, totals
 from .peers import install_peer, named_peers
 from .pictures import PICTURES, draw_folder
 from .ratios import Ratio, append_ratios, read_ratios
-from .rows import BENCHMARKS, Row, chosen, read_rows
+from .rows import BENCHMARKS, Row, read_rows, select_rows
 from .running import Outcome, run_row
 from .surroundings import load, surroundings
 
@@ -17,7 +17,6 @@ __all__ = [
     "append_ratios",
     "as_markdown",
     "as_table",
-    "chosen",
     "draw_folder",
     "install_peer",
     "load",
@@ -25,6 +24,7 @@ __all__ = [
     "read_ratios",
     "read_rows",
     "run_row",
+    "select_rows",
     "surroundings",
     "totals",
 ]

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from itertools import groupby
 
-from ..support.progress import duration
+from ..support.progress import format_duration
 from .ratios import HELD, MISSED, Ratio
 from .running import Outcome
 
@@ -76,13 +76,13 @@ def ratio_line(ratio: Ratio) -> str:
 def outcome_line(outcome: Outcome) -> str:
     """Line of a benchmark row; its output is in a file of its own."""
     name = outcome.row.name
-    processor = "" if outcome.processor is None else duration(outcome.processor)
+    processor = "" if outcome.processor is None else format_duration(outcome.processor)
     memory = "" if outcome.memory is None else f"{outcome.memory / 1e6:.0f} MB"
     ended = f"{outcome.ended}: {outcome.reason}" if outcome.reason else outcome.ended
     cells = [
         f"[{name}]({name}.md)",
         ended,
-        duration(outcome.seconds),
+        format_duration(outcome.seconds),
         processor,
         memory,
         "; ".join(outcome.left_out),

@@ -70,7 +70,7 @@ def read_row(file: Path) -> Row | None:
     return Row(file.stem, about, float(seconds[0]), options, file)
 
 
-def chosen(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:
+def select_rows(rows: Sequence[Row], names: Sequence[str]) -> list[Row]:
     """Rows with the given names, each once, in the given order; all rows where no name is given.
 
     Raises

@@ -15,7 +15,7 @@ from ..errors import InvalidParameter, InvalidRobot, InvalidWorld
 from ..geometry.checks import Array, as_array
 from ..geometry.convex import convex_hull
 from ..geometry.exact import length
-from ..geometry.minkowski import leftmost, moved_inward
+from ..geometry.minkowski import clip_to_shifted_edges, leftmost
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
 
@@ -123,7 +123,7 @@ def free_regions(
     across = np.column_stack([-along[:, 1], along[:, 0]]) * [
         [size / length(x, y)] for x, y in along
     ]
-    inner = moved_inward(world.hull, world.hull, across)
+    inner = clip_to_shifted_edges(world.hull, world.hull, across)
     if not len(inner):
         return []
     free = shapely.orient_polygons(

@@ -13,7 +13,6 @@ from ..bench import (
     Outcome,
     Row,
     as_markdown,
-    chosen,
     draw_folder,
     install_peer,
     load,
@@ -21,11 +20,12 @@ from ..bench import (
     read_ratios,
     read_rows,
     run_row,
+    select_rows,
     surroundings,
     totals,
 )
 from ..errors import InvalidParameter
-from ..support.progress import duration, stage
+from ..support.progress import format_duration, show_stage
 
 BENCH_HELP = """\
 Time kinoedu beside other libraries and beside C, row by row, each in a process of its own.
@@ -87,7 +87,7 @@ def add_bench(commands: Any) -> None:
 
 def run_bench(arguments: argparse.Namespace) -> int:
     """Run the rows, and say where the table is."""
-    rows = chosen(read_rows(BENCHMARKS), arguments.rows)
+    rows = select_rows(read_rows(BENCHMARKS), arguments.rows)
     if arguments.list:
         listed(rows)
         return 0
@@ -121,17 +121,17 @@ def listed(rows: Sequence[Row]) -> None:
     width = max(len(row.name) for row in rows)
     for row in rows:
         print(
-            f"{row.name:<{width}}  {duration(row.seconds):>6}  "
+            f"{row.name:<{width}}  {format_duration(row.seconds):>6}  "
             f"{shorten(row.about, 100, placeholder=' ...')}"
         )
-    print(f"{len(rows)} rows, about {duration(sum(row.seconds for row in rows))} in all")
+    print(f"{len(rows)} rows, about {format_duration(sum(row.seconds for row in rows))} in all")
 
 
 def peers_installed() -> None:
     """Install them, and name those that cannot be had."""
     file = BENCHMARKS / "environment.txt"
     for peer in named_peers(file):
-        with stage(f"installing {peer}"):
+        with show_stage(f"installing {peer}"):
             wrong = install_peer(peer, file)
         print(f"{peer}: not installed ({wrong})" if wrong else f"{peer}: installed", flush=True)
 
@@ -146,7 +146,9 @@ def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[
     began = f"{time.strftime('%Y-%m-%d %H:%M')}, at the start {load()}"
     try:
         for number, row in enumerate(rows, start=1):
-            with stage(f"{number} of {len(rows)}: {row.name}, about {duration(row.seconds)}"):
+            with show_stage(
+                f"{number} of {len(rows)}: {row.name}, about {format_duration(row.seconds)}"
+            ):
                 outcomes.append(run_row(row, folder, options))
             print(told(outcomes[-1]), flush=True)
             around = [
@@ -157,7 +159,7 @@ def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[
             text = as_markdown(read_ratios(folder / "ratios.csv"), outcomes, around)
             (folder / "ratios.md").write_text(text, encoding="utf-8")
     finally:
-        with stage("drawing the ratios"):
+        with show_stage("drawing the ratios"):
             draw_folder(folder)
     return outcomes
 
@@ -166,4 +168,4 @@ def told(outcome: Outcome) -> str:
     """How a row ended, in a line."""
     left_out = f"; without {'; '.join(outcome.left_out)}" if outcome.left_out else ""
     reason = f": {outcome.reason}" if outcome.reason else ""
-    return f"{outcome.row.name}: {outcome.ended} in {duration(outcome.seconds)}{reason}{left_out}"
+    return f"{outcome.row.name}: {outcome.ended} in {format_duration(outcome.seconds)}{reason}{left_out}"

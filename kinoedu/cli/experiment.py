@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..support.progress import counted, stage
+from ..support.progress import show_progress, show_stage
 
 EXPERIMENT_HELP = """\
 Run every planner on every problem with every seed, and sum up what came out.
@@ -70,9 +70,9 @@ def run_experiment(arguments: argparse.Namespace) -> int:
     )  # imported here so that --help is quick
     from ..support.whole_files import written_whole
 
-    with stage(f"reading {arguments.file.name}"):
+    with show_stage(f"reading {arguments.file.name}"):
         experiment = read_experiment(arguments.file)
-    with counted(f"running {experiment.name}") as progress:
+    with show_progress(f"running {experiment.name}") as progress:
         where = "local" if arguments.dask is None else arguments.dask
         table = run(
             experiment, where=where, out=folder, workers=arguments.workers, progress=progress
@@ -81,7 +81,7 @@ def run_experiment(arguments: argparse.Namespace) -> int:
     with written_whole(folder / "summary.txt") as part:
         part.write_text(text + "\n", encoding="utf-8")
     if arguments.plots:
-        with stage("drawing"):
+        with show_stage("drawing"):
             from ..experiments.plots import save_plots
 
             save_plots(table, folder)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..support.progress import stage
+from ..support.progress import show_stage
 
 EXPORT_HELP = """\
 Write the grades as other programs read them.
@@ -156,7 +156,7 @@ def to_autograder(arguments: argparse.Namespace) -> int:
         )
     secret = course_secret(secret_of(arguments, ""))
     file, wall = arguments.gradescope_autograder, arguments.trust_container
-    with stage(f"packing {file}"):
+    with show_stage(f"packing {file}"):
         count = pack_autograder(file, arguments.assignment, secret, container_is_wall=wall)
     print(
         f"packed {count} files in {file}; it holds the course's secret, so give it to Gradescope "
@@ -172,7 +172,7 @@ def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 
     folder = arguments.out or of.out / "nbgrader"
     entries = [entry for entry in of.entries if arguments.assignment in ("", entry.assignment)]
-    with stage("writing the gradebook"):
+    with show_stage("writing the gradebook"):
         count = export_nbgrader(of._replace(entries=entries), rows, folder)
     return (
         f"wrote {count} notebooks in {folder}; in that folder: jupyter lab, then Nbgrader, "
@@ -190,7 +190,7 @@ def from_nbgrader(of: Any, folder: Path) -> int:
         raise InvalidParameter(
             f"{folder} holds no gradebook.db; it should be what kinoedu export --to nbgrader made"
         )
-    with stage("reading the gradebook"):
+    with show_stage("reading the gradebook"):
         count = scores_from_nbgrader(of, folder)
         write_all(of)
     print(

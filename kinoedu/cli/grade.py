@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..support.progress import counted
+from ..support.progress import show_progress
 
 GRADE_HELP = """\
 Grade a folder of submissions, as nbgrader, Canvas, Moodle or Gradescope lay them out, or a zip of it. Into GRADES go
@@ -119,7 +119,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
     from ..grading.report.rows import class_rows
 
     secret_file = secret_of(arguments, "")
-    with counted("grading") as grading, counted("writing pages") as writing:
+    with show_progress("grading") as grading, show_progress("writing pages") as writing:
         run = run_of(arguments, secret_file, grading, writing)
         of = grade_class(arguments.submissions, arguments.assignment, arguments.out, run)
     return sum_up(of, class_rows(of, {}))
@@ -133,7 +133,7 @@ def run_regrade(arguments: argparse.Namespace) -> int:
     from ..support.csv_cells import number, one_line
 
     secret_file = secret_of(arguments, read_class(arguments.old).secret_file)
-    with counted("grading") as grading, counted("writing pages") as writing:
+    with show_progress("grading") as grading, show_progress("writing pages") as writing:
         of, changes = regrade(
             arguments.old,
             arguments.out,

@@ -3,7 +3,7 @@
 import argparse
 from typing import Any
 
-from ..support.progress import stage
+from ..support.progress import show_stage
 
 NEW_EXERCISE_HELP = """\
 Begin an exercise of your own: a tiny one, the middle of two points, under your name and in your lesson, with its cells in the
@@ -44,7 +44,7 @@ def run_new_exercise(arguments: argparse.Namespace) -> int:
     """Write it, and say what to do next."""
     from ..course.new_exercise import new_exercise
 
-    with stage(
+    with show_stage(
         f"writing {arguments.name}, and running the solutions of {arguments.lesson} with it"
     ):
         files = new_exercise(arguments.name, arguments.lesson)

@@ -11,7 +11,7 @@ from typing import Any
 
 from ..errors import InvalidParameter
 from ..planners.registry import PLANNERS
-from ..support.progress import stage
+from ..support.progress import show_stage
 
 CHOICES = {planner.name.replace("_", "-"): planner for planner in PLANNERS.values()}
 SETTINGS = ("step", "nodes", "neighbours", "spacing", "iterations")
@@ -163,7 +163,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
     from ..geometry.checks import as_generator  # imported here so that --help is quick
 
     as_generator(arguments.seed)
-    with stage(f"reading {arguments.scene.name}"):
+    with show_stage(f"reading {arguments.scene.name}"):
         problem = read_problem(
             arguments.scene,
             robot=robot_for(arguments.radius),
@@ -172,17 +172,17 @@ def run_plan(arguments: argparse.Namespace) -> int:
             query=arguments.query,
             clearance=arguments.clearance,
         )
-    with stage(f"planning with {arguments.planner}"):
+    with show_stage(f"planning with {arguments.planner}"):
         started = time.perf_counter()
         plan = interruptible(lambda: planned(problem, arguments))
         seconds = time.perf_counter() - started
     if arguments.out is not None:
-        with stage(f"drawing {arguments.out.name}"):
+        with show_stage(f"drawing {arguments.out.name}"):
             from ..figures import save_plan
 
             save_plan(plan, arguments.out)
     if arguments.save is not None:
-        with stage(f"writing {arguments.save.name}"):
+        with show_stage(f"writing {arguments.save.name}"):
             from ..files.plans import write_plan
 
             write_plan(plan, arguments.save)

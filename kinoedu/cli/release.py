@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..support.progress import stage
+from ..support.progress import show_stage
 
 RELEASE_HELP = """\
 Make the exercises from the solutions: answers are taken out, every cell is run, and what a student sees is stored.
@@ -56,7 +56,7 @@ def add_release(commands: Any) -> None:
 
 def run_release(arguments: argparse.Namespace) -> int:
     """Make each exercise, and say where it is."""
-    from ..course.release import assignments, pack, release
+    from ..course.release import assignments, pack_course, release
 
     if arguments.variants is not None:
         return release_variants(arguments)
@@ -64,12 +64,12 @@ def run_release(arguments: argparse.Namespace) -> int:
         raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
 
     for name in arguments.assignments or assignments():
-        with stage(f"releasing {name}"):
+        with show_stage(f"releasing {name}"):
             made = release(name)
         print(f"made exercises/{made.name}")
     if arguments.zip is not None:
-        with stage(f"packing {arguments.zip}"):
-            count = pack(arguments.zip)
+        with show_stage(f"packing {arguments.zip}"):
+            count = pack_course(arguments.zip)
         print(f"packed {count} files in {arguments.zip}")
     return 0
 

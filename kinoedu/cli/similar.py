@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..support.progress import stage
+from ..support.progress import show_stage
 
 SIMILAR_HELP = """\
 Rank submissions by what they have in common with each other, and with the course's own solution, wrong answers and library. Names,
@@ -66,7 +66,7 @@ def run_similar(arguments: argparse.Namespace) -> int:
             f"{arguments.submissions} holds no notebooks that answer an assignment"
         )
     submissions.sort(key=lambda one: one.assignment)
-    with stage(f"comparing {len(submissions)} submissions"):
+    with show_stage(f"comparing {len(submissions)} submissions"):
         found = [
             similar(name, mine, arguments.most)
             for name, mine in groupby(submissions, key=lambda one: one.assignment)

@@ -15,8 +15,8 @@ from ..geometry.checks import Array, as_array
 from ..geometry.parts import Parts
 from ..geometry.separation import line_towards, nearest_corner
 from ..robots.arm import ArmRobot
-from ..robots.moving import X, Y, place
-from ..spaces.angles import FULL_TURN, wrapped
+from ..robots.moving import X, Y, place_piece
+from ..spaces.angles import FULL_TURN, wrap_angle
 from ..support.text import shortened
 from ..worlds.checks import check_world
 from ..worlds.nearby import obstacles_near, rim
@@ -138,7 +138,7 @@ def paint_image(
         if piece_in_contact(arm, 0, world, q, still, corners, contact, contact):
             image[:, i1] = 1
             continue
-        place(arm, 1, q, still, 0.0, corners)
+        place_piece(arm, 1, q, still, 0.0, corners)
         x, y, reach = corners[2, X], corners[2, Y], arm.lengths[1] + arm.shape.radius[1] + contact
         paint_second_link(arm, q, ring, np.arange(len(ring.radius)), contact, corners, image[:, i1])
         parts, near = obstacles_near(world, x - reach, y - reach, x + reach, y + reach)
@@ -180,7 +180,7 @@ def paint_second_link(
     reach = arm.lengths[1] + arm.shape.radius[1] + 2.0 * contact
     for j in near:
         q[1] = 0.0
-        place(arm, 1, q, still, 0.0, corners)
+        place_piece(arm, 1, q, still, 0.0, corners)
         x, y = corners[2, X], corners[2, Y]
         _, a, b, apart = nearest_corner(
             corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1]
@@ -191,7 +191,7 @@ def paint_second_link(
             x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y]
         )
         towards = math.atan2(-ny, -nx)
-        ahead = wrapped(towards - q[0])
+        ahead = wrap_angle(towards - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
         for begin, step in ((below, -1), (below + 1, 1)):
             kept = arm.shape.radius[1] + parts.radius[j] + contact
@@ -255,7 +255,7 @@ def last_contact(
         before = k
         last = max(
             last,
-            side * wrapped(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, kept),
+            side * wrap_angle(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, kept),
         )
         last = max(last, angle_at_edge(ax, ay, bx, by, length, kept, towards, side))
     return last
@@ -305,4 +305,4 @@ def angle_at_edge(
     straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - kept) / length)
     tip = straight + side * half
     along = ((length * math.cos(tip) - ax) * ex + (length * math.sin(tip) - ay) * ey) / size
-    return side * wrapped(straight - towards) + half if 0.0 <= along <= size else -np.inf
+    return side * wrap_angle(straight - towards) + half if 0.0 <= along <= size else -np.inf

@@ -7,12 +7,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, as_array, none_or_more
+from ..geometry.checks import Array, as_array, nonnegative
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
-from .asks import coordinates, is_free, is_free_path
+from .interface import coordinates, is_free, is_free_path
 
 
 def free_configurations(
@@ -47,7 +47,7 @@ def free_configurations(
     array([ True, False, False, False])
     """
     return judge_configurations(
-        robot, world, as_configurations(qs, robot, "qs"), none_or_more(clearance, "clearance")
+        robot, world, as_configurations(qs, robot, "qs"), nonnegative(clearance, "clearance")
     )
 
 
@@ -84,7 +84,7 @@ def free_motions(
         raise InvalidPoint(
             f"a and b must hold equally many configurations, got {len(starts)} and {len(ends)}"
         )
-    return judge_motions(robot, world, starts, ends, none_or_more(clearance, "clearance"))
+    return judge_motions(robot, world, starts, ends, nonnegative(clearance, "clearance"))
 
 
 @coordinates.register(RoundRobot)

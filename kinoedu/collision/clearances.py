@@ -11,7 +11,7 @@ from ..geometry.checks import Array, as_array
 from ..geometry.exact import height
 from ..geometry.parts import Parts
 from ..geometry.separation import pieces_distance
-from ..robots.moving import placed
+from ..robots.moving import place_body
 from ..support.text import shortened
 from ..worlds.nearby import obstacles_near, rim
 
@@ -40,7 +40,7 @@ def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
     """
     at = as_array(q, "q")
     try:
-        body = placed(robot, at)
+        body = place_body(robot, at)
     except IndexError:
         raise InvalidPoint(f"q has too few numbers for this robot, got {shortened(q)}") from None
     return float(least_distance(body, world))

@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from ..curves.arcs import driven
+from ..curves.arcs import drive_arc
 from ..curves.space import pieces_between
 from ..geometry.checks import Array
 from ..robots.car import CarRobot
 from ..robots.trajectory import TrajectoryRecord
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
-from .asks import is_free, is_free_drive, is_free_path
+from .interface import is_free, is_free_drive, is_free_path
 from .turning import contact_size, first_in_contact
 
 
@@ -48,7 +48,7 @@ def driving_the_curve_freely(
             robot, world, pose, lengths[i], curvature, clearance
         ):
             return False
-        pose[0], pose[1], pose[2] = driven(pose[0], pose[1], pose[2], lengths[i], curvature)
+        pose[0], pose[1], pose[2] = drive_arc(pose[0], pose[1], pose[2], lengths[i], curvature)
     return is_free_drive(robot, world, b, 0.0, 0.0, clearance)
 
 

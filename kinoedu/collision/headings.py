@@ -18,7 +18,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_point
 from ..geometry.parts import Parts
 from ..robots.polygon import RigidPolygonRobot
-from ..spaces.angles import wrapped
+from ..spaces.angles import wrap_angle
 from ..worlds.nearby import obstacles_near, rim
 from .batches import free_configurations
 
@@ -67,7 +67,9 @@ def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
             "their collisions"
         )
     place = as_point(point)
-    stops = np.unique([wrapped(float(theta)) for theta in critical_headings(robot, world, place)])
+    stops = np.unique(
+        [wrap_angle(float(theta)) for theta in critical_headings(robot, world, place)]
+    )
     if not len(stops):
         stops = np.array([-np.pi])
     ends = np.append(stops, stops[0] + 2.0 * np.pi)
@@ -97,7 +99,7 @@ def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
     if not len(intervals):
         return None
     widths = (intervals[:, 1] - intervals[:, 0]).round(9)  # ties go to the first
-    return wrapped(float(intervals[np.argmax(widths)].mean()))
+    return wrap_angle(float(intervals[np.argmax(widths)].mean()))
 
 
 def join_intervals(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_]) -> Array:
@@ -128,10 +130,13 @@ def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Arr
     ours, theirs = np.vstack(mine)[:, None], np.vstack(rings)[:, None]
     sides = np.vstack([edges_of(ring) for ring in mine])
     found = [
-        meetings(ours, np.vstack([edges_of(ring) for ring in rings])) - direction(ours)[..., None]
+        edge_directions(ours, np.vstack([edges_of(ring) for ring in rings]))
+        - direction(ours)[..., None]
     ]
     for off in (radius, -radius) if radius.any() else (radius,):
-        found.append(direction(theirs)[..., None] - meetings(theirs, offset_edges(sides, off)))
+        found.append(
+            direction(theirs)[..., None] - edge_directions(theirs, offset_edges(sides, off))
+        )
     discs = radius[:, 0] > 0.0
     found.append(
         direction(theirs[discs])[..., None]
@@ -141,7 +146,7 @@ def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Arr
     return headings[np.isfinite(headings)]
 
 
-def meetings(corners: Array, edges: Array) -> Array:
+def edge_directions(corners: Array, edges: Array) -> Array:
     """The directions of the intersections of edges with circles about the origin through corners.
 
     edges (..., 2, 2), corners (..., 2); shape (..., 2), because a line intersects a circle at most

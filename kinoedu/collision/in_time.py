@@ -12,7 +12,7 @@ from ..geometry.checks import Array
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..worlds.moving import MovingWorldRecord, position_at
-from .asks import is_free_path
+from .interface import is_free_path
 from .passing import touches
 
 

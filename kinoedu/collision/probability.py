@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..chances import wilson
+from ..chances import wilson_interval
 from ..compiled import algorithm
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
@@ -18,7 +18,7 @@ from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..support.text import shortened
 from ..worlds.uncertain import UncertainWorldRecord, scenarios
-from .asks import is_free_path
+from .interface import is_free_path
 from .passing import gap, touches
 
 SURE = 1e-9  # an offset shorter than (1 - SURE) times a gap cannot close it
@@ -87,7 +87,7 @@ def collision_probability(
         return Chance(1.0, 1.0, 1.0, len(offsets), len(offsets))
     gaps = part_gaps(mover, world.parts, points)
     hits = int(hit_scenarios(mover, world.parts, world.owner, gaps, points, offsets).sum())
-    low, high = wilson(hits, len(offsets))
+    low, high = wilson_interval(hits, len(offsets))
     return Chance(hits / len(offsets), float(low), float(high), hits, len(offsets))
 
 

@@ -4,14 +4,14 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import height, length, turn
+from ..geometry.exact import height, length, orientation_sign
 from ..geometry.parts import segment_part_distance
 from ..geometry.segments import segment_distance, shared_points
 from ..robots.round import RoundRobot
-from ..worlds.known_cells import FREE, RIM, SOLID, known_at, known_between
+from ..worlds.occupancy import FREE, RIM, SOLID, occupancy_at, occupancy_between
 from ..worlds.parts_index import motion_touches_any, point_touches_any
 from ..worlds.polygon_world import PolygonWorldRecord
-from .asks import is_free, is_free_path, is_semi_free_path
+from .interface import is_free, is_free_path, is_semi_free_path
 
 # of a radius: the tolerance of contact; of a motion: shorter stretches are ignored
 ROUND = 1e-12
@@ -28,7 +28,7 @@ def round_among_polygons(
     radius = robot.radius + clearance
     if not (is_in_box(a, world) and is_in_box(b, world)):
         return False
-    found = known_between(a[0], a[1], b[0], b[1], radius, world.known)
+    found = occupancy_between(a[0], a[1], b[0], b[1], radius, world.occupancy)
     if found in (FREE, SOLID):
         return found == FREE
     if (found == RIM or radius > 0.0) and not (
@@ -46,7 +46,7 @@ def round_in_place(
     x, y, radius = q[0], q[1], robot.radius + clearance
     if not is_in_box(q, world):
         return False
-    found = known_at(x, y, radius, world.known)
+    found = occupancy_at(x, y, radius, world.occupancy)
     if found in (FREE, SOLID):
         return found == FREE
     if (found == RIM or radius > 0.0) and not is_inside(q, radius, world.hull):
@@ -69,7 +69,7 @@ def is_inside(q: Array, radius: float, ring: Array) -> bool:
     for i in range(len(ring)):
         px, py, rx, ry = ring[last, 0], ring[last, 1], ring[i, 0], ring[i, 1]
         last = i
-        if turn(px, py, rx, ry, q[0], q[1]) <= 0:
+        if orientation_sign(px, py, rx, ry, q[0], q[1]) <= 0:
             return False
         if radius > 0.0 and height(px, py, rx, ry, q[0], q[1]) <= radius:
             return False
@@ -189,7 +189,7 @@ def solid_sides(world: PolygonWorldRecord, a: Array, b: Array, t: float) -> tupl
         if edge_runs_along(a, b, cx, cy, dx, dy, x, y):
             along = 1 if (dx - cx) * (b[0] - a[0]) + (dy - cy) * (b[1] - a[1]) > 0.0 else -1
         elif (cy > y) != (dy > y):
-            side = turn(cx, cy, dx, dy, x, y)
+            side = orientation_sign(cx, cy, dx, dy, x, y)
             winding += int(side > 0 and dy > y) - int(side < 0 and cy > y)
         if i + 1 == len(world.edges) or world.edges[i + 1, 4] != solid:
             left = left or along > 0 or (along == 0 and winding != 0)
@@ -203,7 +203,10 @@ def edge_runs_along(
     a: Array, b: Array, cx: float, cy: float, dx: float, dy: float, x: float, y: float
 ) -> bool:
     """Whether the edge c-d lies on the line a-b and extends beyond (x, y) on both sides."""
-    if turn(a[0], a[1], b[0], b[1], cx, cy) != 0 or turn(a[0], a[1], b[0], b[1], dx, dy) != 0:
+    if (
+        orientation_sign(a[0], a[1], b[0], b[1], cx, cy) != 0
+        or orientation_sign(a[0], a[1], b[0], b[1], dx, dy) != 0
+    ):
         return False
     if abs(b[0] - a[0]) >= abs(b[1] - a[1]):
         return min(cx, dx) < x < max(cx, dx)

@@ -9,14 +9,14 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import turn
+from ..geometry.exact import orientation_sign
 from ..geometry.segments import segments_distance
 from ..robots.round import RoundRobot
 from ..worlds.parts_index import stretch_in_band
 from ..worlds.terrain import TerrainRecord
-from .asks import is_free_path, is_semi_free_path
+from .interface import is_free_path, is_semi_free_path
 
-ROUND = 1e-12  # of a radius: a disc that slides may be nearer by this fraction
+ROUNDING = 1e-12  # of a radius: a disc that slides may be nearer by this fraction
 SLACK = 1e-3  # of a cell: rows are searched a little beyond the motion
 
 
@@ -47,7 +47,7 @@ def round_sliding_on_terrain(
     A point does not pass between two blocked cells that share an edge either.
     """
     ax, ay, bx, by = in_cells(world, a, b)
-    radius = (robot.radius + clearance) / world.resolution * (1.0 - ROUND)
+    radius = (robot.radius + clearance) / world.resolution * (1.0 - ROUNDING)
     rows, columns = world.free.shape
     if not (
         min(ax, bx) >= radius
@@ -113,8 +113,8 @@ def meets_cell(
         return True
     # the corners farthest to either side of the motion's line
     rising = (bx > ax) == (by > ay)
-    lower = turn(ax, ay, bx, by, i + 1.0 if rising else float(i), float(j))
-    upper = turn(ax, ay, bx, by, float(i) if rising else i + 1.0, j + 1.0)
+    lower = orientation_sign(ax, ay, bx, by, i + 1.0 if rising else float(i), float(j))
+    upper = orientation_sign(ax, ay, bx, by, float(i) if rising else i + 1.0, j + 1.0)
     return lower * upper <= 0 if closed else lower * upper < 0
 
 

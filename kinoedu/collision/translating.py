@@ -6,15 +6,15 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.convex import chain
-from ..geometry.exact import height, turn
+from ..geometry.convex import half_hull
+from ..geometry.exact import height, orientation_sign
 from ..geometry.parts import Parts
 from ..geometry.separation import insides_meet, pieces_distance, pieces_meet
 from ..robots.polygon import TranslatingPolygonRobot
 from ..worlds.nearby import obstacles_near, rim
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
-from .asks import is_free_path, is_semi_free_path
+from .interface import is_free_path, is_semi_free_path
 
 ROUND = 1e-12  # of a distance: a robot that slides may be nearer by this fraction
 
@@ -76,7 +76,7 @@ def hull_of(points: Array) -> Array:
             points[k, 0], points[k, 1] = points[k - 1, 0], points[k - 1, 1]
             k -= 1
         points[k, 0], points[k, 1] = x, y
-    lower, upper = chain(points), chain(points[::-1].copy())
+    lower, upper = half_hull(points), half_hull(points[::-1].copy())
     return np.concatenate((lower[:-1], upper[:-1]))
 
 
@@ -97,7 +97,7 @@ def hull_within(hull: Array, margin: float, ring: Array) -> bool:
     for i in range(len(ring)):
         px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
         for x, y in hull:
-            if turn(px, py, qx, qy, x, y) <= 0 or (
+            if orientation_sign(px, py, qx, qy, x, y) <= 0 or (
                 margin > 0.0 and height(px, py, qx, qy, x, y) <= margin
             ):
                 return False
@@ -110,7 +110,7 @@ def hull_slides_within(hull: Array, margin: float, ring: Array) -> bool:
     for i in range(len(ring)):
         px, py, qx, qy = ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1]
         for x, y in hull:
-            if turn(px, py, qx, qy, x, y) < 0 or (
+            if orientation_sign(px, py, qx, qy, x, y) < 0 or (
                 margin > 0.0 and height(px, py, qx, qy, x, y) < margin * (1.0 - ROUND)
             ):
                 return False

@@ -21,12 +21,12 @@ from ..geometry.exact import height, length
 from ..geometry.parts import Parts
 from ..geometry.separation import dividing_line
 from ..robots.arm import ArmRobot
-from ..robots.moving import ACC, VX, VY, X, Y, place, way
+from ..robots.moving import ACC, VX, VY, X, Y, displacement, place_piece
 from ..robots.polygon import RigidPolygonRobot
 from ..worlds.nearby import obstacles_near, rim
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
-from .asks import is_free_path, is_semi_free_path
+from .interface import is_free_path, is_semi_free_path
 
 CONTACT = 1e-9  # of the world's size: this distance counts as contact
 FAR = 1e-14  # of the largest coordinate: an upper bound on the rounding of a corner's position
@@ -39,7 +39,10 @@ FAR = 1e-14  # of the largest coordinate: an upper bound on the rounding of a co
 def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
     """Every piece stays inside the world and off each obstacle by more than the tolerance."""
     contact = contact_size(world.lo, world.hi)
-    return first_in_contact(robot, world, a, way(robot, a, b), clearance + contact, contact) < 0
+    return (
+        first_in_contact(robot, world, a, displacement(robot, a, b), clearance + contact, contact)
+        < 0
+    )
 
 
 @is_semi_free_path.register(RigidPolygonRobot, PolygonWorldRecord)
@@ -50,7 +53,10 @@ def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: fl
     """No piece penetrates an obstacle by more than twice the tolerance."""
     contact = contact_size(world.lo, world.hi)
     return (
-        first_in_contact(robot, world, a, way(robot, a, b), clearance - 2.0 * contact, contact) < 0
+        first_in_contact(
+            robot, world, a, displacement(robot, a, b), clearance - 2.0 * contact, contact
+        )
+        < 0
     )
 
 
@@ -88,7 +94,7 @@ def piece_in_contact(
     """Whether piece i does not keep `margin` from the boundary or an obstacle on its motion."""
     begin, end = robot.shape.first[i], robot.shape.first[i + 1]
     kept, ring = robot.shape.radius[i] + margin, rim(world)
-    place(robot, i, a, change, 0.5, corners)
+    place_piece(robot, i, a, change, 0.5, corners)
     x0, y0, x1, y1 = swept_box(corners, begin, end, kept)
     for edge in range(0 if box_within(x0, y0, x1, y1, ring) else len(ring)):
         if crosses_edge(robot, i, a, change, corners, ring[edge - 1], ring[edge], kept, contact):
@@ -116,7 +122,7 @@ def meets_part(
     begin, end, least = robot.shape.first[i], robot.shape.first[i + 1], kept + parts.radius[j]
     t = 0.0
     while True:
-        place(robot, i, a, change, t, corners)
+        place_piece(robot, i, a, change, t, corners)
         x, y, nx, ny = dividing_line(
             corners, begin, end, parts.points, parts.first[j], parts.first[j + 1]
         )
@@ -145,7 +151,7 @@ def crosses_edge(
     nx, ny = (p[1] - q[1]) / size, (q[0] - p[0]) / size
     t = 0.0
     while True:
-        place(robot, i, a, change, t, corners)
+        place_piece(robot, i, a, change, t, corners)
         room, time = clear_time(
             corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, kept
         )

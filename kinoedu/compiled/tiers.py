@@ -159,7 +159,7 @@ class Specialization:
 
     def load(self) -> None:
         """Load the machine code from the disk; if that fails, the call stays interpreted."""
-        from .keeper import NUMBA_THREAD
+        from .numba_thread import NUMBA_THREAD
 
         NUMBA_THREAD.run_and_wait(self.load_here)
 
@@ -188,7 +188,7 @@ class Specialization:
 
     def request(self) -> None:
         """Request its compilation by another process."""
-        from .keeper import NUMBA_THREAD
+        from .numba_thread import NUMBA_THREAD
 
         if not self.is_requested and not self.is_never_stored:
             self.is_requested = True
@@ -206,7 +206,7 @@ class Specialization:
 
         Another process compiles it, or this one if it cannot be stored on the disk.
         """
-        from .keeper import NUMBA_THREAD
+        from .numba_thread import NUMBA_THREAD
         from .requests import compile_and_wait
 
         self.is_tried = True
@@ -255,7 +255,7 @@ class Specialization:
 
     def interpret_or_restart(self, args: tuple[Any, ...]) -> Any:
         """Interpret an algorithm; if its machine code is loaded meanwhile, restart with that."""
-        from .keeper import MachineCodeLoaded, WatchedCall
+        from .numba_thread import MachineCodeLoaded, WatchedCall
 
         saved = copy_state(args)
         watch = WatchedCall(self)
@@ -294,7 +294,7 @@ def restore_state(value: Any, saved: Any) -> None:
             restore_state(field, before)
 
 
-def called() -> list[store.Request]:
+def requests_of_called_algorithms() -> list[store.Request]:
     """Requests for all algorithms that this process has called and that can be compiled."""
     kinds_of_calls = [s for f in TIERED if f.is_algorithm for s in f.specializations.values()]
     return [s.to_compile for s in kinds_of_calls if not s.is_never_stored]

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidParameter
-from ..words import say
+from ..messages import get_message
 from .exercise import Case, Exercise
 from .feedback import ALL, Feedback, advance_stage
-from .judging import attempt, report_on
+from .judging import judge_outcomes, run_case
 from .lessons import find
 from .outcomes import Outcome
 from .plain import describe_value
@@ -63,12 +63,14 @@ def check(
     1.0
     """
     if not callable(function):
-        raise InvalidParameter(say("check.no_function", what=describe_value(function)))
+        raise InvalidParameter(get_message("check.no_function", what=describe_value(function)))
     name = exercise or getattr(function, "__name__", "")
     judged_exercise = find(name if isinstance(name, str) else "", variant)
     cases = list(judged_exercise.cases(np.random.default_rng(0)))
     printed: list[OutputBuffer] = []
-    report = report_on(judged_exercise, cases, run_cases(judged_exercise, function, cases, printed))
+    report = judge_outcomes(
+        judged_exercise, cases, run_cases(judged_exercise, function, cases, printed)
+    )
     if report.is_right:
         PASSED.add(judged_exercise.name)
     output = printed[report.failure.number].getvalue() if report.failure is not None else ""
@@ -86,5 +88,5 @@ def run_cases(
         printed.append(OutputBuffer())
         with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            outcome = attempt(exercise, function, case)
+            outcome = run_case(exercise, function, case)
         yield outcome

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..words import say
+from ..messages import get_message
 from .plain import wrong_shape
 from .shapes import Listed, Numbers, Record, Shape, Text
 
@@ -30,9 +30,9 @@ class Drawn(NamedTuple):
     """
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.drawn")
+        return get_message("shape.drawn")
 
     def encode(self, value: Any) -> dict[str, Any]:
         """Encode axes, a figure with one pair of axes, or a value that was decoded before.
@@ -48,7 +48,7 @@ class Drawn(NamedTuple):
         if not all(
             hasattr(value, name) for name in ("lines", "collections", "patches", "get_title")
         ):
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         solid = [line for line in value.lines if line.get_linestyle() not in ("None", "")]
         dotted = [line for line in value.lines if line not in solid]
         lines = [curve_data(line.get_xydata(), line, line.get_color()) for line in solid]

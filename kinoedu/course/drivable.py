@@ -7,19 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from ..curves.arcs import driven
+from ..curves.arcs import drive_arc
 from ..files.scenes import problem_from
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
 from ..support.json_fields import Field
 from .plain import WrongShape
-from .tasks import Asked, Task, scene_of
+from .tasks import ProblemShape, StudentProblem, scene_of
 
 TRIALS, STEPS, BATCHES = 20, 30, 4
 REGION = 2.5  # radius of the region around the goal, in wheelbases
 
 
-class Drivable(Asked):
+class DrivingProblem(StudentProblem):
     """A car's problem as a student's planner sees it.
 
     It adds the following to `start`, `goal` and `sample(rng)`.
@@ -42,7 +42,7 @@ class Drivable(Asked):
         self.radian = self.tolerance = 0.25 * car.wheelbase
         self.turn_tolerance = math.radians(15.0)
         self.longest = 0.75 * car.wheelbase / float(np.abs(car.speeds).max())
-        self.distance = partial(apart, radian=self.radian)
+        self.distance = partial(distance_of_poses, radian=self.radian)
 
     def __repr__(self) -> str:
         return f"drivable({scene_of(self.problem)})"
@@ -50,7 +50,7 @@ class Drivable(Asked):
     def move(self, q: Any, v: float, phi: float, t: float) -> Array:
         """Pose after the control (v, phi) was held for a time t, starting at q."""
         curvature = math.tan(phi) / self.problem.robot.wheelbase
-        return np.array(driven(float(q[0]), float(q[1]), float(q[2]), v * t, curvature))
+        return np.array(drive_arc(float(q[0]), float(q[1]), float(q[2]), v * t, curvature))
 
     def is_free_drive(self, q: Any, v: float, phi: float, t: float) -> bool:
         """Whether the car stays collision-free while the control (v, phi) is held for a time t."""
@@ -85,7 +85,7 @@ class Drivable(Asked):
             controls = np.array([self.problem.control(rng) for _ in range(TRIALS)])
             times = self.longest * np.arange(1, STEPS + 1) / STEPS
             poses = self.poses_after(np.asarray(q, float), controls, times)
-            distances = apart(poses, np.asarray(target, float), self.radian)
+            distances = distance_of_poses(poses, np.asarray(target, float), self.radian)
             i, k = np.unravel_index(int(np.argmin(distances)), distances.shape)
             v, phi, t = float(controls[i, 0]), float(controls[i, 1]), float(times[k])
             if self.is_free_drive(q, v, phi, t):
@@ -116,13 +116,13 @@ class Drivable(Asked):
         )
 
 
-def apart(a: Any, b: Any, radian: float) -> Any:
+def distance_of_poses(a: Any, b: Any, radian: float) -> Any:
     """Distance between poses, with heading differences wrapped; coordinates may be arrays."""
     turn = (b[2] - a[2] + math.pi) % (2.0 * math.pi) - math.pi
     return ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (radian * turn) ** 2) ** 0.5
 
 
-def drivable(scene: dict[str, Any]) -> Drivable:
+def drivable(scene: dict[str, Any]) -> DrivingProblem:
     """Problem of a scene, as an exercise on driving gives it to a student.
 
     >>> square = {"kind": "polygons", "boundary": [[0, 0], [40, 0], [40, 40], [0, 40]]}
@@ -135,15 +135,15 @@ def drivable(scene: dict[str, Any]) -> Drivable:
     >>> bool(problem.distance(problem.move(problem.start, v, phi, t), (11, 10, 0)) < 0.2)
     True
     """
-    return Drivable(problem_from(Field("scene", {"version": 1, **scene}, Path())))
+    return DrivingProblem(problem_from(Field("scene", {"version": 1, **scene}, Path())))
 
 
-class DrivenTask(Task):
+class DrivenTask(ProblemShape):
     """The shape of a car's problem, encoded as a scene."""
 
-    def decode(self, data: Any) -> Drivable:
+    def decode(self, data: Any) -> DrivingProblem:
         """Decode into a new problem without recorded calls."""
         try:
             return drivable(data)
         except Exception:
-            raise WrongShape(self.words) from None
+            raise WrongShape(self.description) from None

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
-from ..words import has_words, say
+from ..messages import get_message, has_message
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 from .shapes import Record, Shape
 
@@ -90,7 +90,7 @@ class Exercise(ABC):
     @property
     def contract(self) -> str:
         """What the variant demands in addition to the statement; "" without a variant."""
-        return self.words(f"contracts.{self.variant}") if self.variant else ""
+        return self.message(f"contracts.{self.variant}") if self.variant else ""
 
     @abstractmethod
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -114,15 +114,15 @@ class Exercise(ABC):
         if isinstance(outcome, Answer):
             return self.value_verdict(case, outcome.value)
         rules = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}
-        return Verdict(0.0, rules[type(outcome)], self.wanted(case))
+        return Verdict(0.0, rules[type(outcome)], self.describe_expected(case))
 
     @abstractmethod
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of the right answer to a case."""
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Description of the answer that was given to a case."""
-        return spoken(value)
+        return format_value(value)
 
     @abstractmethod
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
@@ -131,11 +131,11 @@ class Exercise(ABC):
     def table_with(self, key: str) -> str:
         """First table of messages that contains a key, this exercise's own table first; or ""."""
         tables = (self.name, *self.shared)
-        return next((table for table in tables if has_words(f"{table}.{key}")), "")
+        return next((table for table in tables if has_message(f"{table}.{key}")), "")
 
-    def words(self, key: str, **values: Any) -> str:
+    def message(self, key: str, **values: Any) -> str:
         """Message for a key, from this exercise's own table or from a shared one."""
-        return say(f"{self.table_with(key) or self.shared[-1]}.{key}", **values)
+        return get_message(f"{self.table_with(key) or self.shared[-1]}.{key}", **values)
 
 
 # keyed by the ids of exercise and case; the entry keeps both alive, so the ids stay valid
@@ -176,13 +176,13 @@ class ValueExercise(Exercise):
         if isinstance(outcome, Raised) and "ValueError" in outcome.kinds:
             return RIGHT
         rule = {Late: "late", Changed: "changed"}.get(type(outcome), case.kind)
-        return Verdict(0.0, rule, self.wanted(case))
+        return Verdict(0.0, rule, self.describe_expected(case))
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Compare a value with the reference."""
         if self.same(value, self.truth(case)):
             return RIGHT
-        return Verdict(0.0, case.kind, self.wanted(case))
+        return Verdict(0.0, case.kind, self.describe_expected(case))
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether two answers agree up to rounding; nan equals nan."""
@@ -195,23 +195,27 @@ class ValueExercise(Exercise):
         allowed = self.tolerance * (1.0 + abs(wanted)) if abs(wanted) < np.inf else 0.0
         return both_nan or found == wanted or abs(found - wanted) <= allowed
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of the true answer."""
         truth = self.truth(case)
-        return say("exercise.wanted_error") if isinstance(truth, ValueError) else spoken(truth)
+        return (
+            get_message("exercise.wanted_error")
+            if isinstance(truth, ValueError)
+            else format_value(truth)
+        )
 
 
 MAX_POINTS_SHOWN, MAX_NUMBERS_SHOWN = 12, 60  # rows of a long array, entries of a long list
 
 
-def spoken(value: Any) -> str:
+def format_value(value: Any) -> str:
     """Format a value as a student would write it: at most ten digits, no trailing zeros.
 
-    >>> spoken(np.array([[0.0, 1.5], [2.0, 1 / 3]]))
+    >>> format_value(np.array([[0.0, 1.5], [2.0, 1 / 3]]))
     '[(0, 1.5), (2, 0.3333333333)]'
-    >>> spoken(5.0), spoken(True), spoken((float("nan"), -0.0))
+    >>> format_value(5.0), format_value(True), format_value((float("nan"), -0.0))
     ('5', 'True', '(nan, 0)')
-    >>> spoken(([[1, 2], [2], []], 0))
+    >>> format_value(([[1, 2], [2], []], 0))
     '([[1, 2], [2], []], 0)'
     """
     if isinstance(value, np.ndarray) and value.ndim > 0:
@@ -219,11 +223,13 @@ def spoken(value: Any) -> str:
     if isinstance(value, bool | np.bool_ | str) or value is None:
         return repr(value)
     if isinstance(value, tuple):
-        return "(" + ", ".join(map(spoken, value)) + ("," if len(value) == 1 else "") + ")"
+        return "(" + ", ".join(map(format_value, value)) + ("," if len(value) == 1 else "") + ")"
     if isinstance(value, list):
         has_rows = any(isinstance(row, list | tuple | np.ndarray) for row in value)
         most = MAX_POINTS_SHOWN if has_rows else MAX_NUMBERS_SHOWN
         if len(value) > most:
-            return say("exercise.and_more", shown=spoken(value[:most])[:-1], more=len(value) - most)
-        return "[" + ", ".join(map(spoken, value)) + "]"
+            return get_message(
+                "exercise.and_more", shown=format_value(value[:most])[:-1], more=len(value) - most
+            )
+        return "[" + ", ".join(map(format_value, value)) + "]"
     return f"{0.0 if abs(value) <= 1e-12 else float(value):.10g}"

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..geometry.checks import Array
-from ..words import say
+from ..messages import get_message
 from .plain import WrongShape, wrong_shape
 
 
@@ -56,18 +56,18 @@ class Rule(NamedTuple):
     """The shape of an expansion, encoded by its name."""
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("planner.expansion")
+        return get_message("planner.expansion")
 
     def encode(self, value: Any) -> str:
         """Encode an expansion as its name. Raises WrongShape."""
         if not isinstance(value, Expansion):
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return value.name
 
     def decode(self, data: Any) -> Expansion:
         """Decode the name of an expansion. Raises WrongShape."""
         if data not in EXPANSIONS:
-            raise WrongShape(self.words)
+            raise WrongShape(self.description)
         return EXPANSIONS[data]

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ..words import say
+from ..messages import get_message
 from .advice import find_advice
 from .exercise import Exercise
-from .judging import Judged, Report
+from .judging import JudgedCase, Report
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # stages; each also shows all that the earlier ones show
@@ -30,10 +30,10 @@ class Feedback:
 
     def told(self) -> list[tuple[str, str]]:
         """Text of the feedback, as pairs of a title and a text."""
-        return told(self.report, self.stage, self.printed.rstrip())
+        return feedback_lines(self.report, self.stage, self.printed.rstrip())
 
     def __repr__(self) -> str:
-        return "\n".join(laid_out(title, text) for title, text in self.told())
+        return "\n".join(format_entry(title, text) for title, text in self.told())
 
     def _repr_html_(self) -> str:
         """The same text as HTML."""
@@ -49,7 +49,7 @@ class Feedback:
         failure = self.report.failure
         if failure is None or self.report.unwritten or self.stage < PICTURE:
             return None
-        return picture_of(self.report.exercise, failure)
+        return draw_failure(self.report.exercise, failure)
 
     def _ipython_display_(self) -> None:
         """Display text and picture as two outputs, so that notebook tests compare only the text."""
@@ -58,10 +58,12 @@ class Feedback:
         display({"text/plain": repr(self), "text/html": self._repr_html_()}, raw=True)
         picture = self.picture()
         if picture is not None:
-            display(Image(picture, alt=say("check.picture", name=self.report.exercise.name)))
+            display(
+                Image(picture, alt=get_message("check.picture", name=self.report.exercise.name))
+            )
 
 
-def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
+def feedback_lines(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
     """Text of the feedback up to a stage, as pairs of a title and a text.
 
     `printed` is the program's own output in the case that failed.
@@ -69,21 +71,23 @@ def told(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
     exercise, failure = report.exercise, report.failure
     if report.unwritten:
         key = "check.unanswered" if report.unwritten == exercise.name else "check.unwritten"
-        return [("", say(key, name=exercise.name, called=report.unwritten))]
+        return [("", get_message(key, name=exercise.name, called=report.unwritten))]
     if failure is None:
         return right_answer_lines(report)
     total = len(exercise.kinds)
     right = total - len(report.failed)
-    lines = [("", say("check.wrong", name=exercise.name, right=right, total=total))]
-    lines.append((say("check.rule"), rule_words(exercise, failure)))
+    lines = [("", get_message("check.wrong", name=exercise.name, right=right, total=total))]
+    lines.append((get_message("check.rule"), rule_message(exercise, failure)))
     if stage >= CASE:
-        lines += told_case(exercise, failure, printed)
+        lines += case_lines(exercise, failure, printed)
     if stage >= ALL:
-        lines.append((say("check.hint"), hint_words(exercise, failure)))
-        lines.append((say("check.read"), exercise.words("section")))
-    good = [exercise.words(f"kinds.{kind}") for kind in exercise.kinds if kind not in report.failed]
+        lines.append((get_message("check.hint"), hint_message(exercise, failure)))
+        lines.append((get_message("check.read"), exercise.message("section")))
+    good = [
+        exercise.message(f"kinds.{kind}") for kind in exercise.kinds if kind not in report.failed
+    ]
     if good:
-        lines.append((say("check.good"), "; ".join(good)))
+        lines.append((get_message("check.good"), "; ".join(good)))
     return lines
 
 
@@ -91,53 +95,59 @@ def right_answer_lines(report: Report) -> list[tuple[str, str]]:
     """Feedback for a right answer: what it passed, and a further question."""
     exercise = report.exercise
     survived = "; ".join(
-        f"{exercise.words(f'kinds.{kind}')} ({report.survived[kind]})" for kind in exercise.kinds
+        f"{exercise.message(f'kinds.{kind}')} ({report.survived[kind]})" for kind in exercise.kinds
     )
-    lines = [("", exercise.words("right", name=exercise.name, cases=sum(report.survived.values())))]
+    lines = [
+        ("", exercise.message("right", name=exercise.name, cases=sum(report.survived.values())))
+    ]
     if exercise.given.fields:
-        lines.append((say("check.survived"), survived))
-    lines.append((say("check.wonder"), exercise.words("wonder")))
+        lines.append((get_message("check.survived"), survived))
+    lines.append((get_message("check.wonder"), exercise.message("wonder")))
     if exercise.source is not None:
-        lines.append((say("check.ours"), say("check.show", name=exercise.name)))
+        lines.append((get_message("check.ours"), get_message("check.show", name=exercise.name)))
     return lines
 
 
-def told_case(exercise: Exercise, failure: Judged, printed: str) -> list[tuple[str, str]]:
+def case_lines(exercise: Exercise, failure: JudgedCase, printed: str) -> list[tuple[str, str]]:
     """The call that failed, its outcome, and the right answer."""
     given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
-    lines = [(say("check.contract"), exercise.contract)] if exercise.contract else []
+    lines = [(get_message("check.contract"), exercise.contract)] if exercise.contract else []
     call = f"{exercise.name}({', '.join(failure.case.given)})"
-    lines.append((say("check.call"), "\n".join([*given, call])))
-    lines.append((say("check.yours"), outcome_message(exercise, failure)))
+    lines.append((get_message("check.call"), "\n".join([*given, call])))
+    lines.append((get_message("check.yours"), outcome_message(exercise, failure)))
     if printed:
-        lines.append((say("check.printed"), printed))
-    lines.append((say("check.wanted"), failure.verdict.wanted))
+        lines.append((get_message("check.printed"), printed))
+    lines.append((get_message("check.wanted"), failure.verdict.wanted))
     if isinstance(failure.outcome, Raised | Late) and failure.outcome.lines:
-        lines.append((say("check.where"), "\n".join(failure.outcome.lines)))
+        lines.append((get_message("check.where"), "\n".join(failure.outcome.lines)))
     return lines
 
 
-def outcome_message(exercise: Exercise, failure: Judged) -> str:
+def outcome_message(exercise: Exercise, failure: JudgedCase) -> str:
     """Description of the outcome of a call."""
     outcome = failure.outcome
     if isinstance(outcome, Answer):
-        return exercise.answer_words(failure.case, outcome.value)
+        return exercise.describe_answer(failure.case, outcome.value)
     if isinstance(outcome, Misshapen):
         return outcome.message
     if isinstance(outcome, Changed):
-        return say("check.changed", names=", ".join(outcome.names))
+        return get_message("check.changed", names=", ".join(outcome.names))
     if isinstance(outcome, Raised):
         kind = outcome.kinds[0] if outcome.kinds else ""
-        return say("check.raised", kind=kind, message=outcome.message)
-    return late_words(outcome)
+        return get_message("check.raised", kind=kind, message=outcome.message)
+    return late_message(outcome)
 
 
-def late_words(late: Late) -> str:
+def late_message(late: Late) -> str:
     """Message for a program without an answer: the computing time it used and was allowed."""
     key = "late" if late.used > late.allowed else "late_waiting" if late.allowed else "late_unknown"
     seconds = {"used": late.used, "allowed": late.allowed, "passed": late.passed}
-    message = say(f"check.{key}", **{name: f"{value:.1f}" for name, value in seconds.items()})
-    return f"{message} {say('check.still_running' if late.left_running else 'check.stopped')}"
+    message = get_message(
+        f"check.{key}", **{name: f"{value:.1f}" for name, value in seconds.items()}
+    )
+    return (
+        f"{message} {get_message('check.still_running' if late.left_running else 'check.stopped')}"
+    )
 
 
 def as_code(value: Any) -> str:
@@ -155,29 +165,29 @@ def as_code(value: Any) -> str:
     return repr(value)
 
 
-def laid_out(title: str, text: str) -> str:
+def format_entry(title: str, text: str) -> str:
     """Format a title and its text; text of several lines is indented below the title."""
     if "\n" in text:
         text = "\n    " + text.replace("\n", "\n    ")
     return f"{title}: {text}" if title else text
 
 
-def rule_words(exercise: Exercise, failure: Judged) -> str:
+def rule_message(exercise: Exercise, failure: JudgedCase) -> str:
     """Message for the rule that was broken."""
-    return exercise.words(f"rules.{failure.verdict.rule}")
+    return exercise.message(f"rules.{failure.verdict.rule}")
 
 
-def hint_words(exercise: Exercise, failure: Judged) -> str:
+def hint_message(exercise: Exercise, failure: JudgedCase) -> str:
     """Hint for the misconception that was recognised, for the Python error, or for the rule."""
     advice = find_advice(failure.outcome)
     if advice:
-        return say(f"advice.{advice}")
+        return get_message(f"advice.{advice}")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
     if not exercise.table_with(key):
         key = f"hints.{failure.case.kind}"
     if is_slow(failure.outcome) and exercise.table_with(key) == exercise.shared[-1]:
-        return say("advice.slow")
-    return exercise.words(key)
+        return get_message("advice.slow")
+    return exercise.message(key)
 
 
 def is_slow(outcome: Outcome) -> bool:
@@ -201,7 +211,7 @@ def advance_stage(report: Report) -> int:
     return min(len(tries), ALL)
 
 
-def picture_of(exercise: Exercise, failure: Judged) -> bytes:
+def draw_failure(exercise: Exercise, failure: JudgedCase) -> bytes:
     """Draw the failing case as a PNG."""
     from ..figures.plane import plane_figure
 
@@ -227,7 +237,7 @@ def html_entry(title: str, text: str) -> str:
     body = "<br>".join(fold_line(line) for line in text.splitlines())
     if not title:
         return f"<p style='margin:0 0 .4em'><b>{body}</b></p>"
-    code_titles = [say(f"check.{key}") for key in ("call", "yours", "where", "printed")]
+    code_titles = [get_message(f"check.{key}") for key in ("call", "yours", "where", "printed")]
     tag = "code" if title in code_titles else "span"
     return (
         "<div style='display:flex;gap:.8em;margin:.15em 0'>"

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..support.time_limit import Bounded, within_processor_time
+from ..support.time_limit import Limiter, run_within_processor_time
 from .exercise import CONTRACT, Case, Exercise, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
@@ -18,7 +18,7 @@ from .shapes import Shape, Truth
 
 
 @dataclass(frozen=True)
-class Judged:
+class JudgedCase:
     """One case with its number, outcome, verdict, and the misconception that explains it, or ""."""
 
     case: Case
@@ -42,7 +42,7 @@ class Report:
     exercise: Exercise
     survived: dict[str, int] = field(default_factory=dict)
     failed: tuple[str, ...] = ()
-    failure: Judged | None = None
+    failure: JudgedCase | None = None
 
     @property
     def unwritten(self) -> str:
@@ -65,11 +65,11 @@ class Report:
         return 1.0 - len(self.failed) / len(self.exercise.kinds)
 
 
-def attempt(
+def run_case(
     exercise: Exercise,
     function: Callable[..., Any],
     case: Case,
-    bounded: Bounded = within_processor_time,
+    bounded: Limiter = run_within_processor_time,
 ) -> Outcome:
     """Call a student's function on a copy of a case.
 
@@ -77,11 +77,11 @@ def attempt(
     -------
     Outcome
     """
-    return attempted(exercise, function, exercise.given.encode(case.given), bounded)
+    return run_encoded_case(exercise, function, exercise.given.encode(case.given), bounded)
 
 
-def attempted(
-    exercise: Exercise, function: Callable[..., Any], data: dict[str, Any], bounded: Bounded
+def run_encoded_case(
+    exercise: Exercise, function: Callable[..., Any], data: dict[str, Any], bounded: Limiter
 ) -> Outcome:
     """Call a student's function on a case's arguments, given as JSON data.
 
@@ -111,7 +111,9 @@ def is_unchanged(shape: Shape, value: Any, data: Any) -> bool:
         return False
 
 
-def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]) -> Report:
+def judge_outcomes(
+    exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]
+) -> Report:
     """Judge outcomes in the order of their cases.
 
     No further outcome is requested after one that came too late, or one of an unwritten function. A
@@ -122,10 +124,10 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
     Report
     """
     right, all_cases = dict.fromkeys(exercise.kinds, 0), list(cases)
-    seen: list[Judged] = []
+    seen: list[JudgedCase] = []
     for number, (case, outcome) in enumerate(zip(all_cases, outcomes, strict=False)):
         verdict = exercise.judge(case, outcome)
-        seen.append(Judged(case, outcome, verdict, number=number))
+        seen.append(JudgedCase(case, outcome, verdict, number=number))
         right[case.kind] += verdict.is_right
         if isinstance(outcome, Late) or is_unwritten(outcome):
             break
@@ -141,7 +143,7 @@ def report_on(exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outc
     return Report(exercise, right, failed, first)
 
 
-def find_slip(exercise: Exercise, failures: list[Judged], seen: list[Judged]) -> str:
+def find_slip(exercise: Exercise, failures: list[JudgedCase], seen: list[JudgedCase]) -> str:
     """Key of the misconception that explains the failures best, or "".
 
     It must explain every failure of the first failure's kind, and at least half of all failures. Of
@@ -177,7 +179,7 @@ def is_unwritten(outcome: Outcome) -> bool:
     return isinstance(outcome, Raised) and outcome.is_unwritten
 
 
-def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: Judged) -> bool:
+def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: JudgedCase) -> bool:
     """Whether a misconception gives the same answer as the student's program."""
     if not isinstance(exercise, ValueExercise) or not isinstance(failure.outcome, Answer):
         return False

@@ -15,10 +15,10 @@ from string import Template
 from typing import Any
 
 from ..errors import InvalidParameter
+from ..messages import catalogue
 from ..support.whole_files import written_whole
-from ..words import catalogue
 from .lessons import EXERCISES
-from .release import HOUSE, run
+from .release import HOUSE, run_notebook
 
 TEMPLATES = "solutions/new_exercise"  # not for students: they contain right and wrong answers
 PLACES = {  # the file that each template becomes
@@ -214,4 +214,4 @@ def write_notebook(book: Any, file: Path) -> None:
     import nbformat
 
     with written_whole(file) as part:
-        part.write_text(nbformat.writes(run(book, file.parent)) + "\n", encoding="utf-8")
+        part.write_text(nbformat.writes(run_notebook(book, file.parent)) + "\n", encoding="utf-8")

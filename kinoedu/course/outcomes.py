@@ -11,8 +11,8 @@ from pathlib import Path
 from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
-from ..support.time_limit import Bounded, Seen, TimeUp, within_processor_time
-from ..words import say
+from ..messages import get_message
+from ..support.time_limit import Limiter, SeenLines, TimeUp, run_within_processor_time
 from .plain import WrongShape, class_name, wrong_shape
 from .shapes import Listed, Record, Shape, Text, Truth
 
@@ -81,9 +81,9 @@ class Seconds(NamedTuple):
     """The shape of a duration: a float from 0 to 1,000,000 seconds."""
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.seconds")
+        return get_message("shape.seconds")
 
     def encode(self, value: Any) -> float:
         """Check the float. Raises WrongShape."""
@@ -92,7 +92,7 @@ class Seconds(NamedTuple):
     def decode(self, data: Any) -> float:
         """Check the float. Raises WrongShape."""
         if type(data) is not float or not 0.0 <= data <= MOST_SECONDS:
-            raise wrong_shape(self.words, data)
+            raise wrong_shape(self.description, data)
         return data
 
 
@@ -116,7 +116,10 @@ SHAPES: dict[type, Record] = {
 
 
 def outcome_of(
-    call: Callable[[], Any], shape: Shape, seconds: float, bounded: Bounded = within_processor_time
+    call: Callable[[], Any],
+    shape: Shape,
+    seconds: float,
+    bounded: Limiter = run_within_processor_time,
 ) -> Outcome:
     """Run a call within a time limit, and copy its result into plain data of its shape.
 
@@ -151,7 +154,7 @@ def late_outcome(over: TimeUp) -> Late:
     return Late(over.left_running, used, allowed, passed, lines)
 
 
-def seen_lines(seen: Seen) -> list[str]:
+def seen_lines(seen: SeenLines) -> list[str]:
     """The student's lines in which a program was seen all the time, as "line 3: while True:"."""
     if not is_students(seen.file):
         return []

@@ -5,7 +5,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ..words import say
+from ..messages import get_message
 
 
 class WrongShape(Exception):
@@ -16,7 +16,7 @@ class Describable(Protocol):
     """An object with a description of itself, used only when a value does not fit."""
 
     @property
-    def words(self) -> str: ...
+    def description(self) -> str: ...
 
 
 def as_array(value: Any, dimensions: tuple[int | str, ...], wanted: Describable) -> np.ndarray:
@@ -27,18 +27,18 @@ def as_array(value: Any, dimensions: tuple[int | str, ...], wanted: Describable)
     WrongShape
     """
     if type(value) is np.ndarray and value.size and not fits(value.shape, dimensions):
-        raise wrong_shape(wanted.words, value)  # without copying it, since it may be huge
+        raise wrong_shape(wanted.description, value)  # without copying it, since it may be huge
     try:
         array = np.array(value)
     except Exception:
-        raise wrong_shape(wanted.words, value) from None
+        raise wrong_shape(wanted.description, value) from None
     if array.size == 0:
         array = array.astype(float)
         # an empty list is an array without rows
         if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if array.dtype.kind not in "iuf" or not fits(array.shape, dimensions):
-        raise wrong_shape(wanted.words, value)
+        raise wrong_shape(wanted.description, value)
     return array.astype(float)
 
 
@@ -55,7 +55,7 @@ def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:
 
 def wrong_shape(words: str, value: Any) -> WrongShape:
     """Exception for a value of the wrong shape, with its message."""
-    return WrongShape(say("shape.wrong", wanted=words, came=describe_value(value)))
+    return WrongShape(get_message("shape.wrong", wanted=words, came=describe_value(value)))
 
 
 def describe_value(value: Any) -> str:
@@ -65,15 +65,15 @@ def describe_value(value: Any) -> str:
     """
     kind = class_name(type(value))
     if type(value) is int and abs(value) >= 10**50:
-        return say("shape.long_number")
+        return get_message("shape.long_number")
     if value is None or type(value) in (bool, int, float, str):
         text = repr(value)
         return text if len(text) <= 60 else text[:57] + "..."
     if type(value) is np.ndarray:
-        return say("shape.array", shape=value.shape, kind=value.dtype)
+        return get_message("shape.array", shape=value.shape, kind=value.dtype)
     if type(value) in (list, tuple, dict):
-        return say("shape.sized", kind=kind, length=len(value))
-    return say("shape.other", kind=kind)
+        return get_message("shape.sized", kind=kind, length=len(value))
+    return get_message("shape.other", kind=kind)
 
 
 def class_name(kind: type) -> str:
@@ -106,4 +106,4 @@ def decode_float(data: Any, wanted: Describable) -> float:
         or (type(data) is str and data in ("nan", "inf", "-inf"))
     ):
         return float(data)
-    raise wrong_shape(wanted.words, data)
+    raise wrong_shape(wanted.description, data)

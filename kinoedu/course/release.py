@@ -47,14 +47,16 @@ def release(name: str, house: Path = HOUSE) -> Path:
     """
     import nbformat
 
-    book = without_answers(solution(name, house))
+    book = remove_answers(solution_path(name, house))
     exercise = house / "exercises" / f"{name}.ipynb"
     with written_whole(exercise) as part:
-        part.write_text(nbformat.writes(run(book, exercise.parent)) + "\n", encoding="utf-8")
+        part.write_text(
+            nbformat.writes(run_notebook(book, exercise.parent)) + "\n", encoding="utf-8"
+        )
     return exercise
 
 
-def solution(name: str, house: Path = HOUSE) -> Path:
+def solution_path(name: str, house: Path = HOUSE) -> Path:
     """Path of an assignment's solution.
 
     Raises
@@ -70,7 +72,7 @@ def solution(name: str, house: Path = HOUSE) -> Path:
     return file
 
 
-def without_answers(file: Path) -> Any:
+def remove_answers(file: Path) -> Any:
     """Solution notebook with the answers removed, not run yet.
 
     Raises
@@ -101,7 +103,7 @@ def is_model_answer(cell: Any) -> bool:
     return whole and cell.cell_type == "code" and "nbgrader" not in cell.metadata
 
 
-def run(book: Any, folder: Path) -> Any:
+def run_notebook(book: Any, folder: Path) -> Any:
     """Run a notebook in a folder; outputs are kept, timestamps are not.
 
     Raises
@@ -129,7 +131,7 @@ def run(book: Any, folder: Path) -> Any:
     return book
 
 
-def pack(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
+def pack_course(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
     """Pack the files for students into a zip, without solutions, banks and tests.
 
     Returns
@@ -140,7 +142,7 @@ def pack(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
     files = [house / name for name in FOR_STUDENTS]
     for folder in FOLDERS_FOR_STUDENTS:
         inside = sorted((house / folder).rglob("*"))
-        files += [file for file in inside if file.is_file() and not is_by_product(file)]
+        files += [file for file in inside if file.is_file() and not is_generated(file)]
     packed = (
         Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes())
         for file in files
@@ -170,7 +172,7 @@ def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed]) -> None
             archive.writestr(entry, file.data)
 
 
-def is_by_product(file: Path) -> bool:
+def is_generated(file: Path) -> bool:
     """Whether running the course has generated this file."""
     in_cache = any(part in ("__pycache__", ".ipynb_checkpoints") for part in file.parts)
     return in_cache or file.suffix in (".pyc", ".part")

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from ..words import say
+from ..messages import get_message
 from .plain import as_array, decode_float, decode_floats, encode_float, encode_floats, wrong_shape
 
 
@@ -22,7 +22,7 @@ class Shape(Protocol):
     """Interface of all shapes; `words` describes the shape for students."""
 
     @property
-    def words(self) -> str: ...
+    def description(self) -> str: ...
 
     def encode(self, value: Any) -> Any: ...
 
@@ -37,9 +37,9 @@ class Number(NamedTuple):
     """
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.number")
+        return get_message("shape.number")
 
     def encode(self, value: Any) -> float | str:
         """Encode a Python or numpy number, or an array without dimensions."""
@@ -66,9 +66,9 @@ class Numbers(NamedTuple):
     dimensions: tuple[int | str, ...]
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.numbers", dimensions=str(self.dimensions).replace("'", ""))
+        return get_message("shape.numbers", dimensions=str(self.dimensions).replace("'", ""))
 
     def encode(self, value: Any) -> Any:
         """Encode an array, or nested lists and tuples that make one."""
@@ -84,14 +84,14 @@ class Truth(NamedTuple):
     """True or False."""
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.truth")
+        return get_message("shape.truth")
 
     def encode(self, value: Any) -> bool:
         """Encode a Python or numpy truth value."""
         if type(value) is not bool and type(value) is not np.bool_:
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return bool(value)
 
     def decode(self, data: Any) -> bool:
@@ -105,14 +105,14 @@ class Text(NamedTuple):
     most: int = 10_000
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.text")
+        return get_message("shape.text")
 
     def encode(self, value: Any) -> str:
         """Encode a str, with characters that UTF-8 cannot hold replaced."""
         if type(value) is not str or len(value) > self.most:
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return value.encode("utf-8", "replace").decode("utf-8")
 
     def decode(self, data: Any) -> str:
@@ -134,9 +134,9 @@ class Record:
         return f"Record({', '.join(f'{name}={shape!r}' for name, shape in self.fields.items())})"
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.record", names=", ".join(self.fields))
+        return get_message("shape.record", names=", ".join(self.fields))
 
     def encode(self, value: Any) -> dict[str, Any]:
         """Encode each value by its shape."""
@@ -148,7 +148,7 @@ class Record:
 
     def _named(self, value: Any) -> Mapping[str, Any]:
         if not isinstance(value, Mapping) or set(value) != set(self.fields):
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return value
 
 
@@ -159,20 +159,20 @@ class Listed(NamedTuple):
     most: int = 100_000
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.list", row=self.row.words)
+        return get_message("shape.list", row=self.row.description)
 
     def encode(self, value: Any) -> list[Any]:
         """Encode a list, a tuple or an array."""
         if not isinstance(value, list | tuple | np.ndarray) or len(value) > self.most:
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return [self.row.encode(item) for item in value]
 
     def decode(self, data: Any) -> list[Any]:
         """Decode a list."""
         if not isinstance(data, list) or len(data) > self.most:
-            raise wrong_shape(self.words, data)
+            raise wrong_shape(self.description, data)
         return [self.row.decode(item) for item in data]
 
 
@@ -188,23 +188,27 @@ class Together(NamedTuple):
     places: tuple[Shape, ...]
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
         if len(set(self.places)) == 1:
-            return say("shape.alike", number=len(self.places), shape=self.places[0].words)
-        return say("shape.together", places=", ".join(shape.words for shape in self.places))
+            return get_message(
+                "shape.alike", number=len(self.places), shape=self.places[0].description
+            )
+        return get_message(
+            "shape.together", places=", ".join(shape.description for shape in self.places)
+        )
 
     def encode(self, value: Any) -> list[Any]:
         """Encode a tuple or list of the right length, or an array with that many rows."""
         is_array = type(value) is np.ndarray and value.ndim > 0
         if not (isinstance(value, list | tuple) or is_array) or len(value) != len(self.places):
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return [shape.encode(item) for shape, item in zip(self.places, value, strict=True)]
 
     def decode(self, data: Any) -> tuple[Any, ...]:
         """Decode a tuple."""
         if not isinstance(data, list) or len(data) != len(self.places):
-            raise wrong_shape(self.words, data)
+            raise wrong_shape(self.description, data)
         return tuple(shape.decode(item) for shape, item in zip(self.places, data, strict=True))
 
 
@@ -214,9 +218,9 @@ class Maybe(NamedTuple):
     shape: Shape
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.maybe", shape=self.shape.words)
+        return get_message("shape.maybe", shape=self.shape.description)
 
     def encode(self, value: Any) -> Any:
         """Encode a value; None stays None."""

@@ -7,7 +7,7 @@ from textwrap import dedent
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..words import say
+from ..messages import get_message
 from .checking import PASSED
 from .lessons import EXERCISES
 
@@ -61,7 +61,7 @@ def show(function: Callable[..., Any] | str) -> Source:
     ours = (exercise.shown or exercise.source) if exercise is not None else function
     lines: Any = inspect.unwrap(getattr(ours, "py_func", ours)) if callable(ours) else None
     if not inspect.isfunction(lines) or not lines.__module__.startswith("kinoedu."):
-        raise InvalidParameter(say("check.nothing_to_show", what=repr(function)[:80]))
+        raise InvalidParameter(get_message("check.nothing_to_show", what=repr(function)[:80]))
     if exercise is not None and name not in PASSED:
-        raise InvalidParameter(say("check.secret", name=name))
+        raise InvalidParameter(get_message("check.secret", name=name))
     return Source(lines)

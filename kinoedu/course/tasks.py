@@ -6,20 +6,20 @@ from typing import Any, NamedTuple
 
 from ..files.scene_robots import described
 from ..files.scenes import problem_from
+from ..messages import get_message
 from ..problems import ProblemRecord, Recorder
 from ..support.json_fields import Field
-from ..words import say
 from .plain import WrongShape, wrong_shape
 
 
-class Asked(Recorder):
+class StudentProblem(Recorder):
     """A problem as a student's planner sees it; it records the planner's calls.
 
     Its repr is the line of code that makes it.
     """
 
     # distance is not recorded: it is called too often
-    QUESTIONS = ("sample", "steer", "is_free", "is_free_path")
+    QUERIES = ("sample", "steer", "is_free", "is_free_path")
 
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
@@ -31,7 +31,7 @@ class Asked(Recorder):
         code = f"problem_of({scene})"
         return code if rows is None else code.replace(repr(rows), runs_as_code(rows))
 
-    def anew(self) -> "Asked":
+    def fresh_copy(self) -> "StudentProblem":
         """The same problem without recorded calls."""
         return type(self)(problem_of(scene_of(self.problem)).problem)
 
@@ -53,7 +53,7 @@ def scene_of(problem: ProblemRecord) -> dict[str, Any]:
     return {"robot": described(problem.robot), "world": described(problem.world), **ends, **margin}
 
 
-def problem_of(scene: dict[str, Any]) -> Asked:
+def problem_of(scene: dict[str, Any]) -> StudentProblem:
     """Problem of a scene, as a planner exercise gives it to a student.
 
     >>> square = {"kind": "polygons", "boundary": [[0, 0], [4, 0], [4, 4], [0, 4]]}
@@ -62,26 +62,26 @@ def problem_of(scene: dict[str, Any]) -> Asked:
     >>> problem.is_free_path(problem.start, problem.goal), problem.counts()
     (True, {'is_free_path': 1})
     """
-    return Asked(problem_from(Field("scene", {"version": 1, **scene}, Path())))
+    return StudentProblem(problem_from(Field("scene", {"version": 1, **scene}, Path())))
 
 
-class Task(NamedTuple):
+class ProblemShape(NamedTuple):
     """The shape of a problem, encoded as a scene."""
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("planner.problem")
+        return get_message("planner.problem")
 
     def encode(self, value: Any) -> dict[str, Any]:
         """Encode a problem as its scene. Raises WrongShape."""
-        if not isinstance(value, Asked):
-            raise wrong_shape(self.words, value)
+        if not isinstance(value, StudentProblem):
+            raise wrong_shape(self.description, value)
         return scene_of(value.problem)
 
-    def decode(self, data: Any) -> Asked:
+    def decode(self, data: Any) -> StudentProblem:
         """Decode into a new problem without recorded calls. Raises WrongShape."""
         try:
             return problem_of(data)
         except Exception:
-            raise WrongShape(self.words) from None
+            raise WrongShape(self.description) from None

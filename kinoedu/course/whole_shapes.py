@@ -4,21 +4,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..words import say
+from ..messages import get_message
 from .plain import as_array, decode_floats, wrong_shape
 
 
-class Whole(NamedTuple):
+class Integer(NamedTuple):
     """One integer, such as the index of a node, of Python or numpy; not True, 1.0 or "1".
 
-    >>> Whole().encode(np.int64(3))
+    >>> Integer().encode(np.int64(3))
     3
     """
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.whole")
+        return get_message("shape.whole")
 
     def encode(self, value: Any) -> int:
         """Encode an integer of at most fifteen digits. Raises WrongShape."""
@@ -26,7 +26,7 @@ class Whole(NamedTuple):
             not (type(value) is int or isinstance(value, np.integer))
             or not -(10**15) < value < 10**15
         ):
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return int(value)
 
     def decode(self, data: Any) -> int:
@@ -34,25 +34,25 @@ class Whole(NamedTuple):
         return self.encode(data)
 
 
-class WholeNumbers(NamedTuple):
+class Integers(NamedTuple):
     """An array of integers, such as indices; dimensions as for `Numbers`.
 
-    >>> WholeNumbers(("n", 2)).encode([(0, 1), (1.0, 2)])
+    >>> Integers(("n", 2)).encode([(0, 1), (1.0, 2)])
     [[0, 1], [1, 2]]
     """
 
     dimensions: tuple[int | str, ...]
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Description of the shape, for messages."""
-        return say("shape.whole_numbers", dimensions=str(self.dimensions).replace("'", ""))
+        return get_message("shape.whole_numbers", dimensions=str(self.dimensions).replace("'", ""))
 
     def encode(self, value: Any) -> Any:
         """Encode an array, or nested lists and tuples; floats without a fraction are accepted."""
         array = as_array(value, self.dimensions, self)
         if not (np.abs(array) < 2**53).all() or (array != np.rint(array)).any():
-            raise wrong_shape(self.words, value)
+            raise wrong_shape(self.description, value)
         return array.astype(np.int64).tolist()
 
     def decode(self, data: Any) -> np.ndarray:

@@ -3,11 +3,11 @@
 import math
 
 from ..compiled import compiled
-from ..spaces.angles import wrapped
+from ..spaces.angles import wrap_angle
 
 
 @compiled
-def driven(
+def drive_arc(
     x: float, y: float, theta: float, distance: float, curvature: float
 ) -> tuple[float, float, float]:
     """The pose after a distance driven along an arc of constant curvature.
@@ -20,5 +20,5 @@ def driven(
     return (
         x + chord * math.cos(theta + half),
         y + chord * math.sin(theta + half),
-        wrapped(theta + 2.0 * half),
+        wrap_angle(theta + 2.0 * half),
     )

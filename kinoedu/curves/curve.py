@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
-from ..spaces.angles import wrapped
+from ..spaces.angles import wrap_angle
 from ..support.text import shortened
-from .arcs import driven
+from .arcs import drive_arc
 
 LETTERS = {1: "L", 0: "S", -1: "R"}
 
@@ -73,7 +73,7 @@ def poses_along(
         x, y, theta, left = start[0], start[1], start[2], along[i]
         for turn, length in zip(turns, lengths):
             piece = min(left, abs(length))
-            x, y, theta = driven(x, y, theta, piece if length >= 0.0 else -piece, turn / radius)
+            x, y, theta = drive_arc(x, y, theta, piece if length >= 0.0 else -piece, turn / radius)
             left -= piece
         poses[i, 0], poses[i, 1], poses[i, 2] = x, y, theta
     return poses
@@ -90,7 +90,7 @@ def as_pose(value: ArrayLike, name: str) -> Array:
     pose = as_array(value, name)
     if pose.shape != (3,):
         raise InvalidPoint(f"{name} must be a pose (x, y, theta), got {shortened(value)}")
-    pose[2] = wrapped(pose[2])
+    pose[2] = wrap_angle(pose[2])
     return pose
 
 
@@ -117,4 +117,4 @@ def relative_pose(q0: Array, q1: Array, radius: float) -> tuple[float, float, fl
     """The pose q1 in the frame of q0, with lengths in turning radii."""
     dx, dy = (q1[0] - q0[0]) / radius, (q1[1] - q0[1]) / radius
     c, s = math.cos(q0[2]), math.sin(q0[2])
-    return c * dx + s * dy, c * dy - s * dx, wrapped(q1[2] - q0[2])
+    return c * dx + s * dy, c * dy - s * dx, wrap_angle(q1[2] - q0[2])

@@ -48,14 +48,14 @@ def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     return Curve(start, rho, turns, rho * lengths)
 
 
-def every_word(q0: ArrayLike, q1: ArrayLike, radius: float) -> list[Curve]:
+def all_dubins_curves(q0: ArrayLike, q1: ArrayLike, radius: float) -> list[Curve]:
     """The curves from q0 to q1 for all of the six words that exist between them.
 
     Between near poses some words do not exist. Parameters and errors are those of `dubins_path`.
 
     Examples
     --------
-    >>> [curve.word for curve in every_word((0, 0, 0), (10, 0, 0), 1.0)]
+    >>> [curve.word for curve in all_dubins_curves((0, 0, 0), (10, 0, 0), 1.0)]
     ['LSL', 'RSR', 'LSR', 'RSL']
     """
     start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)

@@ -11,9 +11,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..geometry.checks import Array, as_array, whole
-from ..spaces.angles import wrapped
-from .arcs import driven
+from ..geometry.checks import Array, as_array, integer
+from ..spaces.angles import wrap_angle
+from .arcs import drive_arc
 from .curve import as_pose
 
 Rule = Callable[[Array, float, float, float], Array]
@@ -43,7 +43,7 @@ def runge_kutta_step(pose: Array, v: float, curvature: float, h: float) -> Array
 
 def exact_step(pose: Array, v: float, curvature: float, h: float) -> Array:
     """One step along the exact arc."""
-    return np.array(driven(pose[0], pose[1], pose[2], v * h, curvature))
+    return np.array(drive_arc(pose[0], pose[1], pose[2], v * h, curvature))
 
 
 def euler(pose: ArrayLike, v: float, curvature: float, t: float, steps: int) -> Array:
@@ -101,11 +101,11 @@ def integrate(
     rule: Rule, pose: ArrayLike, v: float, curvature: float, t: float, steps: int
 ) -> Array:
     """The poses after each step of a rule, shape (steps + 1, 3); headings are wrapped."""
-    n = whole(steps, "steps", least=1)
+    n = integer(steps, "steps", least=1)
     speed, kappa, time = as_array((v, curvature, t), "v, curvature and t")
     poses = np.empty((n + 1, 3))
     poses[0] = as_pose(pose, "pose")
     for k in range(n):
         poses[k + 1] = rule(poses[k], float(speed), float(kappa), float(time) / n)
-        poses[k + 1, 2] = wrapped(poses[k + 1, 2])
+        poses[k + 1, 2] = wrap_angle(poses[k + 1, 2])
     return poses

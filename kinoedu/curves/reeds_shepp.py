@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..geometry.checks import Array
-from ..spaces.angles import wrapped
+from ..spaces.angles import wrap_angle
 from .curve import Curve, as_pose, as_radius, relative_pose
 from .tangents import left_centre, lrl, lsl, lsr, right_centre
 
@@ -129,7 +129,7 @@ def store_pieces(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sig
 
     A sign of 0 allows both directions.
     """
-    t, v = without_rounding(wrapped(t)), without_rounding(wrapped(v))
+    t, v = without_rounding(wrap_angle(t)), without_rounding(wrap_angle(v))
     pieces[0], pieces[1], pieces[2] = t, u, v
     return t >= 0.0 and u_sign * u >= -ROUNDING and v_sign * v >= 0.0
 

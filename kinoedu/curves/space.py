@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..spaces import diameter, distance, interpolate, near, nearest, sample
-from ..spaces.angles import short_way
-from ..spaces.asks import sample_box
+from ..spaces.angles import angle_difference
+from ..spaces.interface import sample_box
 from .curve import poses_along, relative_pose
 from .dubins import shortest_forward
 from .reeds_shepp import shortest
@@ -124,4 +124,4 @@ def near_along_curves(space: CurveSpace, tree: Any, q: Array, radius: float) -> 
 def length_lower_bound(space: CurveSpace, a: Array, b: Array) -> float:
     """A lower bound of a curve's length: the straight distance and the turn that it must make."""
     dx, dy = b[0] - a[0], b[1] - a[1]
-    return max(np.sqrt(dx * dx + dy * dy), space.radius * abs(short_way(a[2], b[2])))
+    return max(np.sqrt(dx * dx + dy * dy), space.radius * abs(angle_difference(a[2], b[2])))

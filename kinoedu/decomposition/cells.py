@@ -17,7 +17,7 @@ CELLS, CLOSED, WALLS, NODES = range(4)  # indices of Sweep.sizes: how many of ea
 
 
 @inlined
-def settle(sweep: Any, x: float, below: int, ending: int, beginning: int) -> bool:
+def replace_cells(sweep: Any, x: float, below: int, ending: int, beginning: int) -> bool:
     """Replace the cells that end at x by those that begin, above node `below` of the status.
 
     Returns whether this is possible: whether floors and ceilings alternate among the new edges.

@@ -11,7 +11,7 @@ three sets of edges matter (de Berg et al., section 2.1, HandleEventPoint):
 
 Left of the line lie L(p) and C(p), which the status holds; right of it lie C(p) and U(p).
 
-One call of `cross` handles the points of one x from one place where both sides of the line are
+One call of `handle_event` handles the points of one x from one place where both sides of the line are
 solid up to the next such place. Each point on the way is a *level* of the line, and so is each edge
 that passes between two points. On either side of the line the edges are alternately floors and
 ceilings: those on the left bound the cells that end, those on the right the cells that begin, and
@@ -30,8 +30,8 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import turn
-from .cells import CEILING, EDGE, FLOOR, LEVEL, NODE, settle
+from ..geometry.exact import orientation_sign
+from .cells import CEILING, EDGE, FLOOR, LEVEL, NODE, replace_cells
 from .slopes import sort_by_slope
 from .status import CELL, HIGH, LOW, NOBODY, next_above, next_below
 
@@ -39,7 +39,7 @@ CROSSED = -1  # returned where edges cross or overlap, or one obstacle lies in a
 
 
 @inlined
-def cross(sweep: Any, met: int, stop: int) -> int:
+def handle_event(sweep: Any, met: int, stop: int) -> int:
     """Handle the event points order[met:stop], all of one x, up to the first solid place.
 
     Returns the number of vertices that have been handled then, or CROSSED.
@@ -66,7 +66,7 @@ def cross(sweep: Any, met: int, stop: int) -> int:
         else:
             return CROSSED
         level += 1
-    return now if settle(sweep, x, below, left // 2, right // 2) else CROSSED  # 6, 7
+    return now if replace_cells(sweep, x, below, left // 2, right // 2) else CROSSED  # 6, 7
 
 
 @inlined
@@ -186,7 +186,7 @@ def border(sweep: Any, node: int, which: int) -> int:
 @compiled
 def side(ends: Array, edge: int, x: float, y: float) -> int:
     """1 where a point is above an edge, 0 on it, -1 below. Exact."""
-    return turn(ends[edge, 0], ends[edge, 1], ends[edge, 2], ends[edge, 3], x, y)
+    return orientation_sign(ends[edge, 0], ends[edge, 1], ends[edge, 2], ends[edge, 3], x, y)
 
 
 @compiled

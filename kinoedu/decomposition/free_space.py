@@ -22,7 +22,7 @@ def edges_to_try(world: Any) -> Iterator[Array]:
     yield as_polygons(world).edges
     for grid in GRIDS:
         polygons, unit = free_polygons(world, grid)
-        yield edges_round(polygons) * [unit, unit, unit, unit, 1.0]
+        yield edges_around(polygons) * [unit, unit, unit, unit, 1.0]
 
 
 def as_polygons(world: Any) -> PolygonWorldRecord:
@@ -70,7 +70,7 @@ def free_polygons(world: PolygonWorldRecord, grid: float | None = None) -> tuple
     return polygons, float(unit)
 
 
-def edges_round(polygons: list[Any]) -> Array:
+def edges_around(polygons: list[Any]) -> Array:
     """The edges of shapely polygons, (n, 5), each with the solid side to its left."""
     import shapely
 

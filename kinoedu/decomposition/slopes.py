@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ..compiled import compiled
 from ..geometry.checks import Array
-from ..geometry.exact import turn
+from ..geometry.exact import orientation_sign
 
 
 @compiled
@@ -50,4 +50,4 @@ def sift_down(
 @compiled
 def compare_slopes(ends: Array, edge: int, other: int, x: float, y: float) -> int:
     """1 where an edge leaves (x, y) above another one, 0 where they overlap, -1 below. Exact."""
-    return turn(x, y, ends[other, 2], ends[other, 3], ends[edge, 2], ends[edge, 3])
+    return orientation_sign(x, y, ends[other, 2], ends[other, 3], ends[edge, 2], ends[edge, 3])

@@ -36,7 +36,7 @@ from numpy.typing import NDArray
 
 from ..compiled import compiled
 from ..geometry.checks import Array
-from .crossing import CROSSED, cross
+from .crossing import CROSSED, handle_event
 from .status import NOBODY
 
 
@@ -134,7 +134,7 @@ def events(sweep: Sweep) -> Iterator[int]:
         while stop < len(order) and vertices[order[stop], 0] == vertices[order[met], 0]:
             stop += 1
         while met < stop:  # upwards, from solid to solid
-            met = cross(sweep, met, stop)  # 4 to 7
+            met = handle_event(sweep, met, stop)  # 4 to 7
             if met == CROSSED:
                 yield CROSSED
                 return

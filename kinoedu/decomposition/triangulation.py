@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..geometry.checks import Array, as_point
-from ..geometry.convex import corners, in_convex, sides, triangles
+from ..geometry.convex import corner_tuples, directed_edges, in_convex, triangulate_ring
 from .free_space import as_polygons, free_polygons
 
 
@@ -89,12 +89,14 @@ def triangulation(world: Any) -> Triangulation:
     cells: list[Array] = []
     polygons, unit = free_polygons(as_polygons(world))
     for part in polygons:
-        cells += triangles(
+        cells += triangulate_ring(
             np.array(part.exterior.coords)[:-1],
             [np.array(hole.coords)[:-1] for hole in part.interiors],
         )
     # two triangles share an edge where one of them has it in the opposite direction
-    left_of = {edge: i for i, cell in enumerate(cells) for edge in sides(corners(cell))}
+    left_of = {
+        edge: i for i, cell in enumerate(cells) for edge in directed_edges(corner_tuples(cell))
+    }
     shared = sorted(
         (i, j, a, b) for (a, b), i in left_of.items() if i < (j := left_of.get((b, a), -1))
     )

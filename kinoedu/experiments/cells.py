@@ -72,16 +72,16 @@ def run_cell(cell: Cell) -> Outcome:
     seconds = []
     try:
         for _ in range(cell.repeat):
-            cell.problem.asked[:] = 0
+            cell.problem.query_counts[:] = 0
             began = time.perf_counter()
             plan = cell.planner(cell.problem, **random)
             seconds.append(time.perf_counter() - began)
-        return outcome_of(plan, cell.problem.asked, statistics.median(seconds))
+        return outcome_of(plan, cell.problem.query_counts, statistics.median(seconds))
     except Exception as error:
         return Outcome(NOT_RUN, reason=f"{type(error).__name__}: {error}")
 
 
-def outcome_of(plan: Any, asked: Any, seconds: float) -> Outcome:
+def outcome_of(plan: Any, query_counts: Any, seconds: float) -> Outcome:
     """Outcome of a plan.
 
     Raises
@@ -96,8 +96,8 @@ def outcome_of(plan: Any, asked: Any, seconds: float) -> Outcome:
         FOUND if found else NO_PATH,
         float(plan.cost) if found else math.inf,
         seconds,
-        int(asked[MOTIONS]),
-        int(asked[PLACES]),
+        int(query_counts[MOTIONS]),
+        int(query_counts[PLACES]),
         plan.stats.get("nodes"),
         plan.stats.get("iterations"),
         plan.reason,

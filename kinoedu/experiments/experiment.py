@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
-from ..geometry.checks import is_real, positive, whole
+from ..geometry.checks import integer, is_real, positive
 from ..support.text import shortened
 from .cells import Cell
 from .digests import digest, version
@@ -89,7 +89,7 @@ def Experiment(
                 f"{kind}s must be a dict of at least one {kind} by name, got {shortened(things)}"
             )
     for label, problem in problems.items():
-        if not isinstance(problem, tuple) or not hasattr(problem, "asked"):
+        if not isinstance(problem, tuple) or not hasattr(problem, "query_counts"):
             raise InvalidParameter(
                 f"problem {label!r} must be a Problem(robot, world, start, goal), got "
                 f"{shortened(problem)}"
@@ -104,7 +104,7 @@ def Experiment(
         dict(problems),
         tuple(contestants),
         as_seeds(seeds),
-        whole(repeat, "repeat", least=1),
+        integer(repeat, "repeat", least=1),
         as_limit(time_limit),
     )
 
@@ -112,12 +112,12 @@ def Experiment(
 def as_seeds(seeds: Any) -> tuple[int, ...]:
     """The seeds from 0, or the given ones. Raises InvalidParameter."""
     if is_real(seeds):
-        return tuple(range(whole(seeds, "seeds", least=1)))
+        return tuple(range(integer(seeds, "seeds", least=1)))
     if not isinstance(seeds, Iterable) or isinstance(seeds, str | Mapping):
         raise InvalidParameter(
             f"seeds must be a number of seeds, or a list of seeds, got {shortened(seeds)}"
         )
-    chosen = tuple(whole(seed, "each of the seeds", least=0) for seed in seeds)
+    chosen = tuple(integer(seed, "each of the seeds", least=0) for seed in seeds)
     if not chosen or len(set(chosen)) < len(chosen):
         raise InvalidParameter(
             f"seeds must be at least one seed, each once, got {shortened(list(chosen))}"
@@ -195,7 +195,7 @@ def cells_of(experiment: ExperimentRecord) -> list[Cell]:
     """Cells of an experiment: problem by problem, planner by planner, seed by seed."""
     cells = []
     for problem_name, problem in experiment.problems.items():
-        fresh = problem._replace(asked=problem.asked * 0)
+        fresh = problem._replace(query_counts=problem.query_counts * 0)
         for name, tuning, function, seeded in experiment.contestants:
             kind = digest((version(), fresh, function, experiment.repeat))
             for seed in experiment.seeds if seeded else (None,):

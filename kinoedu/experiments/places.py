@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..geometry.checks import whole
+from ..geometry.checks import integer
 from ..support.text import shortened
-from ..support.time_limit import TimeUp, within
+from ..support.time_limit import TimeUp, run_within
 from .cells import Cell, Outcome, out_of_time, run_cell
 from .children import Children, run_in_child
 
@@ -37,7 +37,7 @@ def open_workers(where: Any, workers: int | None) -> Iterator[Submit]:
             "cluster has its own"
         )
     if where == "local":
-        count = os.cpu_count() or 1 if workers is None else whole(workers, "workers", least=1)
+        count = os.cpu_count() or 1 if workers is None else integer(workers, "workers", least=1)
         with local_workers(count) as submit:
             yield submit
     elif where == "here":
@@ -87,10 +87,10 @@ def run_in_this_process(cell: Cell) -> Outcome:
     """
     try:
         limit = cell.time_limit * cell.repeat
-        first = within(limit + LOADING, lambda: run_cell(cell._replace(repeat=1)))
+        first = run_within(limit + LOADING, lambda: run_cell(cell._replace(repeat=1)))
         if first.reason and not first.path:
             return first
-        return within(limit, lambda: run_cell(cell))
+        return run_within(limit, lambda: run_cell(cell))
     except TimeUp:
         return out_of_time(cell)
 

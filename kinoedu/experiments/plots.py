@@ -5,7 +5,7 @@ import re
 from functools import partial
 from pathlib import Path
 
-from ..words import say
+from ..messages import get_message
 from .table import Table
 
 
@@ -28,14 +28,14 @@ def save_plots(table: Table, folder: str | os.PathLike[str]) -> list[Path]:
     for number, problem in enumerate(table.problems(), start=1):
         runs = table.of(problem)
         bars = [
-            partial(draw_medians, runs.values(what), label=say(f"comparisons.{what}"))
+            partial(draw_medians, runs.values(what), label=get_message(f"comparisons.{what}"))
             for what in ("cost", "motions", "seconds")
         ]
         shares = [
-            partial(draw_ecdf, runs.values(what), label=say(f"comparisons.{what}"))
+            partial(draw_ecdf, runs.values(what), label=get_message(f"comparisons.{what}"))
             for what in ("cost", "seconds")
         ]
-        growth = [partial(draw_convergence, runs.growth(), label=say("comparisons.cost"))]
+        growth = [partial(draw_convergence, runs.growth(), label=get_message("comparisons.cost"))]
         safe = re.sub(r"[^\w-]+", "_", problem)
         height = 1.6 + 0.55 * len(runs.values("cost"))
         for kind, panels, size in (
@@ -46,6 +46,9 @@ def save_plots(table: Table, folder: str | os.PathLike[str]) -> list[Path]:
             if runs.values("cost") and (kind != "growth" or runs.growth()):
                 saved.append(Path(folder) / f"{number}_{safe}_{kind}.png")
                 save_panels(
-                    panels, saved[-1], size=size, title=say(f"comparisons.{kind}", problem=problem)
+                    panels,
+                    saved[-1],
+                    size=size,
+                    title=get_message(f"comparisons.{kind}", problem=problem),
                 )
     return saved

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..support.completed_futures import Arrivals
+from ..support.completed_futures import CompletedFutures
 from ..support.text import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
@@ -95,11 +95,11 @@ def run_cells(cells: Iterable[Cell], submit: Submit) -> Iterator[tuple[Cell, Out
 
     A cell whose worker is lost is submitted again.
     """
-    remaining, completed, tries = iter(cells), Arrivals[Cell](), dict[str, int]()
+    remaining, completed, tries = iter(cells), CompletedFutures[Cell](), dict[str, int]()
 
     def start(cell: Cell) -> None:
         tries[cell.key] = tries.get(cell.key, 0) + 1
-        completed.expect(submit(cell), cell)
+        completed.add(submit(cell), cell)
 
     for _, cell in zip(range(AHEAD), remaining):  # range first, or zip would drop a cell
         start(cell)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..chances import wilson
+from ..chances import wilson_interval
 from .cells import NOT_RUN
 from .table import Row, Table
 
@@ -59,7 +59,7 @@ def summarise_group(problem: str, planner: str, tuning: str, rows: list[Row]) ->
     """Summary of one planner on one problem."""
     judged = [row for row in rows if row.status != NOT_RUN]
     found = [row for row in judged if row.found]
-    share = share_of(len(found), len(judged))
+    share = success_fraction(len(found), len(judged))
     motions = [float(row.motions) for row in judged if row.motions is not None]
     spreads = (
         share,
@@ -79,15 +79,15 @@ def quartiles(values: list[float]) -> Spread:
     return Spread(*np.quantile(values, (0.25, 0.5, 0.75)).tolist())
 
 
-def share_of(found: int, runs: int) -> Spread:
+def success_fraction(found: int, runs: int) -> Spread:
     """Fraction of runs that found a path, between the ends of its 95 % Wilson interval.
 
     Without runs it is NaN between 0 and 1.
 
-    >>> [round(end, 3) for end in share_of(9, 10)]
+    >>> [round(end, 3) for end in success_fraction(9, 10)]
     [0.596, 0.9, 0.982]
     """
-    low, high = wilson(found, runs)
+    low, high = wilson_interval(found, runs)
     return Spread(float(low), found / runs if runs else math.nan, float(high))
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_generator, positive, whole
+from ..geometry.checks import Array, as_generator, integer, positive
 from ..problems import Problem, ProblemRecord
 from ..robots import Point
 from ..worlds import PolygonWorld
@@ -42,7 +42,7 @@ def scattered_polygons(
     >>> scattered_polygons(5, rng=0).world.hi.tolist()
     [100.0, 100.0]
     """
-    n, side = whole(obstacles, "obstacles", least=0), positive(size, "size")
+    n, side = integer(obstacles, "obstacles", least=0), positive(size, "size")
     generator = as_generator(rng)
     if not 0.0 < positive(fill, "fill") < 1.0:
         raise InvalidParameter(f"fill must be above 0 and below 1, got {fill!r}")

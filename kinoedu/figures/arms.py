@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..collision import link_in_contact
 from ..errors import InvalidPoint
 from ..geometry.checks import as_array
+from ..messages import get_message
 from ..robots.arm import ArmRobot
-from ..words import say
 from . import palette
 from .drawing import HALO, axes_for, draw_world
 from .robots import draw_robot
@@ -40,7 +40,11 @@ def plot_environment(
     hit = link_in_contact(arm, angles, world)
     artists = draw_world(world, ax) + draw_robot(arm, angles, ax, ANSWERS[hit])
     base = ax.plot(*arm.base, "s", color=palette.INK, markersize=11, zorder=7)
-    words = say("figure.link_in_contact", link=hit) if hit else say("figure.no_link_in_contact")
+    words = (
+        get_message("figure.link_in_contact", link=hit)
+        if hit
+        else get_message("figure.no_link_in_contact")
+    )
     ax.set_title(words, **palette.TEXT)
     return [*artists, *base]
 
@@ -71,7 +75,7 @@ def plot_configuration_space(
     size = float(np.clip(160.0 / np.sqrt(max(len(points), 1)), 2.0, 9.0))
     drawn: list[Artist] = []
     for link, (marker, colour) in enumerate(zip(MARKERS, palette.LINKS)):
-        shown, name = wrapped[links == link], say(LINK_WORDS[link])
+        shown, name = wrapped[links == link], get_message(LINK_WORDS[link])
         look: palette.Style = {"color": colour, "markersize": size, "linestyle": "none"}
         drawn += ax.plot(*shown.T, marker, label=name, **look)
     above: palette.Style = {"loc": "upper center", "bbox_to_anchor": (0.5, 1.11), "ncols": 3}
@@ -90,7 +94,7 @@ def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) ->
     colours = ListedColormap(palette.LINKS_LIGHT)
     artists: list[Artist] = [ax.imshow(image, cmap=colours, vmin=0, vmax=2, **cells)]
     for link, words in enumerate(LINK_WORDS):
-        artists += name_region(image == link, say(words), ax)
+        artists += name_region(image == link, get_message(words), ax)
     return artists
 
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ..c_space import free_regions, translating_obstacles, turned, turning_obstacle
 from ..geometry.checks import Array
 from ..geometry.rings import as_ring
-from ..words import say
+from ..messages import get_message
 from ..worlds.polygon_world import PolygonWorldRecord
 from . import palette, plane
 from .drawing import HALO, axes_for, compound, draw_world
@@ -49,10 +49,10 @@ def draw_c_obstacle(
     dashed: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 2.0}
     artists.append(ax.add_patch(Polygon(outline, fill=False, zorder=4, **dashed)))
     artists += ax.plot(*places.T, "o", markersize=6, zorder=5, **SPOT)
-    artists.append(label_inside(ring, say("c_space.obstacle"), "white", ax))
-    artists.append(label_inside(robot + places[0], say("c_space.robot"), palette.INK, ax))
-    artists.append(label_corner(outline, say("c_space.c_obstacle"), palette.INK, ax))
-    return [*artists, plane.title(say("c_space.sliding"), ax)]
+    artists.append(label_inside(ring, get_message("c_space.obstacle"), "white", ax))
+    artists.append(label_inside(robot + places[0], get_message("c_space.robot"), palette.INK, ax))
+    artists.append(label_corner(outline, get_message("c_space.c_obstacle"), palette.INK, ax))
+    return [*artists, plane.title(get_message("c_space.sliding"), ax)]
 
 
 def draw_grown(
@@ -74,9 +74,12 @@ def draw_grown(
         look: Any = {"facecolor": palette.ROBOT, "edgecolor": palette.ROBOT, "alpha": 0.35}
         artists.append(ax.add_patch(Circle((x, y), radius, zorder=3, **look)))
         artists += ax.plot(x, y, "o", markersize=6, zorder=5, **SPOT)
-    unit = say("c_space.region") if len(regions) == 1 else say("c_space.regions")
+    unit = get_message("c_space.region") if len(regions) == 1 else get_message("c_space.regions")
     count = f"{len(regions)} {unit}"
-    return [*artists, plane.title(say("c_space.grown", radius=f"{radius:g}", count=count), ax)]
+    return [
+        *artists,
+        plane.title(get_message("c_space.grown", radius=f"{radius:g}", count=count), ax),
+    ]
 
 
 def draw_turning_obstacle(
@@ -100,7 +103,7 @@ def draw_turning_obstacle(
     figure = plt.figure(figsize=(11.0, 5.0), dpi=72, layout="constrained")
     solid = turning_obstacle(robot_vertices, obstacle) if mesh is None else mesh
     artists = draw_mesh(solid, theta=theta, ax=left_panel(figure))
-    figure.axes[0].set_title(say("c_space.solid"), fontsize=palette.TEXT_SIZE + 1)
+    figure.axes[0].set_title(get_message("c_space.solid"), fontsize=palette.TEXT_SIZE + 1)
     return artists + draw_slice(robot, ring, theta, figure.add_subplot(1, 2, 2), at=at)
 
 
@@ -123,10 +126,13 @@ def draw_slice(
     artists: list[Artist] = [ax.add_patch(patch) for patch in (*faces, *lines, solid)]
     artists.append(draw_body(robot + q, ax, alpha=0.5))
     artists += ax.plot(*q, "o", markersize=7, zorder=6, **SPOT)
-    artists.append(label_inside(ring, say("c_space.obstacle"), "white", ax))
-    artists.append(label_inside(robot + q, say("c_space.robot"), palette.INK, ax))
-    artists.append(label_corner(outlines[0], say("c_space.c_obstacle"), palette.GOAL, ax))
-    return [*artists, plane.title(say("c_space.turning", theta=f"{np.degrees(theta):.0f}"), ax)]
+    artists.append(label_inside(ring, get_message("c_space.obstacle"), "white", ax))
+    artists.append(label_inside(robot + q, get_message("c_space.robot"), palette.INK, ax))
+    artists.append(label_corner(outlines[0], get_message("c_space.c_obstacle"), palette.GOAL, ax))
+    return [
+        *artists,
+        plane.title(get_message("c_space.turning", theta=f"{np.degrees(theta):.0f}"), ax),
+    ]
 
 
 def draw_body(body: Array, ax: Axes, *, alpha: float) -> Artist:

@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, whole
+from ..geometry.checks import Array, integer
+from ..messages import get_message
 from ..support.text import shortened
-from ..words import say
 from . import palette
 from .ends import name_ends
 
@@ -59,7 +59,7 @@ def draw_medians(
     >>> artists = draw_medians(lengths, label="length")
     >>> plt.close()
     """
-    runs, colours = as_runs(values), whole(colours, "colours", least=1)
+    runs, colours = as_runs(values), integer(colours, "colours", least=1)
     ax = palette.axes_or_new(ax, (7.0, 1.0 + 0.6 * len(runs)))
     finite = [given[np.isfinite(given)] for given in runs.values()]
     spreads = np.array([quartiles(some) for some in finite])
@@ -89,10 +89,10 @@ def quartiles(values: Array) -> Array:
 def format_median(median: float, finite: Array, runs: Array) -> str:
     """The median in words, and how many runs it is of, unless it is of all."""
     if not len(finite):
-        return say("comparisons.never")
+        return get_message("comparisons.never")
     words = "comparisons.all" if len(finite) == len(runs) else "comparisons.count"
     middle = f"{median:.3g}" if median < 1000 else f"{median:,.0f}"
-    return say(words, median=middle, found=len(finite), runs=len(runs))
+    return get_message(words, median=middle, found=len(finite), runs=len(runs))
 
 
 def draw_ecdf(
@@ -137,7 +137,7 @@ def draw_ecdf(
         ax.set_xscale("log")
     ax.set_xlim(low, high)
     ax.set_ylim(0.0, 1.03)
-    ax.set_ylabel(say("comparisons.share"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(get_message("comparisons.share"), fontsize=palette.TEXT_SIZE)
     named = [end[:3] for end in sorted(ends, key=lambda end: -end[3])]
     return [*artists, *name_ends(high, named, ax), *dress_axes(ax, label)]
 
@@ -194,11 +194,15 @@ def draw_convergence(
         artists += ax.plot(sizes, median, line, color=colour, linewidth=2.4, marker=marker)
         if np.isfinite(median).any():
             ends.append((name, float(median[np.isfinite(median)][-1]), colour))
-    ax.set_xlabel(say("comparisons.nodes"), fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel(get_message("comparisons.nodes"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(label, fontsize=palette.TEXT_SIZE)
     right = ax.get_xlim()[1]
     ax.set_xlim(right=right)
-    return [*artists, *name_ends(right, ends, ax), *dress_axes(ax, say("comparisons.nodes"))]
+    return [
+        *artists,
+        *name_ends(right, ends, ax),
+        *dress_axes(ax, get_message("comparisons.nodes")),
+    ]
 
 
 def as_runs(values: Mapping[str, ArrayLike]) -> dict[str, Array]:

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
-from ..geometry.checks import whole
+from ..geometry.checks import integer
 from ..sampling import van_der_corput
 from . import palette
 
@@ -62,7 +62,7 @@ def draw_van_der_corput(n: int, base: int = 2, ax: Axes | None = None) -> list[A
     >>> artists = draw_van_der_corput(7)
     >>> plt.close()
     """
-    places = van_der_corput(whole(n, "n", least=1), base)
+    places = van_der_corput(integer(n, "n", least=1), base)
     ax = palette.axes_or_new(ax, (8.0, 0.8 + 0.36 * n))
     artists: list[Artist] = []
     mono: Any = {**palette.TEXT, "fontfamily": "monospace", "va": "center", "color": palette.INK}

@@ -14,10 +14,10 @@ from matplotlib.path import Path as Outline
 from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
+from ..messages import get_message
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
 from ..robots import Point
 from ..robots.trajectory import DrivenRoadmap, DrivenTree
-from ..words import say
 from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
@@ -252,18 +252,18 @@ def summary(plan: Plan, shown: int) -> str:
     total, unit = growth_of(plan)
     counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
     if shown < total:
-        return say("figure.growing", shown=f"{shown:,}", **counts)
+        return get_message("figure.growing", shown=f"{shown:,}", **counts)
     if plan.path is None:
-        return say("figure.no_path", planner=plan.planner, reason=plan.reason)
+        return get_message("figure.no_path", planner=plan.planner, reason=plan.reason)
     if plan.walk is not None:
-        counts |= {"total": f"{len(plan.walk.hit):,}", "unit": say("figure.hits")}
-    return say("figure.path", length=f"{plan.cost:.4g}", **counts)
+        counts |= {"total": f"{len(plan.walk.hit):,}", "unit": get_message("figure.hits")}
+    return get_message("figure.path", length=f"{plan.cost:.4g}", **counts)
 
 
 def growth_of(plan: Plan) -> tuple[int, str]:
     """The number of steps of a plan's growth, and what a step is, in words."""
     if plan.walk is not None:
-        return len(plan.walk.points), say("figure.points")
+        return len(plan.walk.points), get_message("figure.points")
     if plan.roadmap is not None:
-        return len(plan.roadmap.edges), say("figure.edges")
-    return len(plan.tree.nodes) if plan.tree is not None else 0, say("figure.nodes")
+        return len(plan.roadmap.edges), get_message("figure.edges")
+    return len(plan.tree.nodes) if plan.tree is not None else 0, get_message("figure.nodes")

@@ -8,10 +8,10 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from ..geometry.checks import Array
+from ..messages import get_message
 from ..problems import ProblemRecord
 from ..robots.trajectory import DrivenTree, TrajectoryRecord
 from ..spaces import SE2, distance
-from ..words import say
 from . import palette
 from .cars import draw_pose
 from .drawing import draw_tree, draw_world
@@ -65,7 +65,7 @@ def draw_driving_steps(
     size = 0.16 * float(np.ptp(around, axis=0).max())
     artists: list[Artist] = []
     for number, (ax, name) in enumerate(zip(panels, ("nearest", "controls", "best"))):
-        artists += draw_panel(problem, tree, around, say(f"driving_steps.{name}"), ax)
+        artists += draw_panel(problem, tree, around, get_message(f"driving_steps.{name}"), ax)
         artists += draw_pose(q_rand, size, "q_rand", ax, colour=palette.INK, below=True)
         words = "q_near" if number < 2 else ""
         artists += draw_pose(q_near, size, words, ax, colour=palette.TREE, below=True)

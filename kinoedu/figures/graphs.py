@@ -84,7 +84,7 @@ def draw_graph(
         artists += draw_parents(graph, np.asarray(parents), places, ax, gap=gap)
     for u, v in np.asarray(highlight_edges, np.int64).reshape(-1, 2):
         look: Any = {"arrow": graph.directed, "width": 4.0, "bend": bend(graph, u, v)}
-        artists += link(places[u], places[v], ax, palette.PATH, **look)
+        artists += draw_link(places[u], places[v], ax, palette.PATH, **look)
     if len(along) > 1:
         artists += draw_path(places[along], ax)
     return artists + draw_nodes(graph, places, states, ax, numbered)
@@ -145,11 +145,11 @@ def draw_links(graph: Graph, places: Array, ax: Axes, *, gap: float) -> list[Art
         return [*artists, *draw_edges(places[apart], ax, LINK, width=width, zorder=2)]
     arrow: Any = {"arrow": True, "width": 1.6, "gap": gap, "zorder": 2}
     for u, v in apart:
-        artists += link(places[u], places[v], ax, LINK, bend=bend(graph, u, v), **arrow)
+        artists += draw_link(places[u], places[v], ax, LINK, bend=bend(graph, u, v), **arrow)
     return artists
 
 
-def link(
+def draw_link(
     a: Array,
     b: Array,
     ax: Axes,
@@ -185,7 +185,7 @@ def draw_parents(
     for child in children.tolist():
         parent = int(parents[child])
         look: Any = {"arrow": True, "width": 2.6, "gap": gap, "bend": bend(graph, parent, child)}
-        artists += link(places[parent], places[child], ax, palette.TREE, **look)
+        artists += draw_link(places[parent], places[child], ax, palette.TREE, **look)
     return artists
 
 
@@ -228,11 +228,11 @@ def write_weights(graph: Graph, places: Array, ax: Axes) -> list[Artist]:
         x, y = places[v] - places[u]
         middle = (places[u] + places[v]) / 2 + bend(graph, u, v) / 2 * np.array([y, -x])
         offset = (0, -5) if u != v else (0, 20)
-        artists.append(beside(middle, f"{weight:.3g}", ax, offset, palette.INK, "center"))
+        artists.append(write_beside(middle, f"{weight:.3g}", ax, offset, palette.INK, "center"))
     return artists
 
 
-def beside(
+def write_beside(
     at: Array, words: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left"
 ) -> Artist:
     """Write small words near a place, offset in points."""

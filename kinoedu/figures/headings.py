@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..collision import free_configurations, free_headings
 from ..geometry.checks import as_point
-from ..words import say
+from ..messages import get_message
 from . import palette
 from .drawing import axes_for, draw_problem, draw_world
 from .plane import title
@@ -45,7 +45,7 @@ def draw_headings(
         artists += draw_robot(robot, np.array([*place, (low + high) / 2]), ax)
     artists += mark_tried(robot, world, place, reach, np.atleast_1d(np.asarray(tried, float)), ax)
     lines = [Line2D([], [], **look) for look in (thick, thin)]
-    names = [say("headings.free"), say("headings.contact")]
+    names = [get_message("headings.free"), get_message("headings.contact")]
     box: Any = {"fontsize": palette.TEXT_SIZE - 1, "loc": "lower left", "framealpha": 0.9}
     return [*artists, ax.legend(lines, names, **box)]
 
@@ -80,5 +80,5 @@ def draw_cells_with_headings(
         body.set(facecolor="none", linewidth=1.0)  # because many overlap
     artists += ax.plot(*roadmap.empty.T, "X", color=palette.GOAL, **MARK)
     counts = {"nodes": len(roadmap.nodes) - 2, "edges": len(roadmap.edges)}
-    words = say("headings.counts", **counts, empty=len(roadmap.empty))
+    words = get_message("headings.counts", **counts, empty=len(roadmap.empty))
     return [*artists, *bodies, title(words, ax)]

@@ -9,7 +9,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike
 
-from ..collision.departures import all_safe_intervals, seen_from_movers
+from ..collision.collision_intervals import find_safe_intervals, relative_obstacles
 from ..geometry.checks import Array
 from ..problems.in_time import TimedProblemRecord
 from ..worlds.moving import MovingWorldRecord, movers_at
@@ -94,8 +94,8 @@ def draw_against_time(
     far = float(np.hypot(*(end - begin)))
     along = np.linspace(0.0, far, COLUMNS)
     world, places = problem.world, begin + np.outer(along / far, end - begin)
-    hulls, knots = seen_from_movers(problem.robot, world, problem.clearance)
-    safe, first = all_safe_intervals(hulls, knots, world.times, world.places, float(until), places)
+    hulls, knots = relative_obstacles(problem.robot, world, problem.clearance)
+    safe, first = find_safe_intervals(hulls, knots, world.times, world.places, float(until), places)
     column, half = np.repeat(along, np.diff(first)), 0.51 * far / (COLUMNS - 1)
     x0, x1 = column - half, column + half
     from_, to = safe.T

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from numpy.typing import ArrayLike
 
-from ..words import say
+from ..messages import get_message
 from . import palette
 from .drawing import HALO
 
@@ -85,7 +85,7 @@ def label(
     return ax.annotate(words, (x, y), zorder=9, **beside, **style)
 
 
-def stretch(
+def segment(
     a: ArrayLike,
     b: ArrayLike,
     words: str,
@@ -103,9 +103,7 @@ def stretch(
     return [*line, label(((ax_ + bx) / 2, (ay + by) / 2), words, ax, colour=colour)]
 
 
-def endless(
-    line: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-"
-) -> list[Artist]:
+def line(line: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-") -> list[Artist]:
     """Draw the line a x + b y + c = 0, given as (a, b, c), across the axes.
 
     Nothing is drawn where the numbers are no line.
@@ -135,7 +133,11 @@ def ring(
     x, y = np.asarray(centre, float)
     lo, hi = np.column_stack([ax.get_xlim(), ax.get_ylim()])
     if radius > 3.0 * float((hi - lo).max()):
-        return [corner_note(say("picture.outside", what=words), ax, colour=colour)] if words else []
+        return (
+            [corner_note(get_message("picture.outside", what=words), ax, colour=colour)]
+            if words
+            else []
+        )
     look: Any = {"edgecolor": colour, "linestyle": style, "linewidth": 2.2}
     circle = ax.add_patch(Circle((x, y), radius, fill=False, zorder=3, **look))
     if not words:

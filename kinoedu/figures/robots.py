@@ -13,10 +13,10 @@ from ..curves.space import pieces_between
 from ..geometry.checks import Array
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
-from ..robots.moving import place, way
+from ..robots.moving import displacement, place_piece
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
-from ..robots.trajectory import TrajectoryRecord, on_the_way
+from ..robots.trajectory import TrajectoryRecord, poses_between
 from ..spaces import distance, interpolate
 from . import palette
 from .bars import draw_bar
@@ -110,9 +110,9 @@ def tracks(robot: Any, a: Array, b: Array) -> Array:
 def _(robot: ArmRobot, a: Array, b: Array) -> Array:
     corners, lines = np.empty((2 * len(robot.lengths), 5)), np.empty((len(a), BENDS + 1, 2))
     for line, p, q in zip(lines, a, b):
-        change = way(robot, p, q)
+        change = displacement(robot, p, q)
         for k in range(BENDS + 1):
-            place(robot, len(robot.lengths) - 1, p, change, k / BENDS, corners)
+            place_piece(robot, len(robot.lengths) - 1, p, change, k / BENDS, corners)
             line[k] = corners[-1, :2]
     return lines
 
@@ -129,7 +129,7 @@ def driven_tracks(car: CarRobot, begins: Array, controls: Array, durations: Arra
     """The paths (m, k, 2) of drives from poses (m, 3) by controls (m, 2) for durations (m,)."""
     times = durations[:, None] * np.linspace(0.0, 1.0, BENDS + 1)
     which = np.repeat(np.arange(len(begins)), BENDS + 1)
-    poses = on_the_way(begins, controls, car.wheelbase, which, times.ravel())
+    poses = poses_between(begins, controls, car.wheelbase, which, times.ravel())
     return poses[:, :2].reshape(-1, BENDS + 1, 2)
 
 

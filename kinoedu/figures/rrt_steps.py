@@ -8,12 +8,12 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from ..geometry.checks import Array
+from ..messages import get_message
 from ..problems import ProblemRecord, Tree
-from ..words import say
 from . import palette
 from .drawing import draw_problem, draw_tree
 from .flowcharts import Step, draw_flowchart
-from .plane import dot, label, stretch
+from .plane import dot, label, segment
 
 
 def draw_rrt_steps(
@@ -45,14 +45,14 @@ def draw_rrt_steps(
     q_near, q_new = tree.nodes[near], problem.steer(tree.nodes[near], q_rand, step)
     free = problem.is_free_path(q_near, q_new)
     artists: list[Artist] = []
-    titles = [say(f"rrt_steps.{name}") for name in ("sample", "nearest", "steer", "check")]
+    titles = [get_message(f"rrt_steps.{name}") for name in ("sample", "nearest", "steer", "check")]
     for number, (ax, title) in enumerate(zip(panels, titles)):
         artists += [*draw_problem(problem, ax), *draw_tree(tree, ax)]
         artists += ax.plot(*tree.nodes.T, "o", color=palette.TREE, markersize=5, zorder=4)
         if number < 3:
             artists += dot(q_rand, "" if number == 2 else "q_rand", ax)
         if number == 1:
-            artists += stretch(q_near, q_rand, "", ax, style=":", width=2.0)
+            artists += segment(q_near, q_rand, "", ax, style=":", width=2.0)
         if number >= 1:
             artists += dot(q_near, "q_near" if number == 1 else "", ax, colour=palette.TREE)
         if number >= 2:
@@ -65,7 +65,7 @@ def draw_rrt_steps(
 def draw_new(q_near: Array, q_new: Array, good: bool, ax: Axes) -> list[Artist]:
     """Draw the step from the nearest node, green if it is free."""
     colour = palette.START if good else palette.HIT
-    artists = stretch(q_near, q_new, "", ax, colour=colour, width=4.0)
+    artists = segment(q_near, q_new, "", ax, colour=colour, width=4.0)
     marker = dot(q_new, "", ax, colour=colour, marker="o" if good else "X")
     return [*artists, *marker, label(q_new, "q_new", ax, colour=colour, offset=(6, -18))]
 
@@ -73,15 +73,15 @@ def draw_new(q_near: Array, q_new: Array, good: bool, ax: Axes) -> list[Artist]:
 def draw_rrt_flowchart(ax: Axes | None = None) -> list[Artist]:
     """Draw the flowchart of an RRT that stops at the goal."""
     steps = {
-        "start": Step("end", say("rrt_flowchart.start"), 0, 0),
-        "sample": Step("do", say("rrt_flowchart.sample"), 0, 1),
-        "steer": Step("do", say("rrt_flowchart.steer"), 0, 2),
-        "free": Step("ask", say("rrt_flowchart.free"), 0, 3),
-        "add": Step("do", say("rrt_flowchart.add"), 0, 4),
-        "near": Step("ask", say("rrt_flowchart.near"), 0, 5),
-        "done": Step("end", say("rrt_flowchart.done"), 1, 5),
+        "start": Step("end", get_message("rrt_flowchart.start"), 0, 0),
+        "sample": Step("do", get_message("rrt_flowchart.sample"), 0, 1),
+        "steer": Step("do", get_message("rrt_flowchart.steer"), 0, 2),
+        "free": Step("ask", get_message("rrt_flowchart.free"), 0, 3),
+        "add": Step("do", get_message("rrt_flowchart.add"), 0, 4),
+        "near": Step("ask", get_message("rrt_flowchart.near"), 0, 5),
+        "done": Step("end", get_message("rrt_flowchart.done"), 1, 5),
     }
-    yes, no = say("rrt_flowchart.yes"), say("rrt_flowchart.no")
+    yes, no = get_message("rrt_flowchart.yes"), get_message("rrt_flowchart.no")
     arrows = [("start", "sample", ""), ("sample", "steer", ""), ("steer", "free", "")]
     arrows += [("free", "add", yes), ("free", "sample", no), ("add", "near", "")]
     arrows += [("near", "done", yes), ("near", "sample", no)]

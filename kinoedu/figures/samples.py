@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
 from ..geometry.checks import as_array
+from ..messages import get_message
 from ..sampling import largest_empty_ball
 from ..sampling.dispersion import EmptyBall
-from ..words import say
 from . import palette
 from .drawing import HALO
 from .ends import name_ends
@@ -99,7 +99,7 @@ def draw_ball(ball: EmptyBall, norm: float, ax: Axes) -> list[Artist]:
     (x, y), r = ball.centre, ball.radius
     square = norm == math.inf
     shape = Rectangle((x - r, y - r), 2 * r, 2 * r, **look) if square else Circle((x, y), r, **look)
-    words = say("samples.sup" if norm == math.inf else "samples.euclidean", radius=r)
+    words = get_message("samples.sup" if norm == math.inf else "samples.euclidean", radius=r)
     centre = ax.plot(x, y, "x", color=palette.INK, markersize=9, markeredgewidth=2.2, zorder=5)
     return [ax.add_patch(shape), *centre, ax.set_title(words, fontsize=palette.TEXT_SIZE + 1)]
 
@@ -149,11 +149,11 @@ def draw_dispersion(
     artists: list[Artist] = [*ax.loglog(sizes, guide, color=palette.OUTSIDE, linewidth=1.5)]
     for i, curve in enumerate(values.values()):
         artists += ax.loglog(sizes, curve, LINES[i % 4], color=COLOURS[i % 4], linewidth=2.4)
-    label_axes(say("samples.n"), say("samples.dispersion"), ax)
+    label_axes(get_message("samples.n"), get_message("samples.dispersion"), ax)
     ax.set_xlim(sizes.min() * 0.9, sizes.max() * (sizes.max() / sizes.min()) ** 0.32)
     names = enumerate(values.items())
     ends = [(name, float(curve[-1]), COLOURS[i % 4]) for i, (name, curve) in names]
-    ends.append((say("samples.rate"), float(guide[-1]), "#5B6470"))
+    ends.append((get_message("samples.rate"), float(guide[-1]), "#5B6470"))
     return artists + name_ends(float(sizes[-1]), ends, ax)
 
 
@@ -189,11 +189,11 @@ def draw_shares(
     across, random = as_array(widths, "widths"), as_array(chance, "chance")
     least, most = random.min(axis=0), random.max(axis=0)
     artists: list[Artist] = [ax.fill_between(across, least, most, color=palette.TREE, alpha=0.2)]
-    names = {say("samples.chance", seeds=len(random)): np.median(random, axis=0), **curves}
+    names = {get_message("samples.chance", seeds=len(random)): np.median(random, axis=0), **curves}
     for i, (name, curve) in enumerate(names.items()):
         look: Any = {"color": COLOURS[i % 4], "linewidth": 2.4, "marker": "o^sD"[i % 4]}
         artists += ax.plot(across, curve, LINES[i % 4], label=name, **look)
-    label_axes(say("samples.width"), say("samples.share"), ax)
+    label_axes(get_message("samples.width"), get_message("samples.share"), ax)
     ax.set_xlim(0.0, float(across.max()) * 1.03)
     ax.set_ylim(0.0, 1.04)
     return [*artists, ax.legend(fontsize=palette.TEXT_SIZE, loc="lower right")]

@@ -14,12 +14,12 @@ from .graphs import (
     STATES,
     as_integers,
     axes_round,
-    beside,
     draw_links,
     draw_nodes,
     draw_parents,
     layout,
     node_size,
+    write_beside,
     write_weights,
 )
 from .plane import title
@@ -65,7 +65,7 @@ def draw_search(
     if costs:
         for u in (u for u in graph if np.isfinite(moment.cost[u])):
             words = f"{moment.cost[u]:.3g}"
-            artists.append(beside(places[u], words, ax, (0, gap + 3), palette.TREE, "center"))
+            artists.append(write_beside(places[u], words, ax, (0, gap + 3), palette.TREE, "center"))
     n = len(moment.frontier)
     waiting = ", ".join(map(str, moment.frontier)) if n <= 8 else f"{n} nodes"
     expanded = f"{len(moment.expanded)} nodes expanded, now node {moment.node}"

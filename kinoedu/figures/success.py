@@ -7,9 +7,9 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
-from ..chances import wilson
+from ..chances import wilson_interval
 from ..geometry.checks import Array, as_array
-from ..words import say
+from ..messages import get_message
 from . import palette
 from .samples import COLOURS, LINES, label_axes
 
@@ -41,10 +41,10 @@ def draw_success(
     ax = palette.axes_or_new(ax, (7.0, 4.6))
     places, artists = as_array(x, "x"), list[Artist]()
     for i, (name, counts) in enumerate(curves.items()):
-        low, high = wilson(counts, trials)
+        low, high = wilson_interval(counts, trials)
         artists.append(draw_band(places, low, high, i, ax))
         artists += ax.plot(places, as_array(counts, name) / trials, label=name, **curve_style(i))
-    label_axes(along, say("success.share", trials=trials), ax)
+    label_axes(along, get_message("success.share", trials=trials), ax)
     ax.set_ylim(-0.03, 1.03)
     return [*artists, ax.legend(fontsize=palette.TEXT_SIZE, loc="best")]
 

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 
 from ..geometry.checks import Array
 from ..problems import Plan
-from ..spaces.angles import nearest_turn
+from ..spaces.angles import wrap_angles_exactly
 from . import palette
 from .arms import torus_axes
 from .drawing import draw_edges
@@ -17,16 +17,16 @@ from .drawing import draw_edges
 def draw_torus_roadmap(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     """Draw the roadmap and the path of a two-link arm by its angles, -pi to pi."""
     ax = torus_axes(ax)
-    nodes, edges = nearest_turn(plan.roadmap.nodes), plan.roadmap.edges
+    nodes, edges = wrap_angles_exactly(plan.roadmap.nodes), plan.roadmap.edges
     motions = unroll(nodes[edges[:, 0]], nodes[edges[:, 1]])
     artists = draw_edges(motions, ax, palette.ROADMAP, width=0.8, zorder=3)
     artists += ax.plot(*nodes.T, ".", color=palette.TREE, markersize=5, zorder=3.5)
     if plan.path is not None:
-        path = nearest_turn(plan.path)
+        path = wrap_angles_exactly(plan.path)
         legs = unroll(path[:-1], path[1:])
         artists += draw_edges(legs, ax, palette.INK, width=5.0, zorder=4)
         artists += draw_edges(legs, ax, palette.PATH, width=3.0, zorder=5)
-    ends: Any = nearest_turn(np.array([plan.problem.start, plan.problem.goal]))
+    ends: Any = wrap_angles_exactly(np.array([plan.problem.start, plan.problem.goal]))
     for q, colour, marker in zip(ends, (palette.START, palette.GOAL), "o*"):
         artists += ax.plot(*q, marker, color=colour, markersize=13, zorder=7, **palette.RIM)
     return artists
@@ -37,6 +37,6 @@ def unroll(a: Array, b: Array) -> Array:
 
     A motion that leaves the square is drawn twice: where it leaves and where it enters.
     """
-    way = nearest_turn(b - a)
+    way = wrap_angles_exactly(b - a)
     out, back = np.stack([a, a + way], axis=1), np.stack([b - way, b], axis=1)
     return np.concatenate([out, back[np.abs(out[:, 1] - b).max(axis=1) > 1e-9]])

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 
 from ..geometry.checks import Array
-from ..geometry.grown import grown
+from ..geometry.grown import grow_piece
 from ..worlds.polygon_world import discs_of, rings_of
 from ..worlds.uncertain import UncertainWorldRecord, chance_margins
 from . import palette
@@ -36,7 +36,7 @@ def margin_rings(world: UncertainWorldRecord, delta: float) -> list[Array]:
     margins, parts = chance_margins(world.sigma, delta)[world.owner], world.parts
     pieces = [parts.points[a:b] for a, b in zip(parts.first[:-1], parts.first[1:])]
     grown_pieces = [
-        shapely.Polygon(grown(piece, float(own + more)))
+        shapely.Polygon(grow_piece(piece, float(own + more)))
         for piece, own, more in zip(pieces, parts.radius, margins)
     ]
     wholes = [

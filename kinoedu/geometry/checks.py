@@ -76,7 +76,7 @@ def as_points(value: ArrayLike, name: str = "points") -> Array:
     return points
 
 
-def as_things(value: Any, name: str) -> list[Any]:
+def as_list(value: Any, name: str) -> list[Any]:
     """The items of an iterable as a list.
 
     Raises
@@ -117,7 +117,7 @@ def positive(value: Any, name: str) -> float:
     return float(value)
 
 
-def none_or_more(value: Any, name: str) -> float:
+def nonnegative(value: Any, name: str) -> float:
     """A number from 0 to 1e150, as a float.
 
     Raises
@@ -132,7 +132,7 @@ def none_or_more(value: Any, name: str) -> float:
     return float(value)
 
 
-def whole(value: Any, name: str, *, least: int) -> int:
+def integer(value: Any, name: str, *, least: int) -> int:
     """An integer from `least` to ten million, the most nodes that memory is expected to hold.
 
     Raises

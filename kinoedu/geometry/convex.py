@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled, inlined
 from ..errors import InvalidPolygon
 from .checks import Array, as_points, one_or_many
-from .exact import turn
-from .rings import as_convex_ring, find_reflex_vertex, ring_turn
+from .exact import orientation_sign
+from .rings import as_convex_ring, find_reflex_vertex, ring_orientation
 
 Corner = tuple[float, float]
 
@@ -107,18 +107,18 @@ def convex_hull(points: ArrayLike) -> Array:
     ordered = np.unique(as_points(points), axis=0)
     if len(ordered) < 3:
         return ordered
-    return np.concatenate([chain(ordered)[:-1], chain(ordered[::-1].copy())[:-1]])
+    return np.concatenate([half_hull(ordered)[:-1], half_hull(ordered[::-1].copy())[:-1]])
 
 
 @compiled
-def chain(points: Array) -> Array:
+def half_hull(points: Array) -> Array:
     """One half of the hull: the points, in their order, at which the path turns left."""
     kept = np.empty_like(points)
     size = 0
     for p in points:
         while size > 1:
             a, b = kept[size - 2], kept[size - 1]
-            if turn(a[0], a[1], b[0], b[1], p[0], p[1]) > 0:
+            if orientation_sign(a[0], a[1], b[0], b[1], p[0], p[1]) > 0:
                 break
             size -= 1
         kept[size] = p
@@ -130,7 +130,7 @@ def chain(points: Array) -> Array:
 def in_convex(x: float, y: float, ring: Array) -> bool:
     """Whether a point lies in a convex ring."""
     for i in range(len(ring)):
-        if turn(ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1], x, y) < 0:
+        if orientation_sign(ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1], x, y) < 0:
             return False
     return True
 
@@ -153,7 +153,7 @@ def has_separating_edge(P: Array, Q: Array) -> bool:
     for i in range(n):
         bx, by = P[i, 0], P[i, 1]
         beyond = 0
-        while beyond < m and turn(ax, ay, bx, by, Q[witness, 0], Q[witness, 1]) < 0:
+        while beyond < m and orientation_sign(ax, ay, bx, by, Q[witness, 0], Q[witness, 1]) < 0:
             beyond += 1
             witness = witness + 1 if witness + 1 < m else 0
         if beyond == m:
@@ -171,10 +171,10 @@ def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
     """
     if not holes and find_reflex_vertex(ring) < 0:
         return [ring]
-    return merge_convex_parts(triangles(ring, holes))
+    return merge_convex_parts(triangulate_ring(ring, holes))
 
 
-def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
+def triangulate_ring(ring: Array, holes: Sequence[Array]) -> list[Array]:
     """A constrained Delaunay triangulation of a ring with holes, as counter-clockwise rings."""
     import shapely
 
@@ -188,16 +188,16 @@ def triangles(ring: Array, holes: Sequence[Array]) -> list[Array]:
         np.array(t.exterior.coords)[:3]
         for t in shapely.constrained_delaunay_triangles(polygon).geoms
     ]
-    oriented = [(t, ring_turn(t)) for t in corners]
+    oriented = [(t, ring_orientation(t)) for t in corners]
     return [t if sign > 0 else t[::-1].copy() for t, sign in oriented if sign]
 
 
 def merge_convex_parts(parts: list[Array]) -> list[Array]:
     """Merge convex parts that share an edge, as long as their union is convex."""
-    merged = {number: corners(part) for number, part in enumerate(parts)}
-    part_of = {edge: number for number, part in merged.items() for edge in sides(part)}
+    merged = {number: corner_tuples(part) for number, part in enumerate(parts)}
+    part_of = {edge: number for number, part in merged.items() for edge in directed_edges(part)}
     for number in range(len(parts)):
-        open_edges = sides(merged[number]) if number in merged else []
+        open_edges = directed_edges(merged[number]) if number in merged else []
         while open_edges:
             a, b = open_edges.pop()
             other = part_of.get((b, a))  # the neighbour has the same edge reversed
@@ -207,18 +207,18 @@ def merge_convex_parts(parts: list[Array]) -> list[Array]:
             # only the angles at b and a change
             if turns_right(union, 0) or turns_right(union, len(merged[number]) - 1):
                 continue
-            part_of.update(dict.fromkeys(sides(merged.pop(other)), number))
+            part_of.update(dict.fromkeys(directed_edges(merged.pop(other)), number))
             merged[number] = union
-            open_edges = sides(union)
+            open_edges = directed_edges(union)
     return [np.array(part) for part in merged.values()]
 
 
-def corners(ring: Array) -> list[Corner]:
+def corner_tuples(ring: Array) -> list[Corner]:
     """The points of a ring as tuples, which can be compared and looked up."""
     return [(x, y) for x, y in ring.tolist()]
 
 
-def sides(ring: list[Corner]) -> list[tuple[Corner, Corner]]:
+def directed_edges(ring: list[Corner]) -> list[tuple[Corner, Corner]]:
     """The edges of a ring as pairs of points."""
     return list(zip(ring, ring[1:] + ring[:1], strict=True))
 
@@ -234,4 +234,4 @@ def merge_at_edge(P: list[Corner], Q: list[Corner], a: Corner, b: Corner) -> lis
 
 def turns_right(ring: list[Corner], i: int) -> bool:
     """Whether a ring turns right at its point i."""
-    return bool(turn(*ring[i - 1], *ring[i], *ring[(i + 1) % len(ring)]) < 0)
+    return bool(orientation_sign(*ring[i - 1], *ring[i], *ring[(i + 1) % len(ring)]) < 0)

@@ -9,7 +9,7 @@ from ..compiled import algorithm, inlined
 from ..errors import InvalidPolygon
 from .checks import Array, as_array
 from .convex import has_separating_edge
-from .exact import turn
+from .exact import orientation_sign
 from .rings import as_convex_ring
 
 
@@ -131,7 +131,7 @@ def convex_orientation(ring: Array) -> int:
     was_rightwards = (bx > ax) | ((bx == ax) & (by > ay))
     for i in range(n):
         cx, cy = ring[i, 0], ring[i, 1]
-        side = turn(ax, ay, bx, by, cx, cy)
+        side = orientation_sign(ax, ay, bx, by, cx, cy)
         is_rightwards = (cx > bx) | ((cx == bx) & (cy > by))
         if (
             side * direction < 0

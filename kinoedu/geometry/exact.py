@@ -170,7 +170,7 @@ def exact_dot(
 
 
 @compiled
-def turn(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
+def orientation_sign(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
     """The exact sign of (b - a) x (c - a) = (a - c) x (b - c).
 
     1 where a, b, c turn left, -1 where they turn right, 0 where they lie on one line.
@@ -236,7 +236,7 @@ def length(x: float, y: float) -> float:
 
 
 @compiled
-def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
+def dot_sign(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> int:
     """The exact sign of (b - a) . (c - a).
 
     1 where the angle at a between b and c is less than a right angle, -1 where it is more, 0 where
@@ -251,7 +251,7 @@ def facing(ax: float, ay: float, bx: float, by: float, cx: float, cy: float) -> 
 
 
 @compiled
-def bend(
+def cross_sign(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float
 ) -> int:
     """The exact sign of (b - a) x (d - c).

@@ -29,11 +29,11 @@ def disc_polygon(radius: float) -> Array:
     return reach * np.column_stack([np.cos(angles), np.sin(angles)])
 
 
-def summed(P: Array, Q: Array) -> Array:
+def hull_of_sums(P: Array, Q: Array) -> Array:
     """The convex hull, counter-clockwise, of all sums of a point of P, (n, 2), and Q, (k, 2)."""
     return convex_hull((P[:, None] + Q[None]).reshape(-1, 2))
 
 
-def grown(piece: Array, radius: float) -> Array:
+def grow_piece(piece: Array, radius: float) -> Array:
     """A convex polygon slightly larger than the hull of points (n, 2) grown by a radius."""
-    return summed(piece, disc_polygon(radius))
+    return hull_of_sums(piece, disc_polygon(radius))

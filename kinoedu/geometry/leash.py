@@ -11,7 +11,7 @@ from ..compiled import compiled
 from .checks import Array, as_points
 
 
-def followed(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
+def count_followed_points(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
     """The number of points of a path that can be walked while a guide stays within the leash.
 
     O(n m).
@@ -30,9 +30,9 @@ def followed(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
     Examples
     --------
     >>> guide = [(0, 0), (1, 0), (2, 0), (3, 0)]
-    >>> followed([(0, 0.1), (3, 0.1)], guide, 0.5)
+    >>> count_followed_points([(0, 0.1), (3, 0.1)], guide, 0.5)
     1
-    >>> followed([(0, 0), (1, 0.2), (2, -0.2), (3, 0)], guide, 0.5)
+    >>> count_followed_points([(0, 0), (1, 0.2), (2, -0.2), (3, 0)], guide, 0.5)
     4
     """
     return int(count_followed(as_points(path, "path"), as_points(guide, "guide"), leash * leash))
@@ -40,7 +40,7 @@ def followed(path: ArrayLike, guide: ArrayLike, leash: float) -> int:
 
 @compiled
 def count_followed(path: Array, guide: Array, square: float) -> int:
-    """`followed` for arrays and the squared length of the leash."""
+    """`count_followed_points` for arrays and the squared length of the leash."""
     n, m = len(path), len(guide)
     possible = np.zeros(m, np.bool_)  # whether the guide can be at j when the path is at i
     for i in range(n):
@@ -56,12 +56,12 @@ def count_followed(path: Array, guide: Array, square: float) -> int:
     return n if possible[m - 1] else n - 1
 
 
-def at_most_apart(path: ArrayLike, spacing: float) -> Array:
+def densify_path(path: ArrayLike, spacing: float) -> Array:
     """The path, shape (n, 2), with points added so that neighbours are at most `spacing` apart.
 
     Examples
     --------
-    >>> at_most_apart([(0, 0), (1, 0)], 0.5)
+    >>> densify_path([(0, 0), (1, 0)], 0.5)
     array([[0. , 0. ],
            [0.5, 0. ],
            [1. , 0. ]])

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidSegment
 from .checks import Array, as_point
-from .exact import height, length, sum_of_products, turn
+from .exact import height, length, orientation_sign, sum_of_products
 
 
 def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
@@ -36,7 +36,7 @@ def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
     (1, 0)
     """
     a, b, c = as_point(a, "a"), as_point(b, "b"), as_point(c, "c")
-    return int(turn(a[0], a[1], b[0], b[1], c[0], c[1]))
+    return int(orientation_sign(a[0], a[1], b[0], b[1], c[0], c[1]))
 
 
 def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, float]:

@@ -17,7 +17,7 @@ from ..compiled import compiled
 from ..errors import InvalidPoint
 from .checks import Array, as_points
 from .convex import convex_hull
-from .exact import bend, turn
+from .exact import cross_sign, orientation_sign
 from .rings import as_convex_ring
 from .segments import precedes, proper_crossing
 
@@ -116,10 +116,10 @@ def erosion(P: ArrayLike, Q: ArrayLike) -> Array:
     """
     P, Q = convex_hull(as_convex_ring(P, "P")), as_convex_corners(Q, "Q")
     outermost = [Q[find_farthest_right(a, b, Q)] for a, b in zip(P, np.roll(P, -1, axis=0))]
-    return moved_inward(P, P - Q[0], -np.array(outermost))
+    return clip_to_shifted_edges(P, P - Q[0], -np.array(outermost))
 
 
-def moved_inward(ring: Array, start: Array, shifts: Array) -> Array:
+def clip_to_shifted_edges(ring: Array, start: Array, shifts: Array) -> Array:
     """The part of the convex polygon `start` inside all edges of a ring, each moved by its shift.
 
     Shifts have shape (n, 2). The result is (0, 2) where it has no area.
@@ -180,7 +180,7 @@ def compare_edges(a: Array, b: Array, c: Array, d: Array) -> int:
     ab_goes_right, cd_goes_right = precedes(a, b), precedes(c, d)
     if ab_goes_right != cd_goes_right:
         return 1 if ab_goes_right else -1
-    return bend(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1])
+    return cross_sign(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1])
 
 
 @compiled
@@ -189,7 +189,7 @@ def find_farthest_right(a: Array, b: Array, points: Array) -> int:
     best = 0
     for k in range(1, len(points)):
         p, q = points[best], points[k]
-        if bend(a[0], a[1], b[0], b[1], p[0], p[1], q[0], q[1]) < 0:
+        if cross_sign(a[0], a[1], b[0], b[1], p[0], p[1], q[0], q[1]) < 0:
             best = k
     return best
 
@@ -204,8 +204,8 @@ def clip_to_left_of(ring: Array, a: Array, b: Array) -> Array:
     kept, size = np.empty((n + 2, 2)), 0
     for i in range(n):
         p, q = ring[i], ring[(i + 1) % n]
-        p_side = turn(a[0], a[1], b[0], b[1], p[0], p[1])
-        q_side = turn(a[0], a[1], b[0], b[1], q[0], q[1])
+        p_side = orientation_sign(a[0], a[1], b[0], b[1], p[0], p[1])
+        q_side = orientation_sign(a[0], a[1], b[0], b[1], q[0], q[1])
         if p_side >= 0:
             kept[size] = p
             size += 1

@@ -39,7 +39,7 @@ from numpy.typing import NDArray
 
 from ..compiled import inlined
 from .checks import Array
-from .exact import turn
+from .exact import orientation_sign
 from .segments import between, segment_distance
 
 
@@ -82,15 +82,18 @@ def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts,
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     if end - begin == 1:
         x, y = points[begin, 0], points[begin, 1]
-        return between(ax, ay, bx, by, x, y) and turn(ax, ay, bx, by, x, y) == 0
+        return between(ax, ay, bx, by, x, y) and orientation_sign(ax, ay, bx, by, x, y) == 0
     left, right = 0, 0
     last = end - 1
     for k in range(begin, end):
-        side = turn(ax, ay, bx, by, points[k, 0], points[k, 1])
+        side = orientation_sign(ax, ay, bx, by, points[k, 0], points[k, 1])
         left += side > 0
         right += side < 0
         px, py, qx, qy = points[last, 0], points[last, 1], points[k, 0], points[k, 1]
-        if max(turn(px, py, qx, qy, ax, ay), turn(px, py, qx, qy, bx, by)) < 0:
+        if (
+            max(orientation_sign(px, py, qx, qy, ax, ay), orientation_sign(px, py, qx, qy, bx, by))
+            < 0
+        ):
             return False
         last = k
     return left < end - begin and right < end - begin

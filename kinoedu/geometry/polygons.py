@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
-from .exact import length, turn
+from .exact import length, orientation_sign
 from .rings import as_ring
 from .segments import between, closest_on_segment, segment_distance
 
@@ -43,7 +43,7 @@ def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
     >>> point_in_polygon([(1, 2), (1, 3)], corner).tolist()
     [True, False]
     """
-    return one_or_many(q, places(as_points(q, "q"), as_ring(polygon)) >= 0)
+    return one_or_many(q, locate_points(as_points(q, "q"), as_ring(polygon)) >= 0)
 
 
 def point_polygon_distance(q: ArrayLike, polygon: ArrayLike) -> float:
@@ -112,13 +112,13 @@ def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
     direction = np.array([y - q[1], q[0] - x])
     if region == 0 or not direction.any():
         direction = after - vertex
-    elif turn(before[0], before[1], vertex[0], vertex[1], after[0], after[1]) < 0:
+    elif orientation_sign(before[0], before[1], vertex[0], vertex[1], after[0], after[1]) < 0:
         direction = -direction  # a reflex vertex is nearest only to points inside the polygon
     return direction / length(direction[0], direction[1]) + 0.0
 
 
 @compiled
-def place(x: float, y: float, ring: Array) -> int:
+def locate_point(x: float, y: float, ring: Array) -> int:
     """Locate a point: 1 inside the ring, 0 on it, -1 outside. Exact.
 
     Counts the edges that a ray to the right crosses.
@@ -130,7 +130,7 @@ def place(x: float, y: float, ring: Array) -> int:
         j = i
         if max(ay, by) < y or min(ay, by) > y or max(ax, bx) < x:
             continue
-        side = turn(ax, ay, bx, by, x, y)
+        side = orientation_sign(ax, ay, bx, by, x, y)
         if side == 0 and between(ax, ay, bx, by, x, y):
             return 0
         if (ay > y) != (by > y) and (side > 0) == (by > ay):
@@ -139,11 +139,11 @@ def place(x: float, y: float, ring: Array) -> int:
 
 
 @compiled
-def places(points: Array, ring: Array) -> NDArray[np.int64]:
+def locate_points(points: Array, ring: Array) -> NDArray[np.int64]:
     """Locate each point: 1 inside the ring, 0 on it, -1 outside; shape (m,)."""
     answers = np.empty(len(points), np.int64)
     for i in range(len(points)):
-        answers[i] = place(points[i, 0], points[i, 1], ring)
+        answers[i] = locate_point(points[i, 0], points[i, 1], ring)
     return answers
 
 
@@ -153,7 +153,7 @@ def distances_to_ring(points: Array, ring: Array) -> Array:
     distances = np.zeros(len(points))
     for k in range(len(points)):
         x, y = points[k, 0], points[k, 1]
-        if place(x, y, ring) >= 0:
+        if locate_point(x, y, ring) >= 0:
             continue
         distances[k] = np.inf
         for i in range(len(ring)):

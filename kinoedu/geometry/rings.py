@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike
 from ..compiled import compiled
 from ..errors import InvalidPolygon
 from .checks import Array, as_array
-from .exact import facing, turn
+from .exact import dot_sign, orientation_sign
 from .segments import segments_meet
 
 
@@ -45,13 +45,13 @@ def as_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
         is_last = i == len(ring) - 1
         advice = "; leave out the last vertex, the ring closes itself" if is_last else ""
         raise InvalidPolygon(f"{name} repeats vertex {i} {tuple(ring[i].tolist())}{advice}")
-    if not ring_turn(ring):
+    if not ring_orientation(ring):
         raise InvalidPolygon(f"{name} has no area or folds back on itself")
     i, j = find_crossing(ring)
     if i >= 0:
         edges = f"{describe_edge(ring, i)} meets {describe_edge(ring, j)}"
         raise InvalidPolygon(f"{name} crosses or touches itself: {edges}")
-    return ring if ring_turn(ring) > 0 else ring[::-1].copy()
+    return ring if ring_orientation(ring) > 0 else ring[::-1].copy()
 
 
 def describe_edge(ring: Array, i: int) -> str:
@@ -82,7 +82,7 @@ def as_convex_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
 
 
 @compiled
-def ring_turn(ring: Array) -> int:
+def ring_orientation(ring: Array) -> int:
     """1 for a counter-clockwise ring, -1 for a clockwise ring, 0 for a ring without area.
 
     It is the orientation at the leftmost vertex, the lowest of several.
@@ -92,7 +92,7 @@ def ring_turn(ring: Array) -> int:
         if ring[i, 0] < ring[low, 0] or (ring[i, 0] == ring[low, 0] and ring[i, 1] < ring[low, 1]):
             low = i
     before, after = ring[low - 1], ring[(low + 1) % len(ring)]
-    return turn(before[0], before[1], ring[low, 0], ring[low, 1], after[0], after[1])
+    return orientation_sign(before[0], before[1], ring[low, 0], ring[low, 1], after[0], after[1])
 
 
 @compiled
@@ -100,7 +100,7 @@ def find_reflex_vertex(ring: Array) -> int:
     """The first vertex at which a counter-clockwise ring turns right, or -1."""
     for i in range(len(ring)):
         a, b, c = ring[i - 1], ring[i], ring[(i + 1) % len(ring)]
-        if turn(a[0], a[1], b[0], b[1], c[0], c[1]) < 0:
+        if orientation_sign(a[0], a[1], b[0], b[1], c[0], c[1]) < 0:
             return i
     return -1
 
@@ -116,8 +116,8 @@ def find_crossing(ring: Array) -> tuple[int, int]:
         a, b = ring[i], ring[(i + 1) % n]
         c = ring[(i + 2) % n]
         if (
-            turn(a[0], a[1], b[0], b[1], c[0], c[1]) == 0
-            and facing(b[0], b[1], a[0], a[1], c[0], c[1]) > 0
+            orientation_sign(a[0], a[1], b[0], b[1], c[0], c[1]) == 0
+            and dot_sign(b[0], b[1], a[0], a[1], c[0], c[1]) > 0
         ):
             return i, (i + 1) % n
         for j in range(i + 2, n if i > 0 else n - 1):

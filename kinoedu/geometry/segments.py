@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
-from .exact import facing, height, length, turn
+from .exact import dot_sign, height, length, orientation_sign
 
 
 def closest_point_on_segment(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> tuple[Array, int]:
@@ -136,9 +136,9 @@ def closest_on_segment(
     px: float, py: float, ax: float, ay: float, bx: float, by: float
 ) -> tuple[float, float, int]:
     """The point (x, y) of a-b nearest to p, and the region of p: 0 inside, 1 at a, 2 at b."""
-    if facing(ax, ay, bx, by, px, py) <= 0:
+    if dot_sign(ax, ay, bx, by, px, py) <= 0:
         return ax, ay, 1
-    if facing(bx, by, ax, ay, px, py) <= 0:
+    if dot_sign(bx, by, ax, ay, px, py) <= 0:
         return bx, by, 2
     ux, uy = bx - ax, by - ay
     size = length(ux, uy)
@@ -167,8 +167,14 @@ def segments_meet(
         or max(cy, dy) < min(ay, by)
     ):
         return False
-    a_side, b_side = turn(cx, cy, dx, dy, ax, ay), turn(cx, cy, dx, dy, bx, by)
-    c_side, d_side = turn(ax, ay, bx, by, cx, cy), turn(ax, ay, bx, by, dx, dy)
+    a_side, b_side = (
+        orientation_sign(cx, cy, dx, dy, ax, ay),
+        orientation_sign(cx, cy, dx, dy, bx, by),
+    )
+    c_side, d_side = (
+        orientation_sign(ax, ay, bx, by, cx, cy),
+        orientation_sign(ax, ay, bx, by, dx, dy),
+    )
     if a_side * b_side < 0 and c_side * d_side < 0:
         return True
     return (
@@ -182,9 +188,9 @@ def segments_meet(
 @compiled
 def segment_distance(px: float, py: float, ax: float, ay: float, bx: float, by: float) -> float:
     """The distance from p to the segment a-b."""
-    if facing(ax, ay, bx, by, px, py) <= 0:
+    if dot_sign(ax, ay, bx, by, px, py) <= 0:
         return length(px - ax, py - ay)
-    if facing(bx, by, ax, ay, px, py) <= 0:
+    if dot_sign(bx, by, ax, ay, px, py) <= 0:
         return length(px - bx, py - by)
     return abs(height(ax, ay, bx, by, px, py))
 
@@ -227,10 +233,10 @@ def shared_points(a: Array, b: Array, c: Array, d: Array, out: Array) -> int:
     """Write the points that two segments share into `out`, shape (2, 2); returns their number."""
     if not segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
         return 0
-    a_side = turn(c[0], c[1], d[0], d[1], a[0], a[1])
-    b_side = turn(c[0], c[1], d[0], d[1], b[0], b[1])
-    c_side = turn(a[0], a[1], b[0], b[1], c[0], c[1])
-    d_side = turn(a[0], a[1], b[0], b[1], d[0], d[1])
+    a_side = orientation_sign(c[0], c[1], d[0], d[1], a[0], a[1])
+    b_side = orientation_sign(c[0], c[1], d[0], d[1], b[0], b[1])
+    c_side = orientation_sign(a[0], a[1], b[0], b[1], c[0], c[1])
+    d_side = orientation_sign(a[0], a[1], b[0], b[1], d[0], d[1])
     if a_side == 0 and b_side == 0 and c_side == 0 and d_side == 0:
         return write_overlap(a, b, c, d, out)
     if a_side == 0:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..compiled import compiled
 from .checks import Array
-from .exact import height, length, turn
+from .exact import height, length, orientation_sign
 from .segments import closest_on_segment, segment_distance, segments_meet
 
 
@@ -45,7 +45,10 @@ def lies_beyond_edge(
     for i in range(p, p_end):
         beyond = True
         for j in range(q, q_end):
-            if turn(P[last, 0], P[last, 1], P[i, 0], P[i, 1], Q[j, 0], Q[j, 1]) >= least:
+            if (
+                orientation_sign(P[last, 0], P[last, 1], P[i, 0], P[i, 1], Q[j, 0], Q[j, 1])
+                >= least
+            ):
                 beyond = False
                 break
         if beyond:
@@ -110,7 +113,7 @@ def line_towards(
     if region > 0:
         size = length(px - x, py - y)
         return x, y, (px - x) / size, (py - y) / size
-    side, size = turn(ax, ay, bx, by, px, py), length(bx - ax, by - ay)
+    side, size = orientation_sign(ax, ay, bx, by, px, py), length(bx - ax, by - ay)
     return ax, ay, side * ((ay - by) / size), side * ((bx - ax) / size)
 
 

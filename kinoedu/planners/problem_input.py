@@ -33,7 +33,7 @@ class OwnProblem:
         self.problem = problem
         self.start = np.atleast_1d(as_array(problem.start, "start"))
         self.goal = self._configuration(problem.goal, "goal")
-        self.asked = np.zeros(2, np.int64)
+        self.query_counts = np.zeros(2, np.int64)
 
     def _configuration(self, value: Any, name: str) -> Array:
         """A configuration with the shape of the start; raises InvalidPoint otherwise."""
@@ -76,7 +76,7 @@ class OwnProblem:
 
     def is_free_path(self, a: Array, b: Array) -> bool:
         """The reader's answer; the call is counted."""
-        self.asked[MOTIONS] += 1
+        self.query_counts[MOTIONS] += 1
         return bool(np.all(self.problem.is_free_path(a, b)))
 
     def nearest(self, tree: GrowingTree, q: Array) -> int:
@@ -100,7 +100,7 @@ def as_problem(problem: Any) -> Any:
 
 def count_checks(problem: Any) -> int:
     """How many motions the problem has checked so far."""
-    return int(problem.asked[MOTIONS])
+    return int(problem.query_counts[MOTIONS])
 
 
 def world_size(problem: Any) -> float:

@@ -15,7 +15,7 @@ from ..problems import Plan
 from ..support.text import shortened
 from .answers import cost_along
 from .problem_input import as_problem, count_checks
-from .tuning import whole
+from .tuning import integer
 
 
 @algorithm
@@ -99,7 +99,7 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
             "the drives of a trajectory cannot be shortened; give shortcut a plan of curves, such "
             "as rrt's"
         )
-    attempts, generator = whole(tries, "tries", least=0), as_generator(rng)
+    attempts, generator = integer(tries, "tries", least=0), as_generator(rng)
     if plan.path is None or len(plan.path) < 3:
         return plan
     problem = as_problem(plan.problem)

@@ -3,10 +3,10 @@
 from typing import Any
 
 from ..errors import InvalidParameter
-from ..geometry.checks import is_real, none_or_more, positive, whole
+from ..geometry.checks import integer, is_real, nonnegative, positive
 from ..support.text import shortened
 
-__all__ = ["fraction", "iteration_limit", "none_or_more", "one_of", "positive", "whole"]
+__all__ = ["fraction", "integer", "iteration_limit", "nonnegative", "one_of", "positive"]
 
 
 def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
@@ -39,7 +39,7 @@ def iteration_limit(max_iterations: Any, max_nodes: int) -> int:
     """
     if max_iterations is None:
         return 10 * max_nodes
-    return whole(max_iterations, "max_iterations", least=0)
+    return integer(max_iterations, "max_iterations", least=0)
 
 
 def fraction(value: Any, name: str) -> float:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from ..collision import in_time, is_free, is_free_path
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
-from ..geometry.checks import Array, none_or_more, positive
+from ..geometry.checks import Array, nonnegative, positive
 from ..support.text import shortened
 from ..worlds.moving import MovingWorldRecord
 from .configurations import as_configuration, space_of
@@ -101,7 +101,7 @@ def TimedProblem(
             f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; use "
             "Problem for worlds without moving obstacles"
         )
-    space, margin = space_of(robot, world.still), none_or_more(clearance, "clearance")
+    space, margin = space_of(robot, world.still), nonnegative(clearance, "clearance")
     fastest = positive(speed, "speed")
     if len(space.lo) != 2:
         raise InvalidParameter(

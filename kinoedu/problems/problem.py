@@ -23,13 +23,13 @@ from ..collision import (
 )
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidStart
-from ..geometry.checks import Array, none_or_more
+from ..geometry.checks import Array, nonnegative
 from ..robots.controls import control, curvature, drive
 from ..spaces import distance, interpolate, nearest, sample
 from ..worlds.checks import check_world
 from .configurations import as_configuration, explain_not_free, space_of
 
-# indices of ProblemRecord.asked, which counts the queries about motions and about configurations
+# indices of ProblemRecord.query_counts, which counts the queries about motions and about configurations
 MOTIONS, PLACES = 0, 1
 
 
@@ -37,7 +37,7 @@ MOTIONS, PLACES = 0, 1
 class ProblemRecord(NamedTuple):
     """The record that `Problem` returns. Configurations have shape (d,), float64.
 
-    `asked` counts the collision queries: asked[MOTIONS] for motions, asked[PLACES] for
+    `query_counts` counts the collision queries: query_counts[MOTIONS] for motions, query_counts[PLACES] for
     configurations.
     """
 
@@ -47,7 +47,7 @@ class ProblemRecord(NamedTuple):
     start: Array
     goal: Array
     clearance: float
-    asked: NDArray[np.int64]
+    query_counts: NDArray[np.int64]
 
     def sample(self, rng: np.random.Generator) -> Array:
         """A configuration drawn uniformly from the space, free or not."""
@@ -72,17 +72,17 @@ class ProblemRecord(NamedTuple):
 
     def is_free(self, q: Array) -> bool:
         """Whether the robot at q touches nothing."""
-        self.asked[PLACES] += 1
+        self.query_counts[PLACES] += 1
         return is_free(self.robot, self.world, q, self.clearance)
 
     def is_free_path(self, a: Array, b: Array) -> bool:
         """Whether the robot touches nothing during the whole motion from a to b."""
-        self.asked[MOTIONS] += 1
+        self.query_counts[MOTIONS] += 1
         return is_free_path(self.robot, self.world, a, b, self.clearance)
 
     def is_semi_free_path(self, a: Array, b: Array) -> bool:
         """Whether the robot enters no obstacle on the motion from a to b; contact is allowed."""
-        self.asked[MOTIONS] += 1
+        self.query_counts[MOTIONS] += 1
         return is_semi_free_path(self.robot, self.world, a, b, self.clearance)
 
     def control(self, rng: np.random.Generator) -> tuple[float, float]:
@@ -99,7 +99,7 @@ class ProblemRecord(NamedTuple):
 
     def is_free_drive(self, q: Array, v: float, phi: float, t: float) -> bool:
         """Whether the robot touches nothing while it drives from q by (v, phi) for time t."""
-        self.asked[MOTIONS] += 1
+        self.query_counts[MOTIONS] += 1
         return is_free_drive(
             self.robot, self.world, q, v * t, curvature(self.robot, phi), self.clearance
         )
@@ -143,7 +143,7 @@ def Problem(
     >>> problem.distance(problem.start, problem.goal)
     8.0
     """
-    margin = none_or_more(clearance, "clearance")
+    margin = nonnegative(clearance, "clearance")
     check_world(world)
     space = space_of(robot, world)
     check_cost(robot, world)
@@ -155,5 +155,5 @@ def Problem(
                 f"the {name} {tuple(q.tolist())} is not free: "
                 f"{explain_not_free(robot, world, q, margin)}"
             )
-    problem.asked[:] = 0
+    problem.query_counts[:] = 0
     return problem

@@ -30,7 +30,7 @@ class Recorder:
     ('is_free_path', {'is_free_path': 1})
     """
 
-    QUESTIONS: tuple[str, ...] = (
+    QUERIES: tuple[str, ...] = (
         *("sample", "distance", "motion_cost", "steer", "nearest"),
         *("is_free", "is_free_path", "is_semi_free_path"),
         *("control", "is_free_drive"),
@@ -44,7 +44,7 @@ class Recorder:
         if name == "problem":  # it does not exist yet while a copy is unpickled
             raise AttributeError(name)
         answer = getattr(self.problem, name)
-        return self._recorded(name, answer) if name in self.QUESTIONS else answer
+        return self._recorded(name, answer) if name in self.QUERIES else answer
 
     def _recorded(self, name: str, question: Any) -> Any:
         def logged(*given: Any) -> Any:
@@ -61,6 +61,6 @@ class Recorder:
         """The number of queries of each kind."""
         return {
             name: n
-            for name in self.QUESTIONS
+            for name in self.QUERIES
             if (n := sum(question.name == name for question in self.log))
         }

@@ -2,7 +2,7 @@
 
 from .arm import ArmChain, TwoLinkArm, why_unreachable
 from .car import Car
-from .moving import placed
+from .moving import place_body
 from .polygon import RigidPolygon, TranslatingPolygon
 from .round import Disk, Point
 from .trajectory import Trajectory
@@ -16,6 +16,6 @@ __all__ = [
     "Trajectory",
     "TranslatingPolygon",
     "TwoLinkArm",
-    "placed",
+    "place_body",
     "why_unreachable",
 ]

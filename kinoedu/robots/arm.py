@@ -11,7 +11,7 @@ from ..errors import InvalidPoint, InvalidRobot
 from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
 from ..geometry.parts import Parts, make_parts
-from ..spaces.angles import wrapped
+from ..spaces.angles import wrap_angle
 from ..support.text import shortened
 
 RIM = 1e-12  # of the arm's length: a target so near to the rim of the reachable ring is on it
@@ -93,9 +93,9 @@ class ArmRobot(NamedTuple):
             )
         reach, heading = l1 + l2, math.atan2(y, x)
         if abs(far - reach) <= RIM * reach:
-            return [np.array([wrapped(heading), 0.0])]
+            return [np.array([wrap_angle(heading), 0.0])]
         if abs(far - abs(l1 - l2)) <= RIM * reach and l1 != l2:
-            return [np.array([wrapped(heading if l1 > l2 else heading + math.pi), -math.pi])]
+            return [np.array([wrap_angle(heading if l1 > l2 else heading + math.pi), -math.pi])]
         if far > reach or far < abs(l1 - l2):
             return []
         # half-angle formulas of the triangle base, elbow, tip: the tangents are accurate near the
@@ -107,8 +107,8 @@ class ArmRobot(NamedTuple):
             math.sqrt((reach - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + reach))
         )
         return [
-            np.array([wrapped(heading - lead), wrapped(bend)]),
-            np.array([wrapped(heading + lead), wrapped(-bend)]),
+            np.array([wrap_angle(heading - lead), wrap_angle(bend)]),
+            np.array([wrap_angle(heading + lead), wrap_angle(-bend)]),
         ]
 
 

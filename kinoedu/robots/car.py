@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..curves.arcs import driven
+from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter, InvalidRobot
 from ..geometry.checks import Array, as_array
@@ -79,7 +79,7 @@ class CarRobot(NamedTuple):
             )
         axle = self.ahead(pose, -lead)
         distance = speed * time * math.cos(math.atan(lead * curvature))
-        return self.ahead(driven(axle[0], axle[1], axle[2], distance, curvature), lead)
+        return self.ahead(drive_arc(axle[0], axle[1], axle[2], distance, curvature), lead)
 
     def ahead(self, pose: ArrayLike, distance: float) -> Array:
         """The pose of the point of the car's axis that is `distance` ahead of `pose`, (3,).

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..compiled import generic
-from ..curves.arcs import driven
+from ..curves.arcs import drive_arc
 from ..geometry.checks import Array
 from .car import CarRobot
 
@@ -49,4 +49,6 @@ def car_curvature(robot: CarRobot, phi: float) -> float:
 @drive.register(CarRobot)
 def car_drive(robot: CarRobot, q: Array, v: float, phi: float, t: float, there: Array) -> None:
     """Drive along an arc or a straight line."""
-    there[0], there[1], there[2] = driven(q[0], q[1], q[2], v * t, math.tan(phi) / robot.wheelbase)
+    there[0], there[1], there[2] = drive_arc(
+        q[0], q[1], q[2], v * t, math.tan(phi) / robot.wheelbase
+    )

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from ..compiled import generic
-from ..curves.arcs import driven
+from ..curves.arcs import drive_arc
 from ..geometry.checks import Array
 from ..geometry.exact import length
 from ..geometry.parts import Parts
-from ..spaces.angles import short_way
+from ..spaces.angles import angle_difference
 from .arm import ArmRobot
 from .car import CarRobot
 from .polygon import RigidPolygonRobot, TranslatingPolygonRobot
@@ -26,13 +26,13 @@ X, Y, VX, VY, ACC = range(5)
 
 
 @generic(1)
-def way(robot: Any, a: Array, b: Array) -> Array:
+def displacement(robot: Any, a: Array, b: Array) -> Array:
     """The change of configuration from a to b, shape (d,); angles change along the shorter arc."""
     raise TypeError("this robot does not move")
 
 
 @generic(1)
-def place(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+def place_piece(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
     """Write the corners of piece i at a + t * change, 0 <= t <= 1, into their rows of `corners`.
 
     The motion takes one unit of time. corners has shape (n, 5): position and velocity at time t,
@@ -42,7 +42,7 @@ def place(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array)
 
 
 @generic(1)
-def placed(robot: Any, q: Array) -> Parts:
+def place_body(robot: Any, q: Array) -> Parts:
     """The robot's body at a configuration.
 
     Returns
@@ -51,11 +51,11 @@ def placed(robot: Any, q: Array) -> Parts:
     """
     corners = np.empty((len(robot.shape.points), 5))
     for i in range(len(robot.shape.radius)):
-        place(robot, i, q, np.zeros(len(q)), 0.0, corners)
+        place_piece(robot, i, q, np.zeros(len(q)), 0.0, corners)
     return Parts(corners[:, :2].copy(), robot.shape.first, robot.shape.radius)
 
 
-@placed.register(RoundRobot)
+@place_body.register(RoundRobot)
 def placed_disc(robot: RoundRobot, q: Array) -> Parts:
     """A disc centred at q."""
     points = np.empty((1, 2))
@@ -63,13 +63,13 @@ def placed_disc(robot: RoundRobot, q: Array) -> Parts:
     return Parts(points, np.array([0, 1]), np.array([robot.radius]))
 
 
-@way.register(TranslatingPolygonRobot)
+@displacement.register(TranslatingPolygonRobot)
 def straight_way(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
     """The difference b - a."""
     return b - a
 
 
-@place.register(TranslatingPolygonRobot)
+@place_piece.register(TranslatingPolygonRobot)
 def place_unturned(
     robot: TranslatingPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
@@ -80,13 +80,13 @@ def place_unturned(
         corners[k, VX], corners[k, VY], corners[k, ACC] = change[0], change[1], 0.0
 
 
-@way.register(RigidPolygonRobot)
+@displacement.register(RigidPolygonRobot)
 def way_with_turn(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
     """The difference of positions, and the shorter turn."""
-    return np.array([b[0] - a[0], b[1] - a[1], short_way(a[2], b[2])])
+    return np.array([b[0] - a[0], b[1] - a[1], angle_difference(a[2], b[2])])
 
 
-@place.register(RigidPolygonRobot)
+@place_piece.register(RigidPolygonRobot)
 def place_turned(
     robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
@@ -101,13 +101,13 @@ def place_turned(
         corners[k, ACC] = turning * turning * length(px, py)
 
 
-@place.register(CarRobot)
+@place_piece.register(CarRobot)
 def place_driven(
     robot: CarRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
     """Drive the piece along an arc; `change` is the distance and the change of heading."""
     s, turning = change[0], change[1]
-    x, y, heading = driven(a[0], a[1], a[2], t * s, turning / s if s != 0.0 else 0.0)
+    x, y, heading = drive_arc(a[0], a[1], a[2], t * s, turning / s if s != 0.0 else 0.0)
     cos, sin = math.cos(heading), math.sin(heading)
     for k in range(robot.shape.first[i], robot.shape.first[i + 1]):
         px, py = robot.shape.points[k, 0], robot.shape.points[k, 1]
@@ -117,16 +117,16 @@ def place_driven(
         corners[k, ACC] = abs(turning * s) + turning * turning * length(px, py)
 
 
-@way.register(ArmRobot)
+@displacement.register(ArmRobot)
 def way_of_joints(robot: ArmRobot, a: Array, b: Array) -> Array:
     """The shorter turn of each joint."""
     change = np.empty(len(a))
     for i in range(len(a)):
-        change[i] = short_way(a[i], b[i])
+        change[i] = angle_difference(a[i], b[i])
     return change
 
 
-@place.register(ArmRobot)
+@place_piece.register(ArmRobot)
 def place_link(robot: ArmRobot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
     """Add up the rotations of all links up to link i."""
     x, y, angle, turning = robot.base[0], robot.base[1], 0.0, 0.0

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
-from ..curves.arcs import driven
+from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array
@@ -41,7 +41,7 @@ class TrajectoryRecord(NamedTuple):
     @property
     def poses(self) -> Array:
         """The pose at the start and after each control, shape (n + 1, 3)."""
-        return replayed(self.start, self.controls, self.durations, self.wheelbase)
+        return replay_controls(self.start, self.controls, self.durations, self.wheelbase)
 
     @property
     def reversed(self) -> "TrajectoryRecord":
@@ -72,7 +72,7 @@ class TrajectoryRecord(NamedTuple):
         # without begins[-1], so that the last control is held to the end in spite of rounding
         which = np.searchsorted(begins[1:-1], np.atleast_1d(times))
         since = np.atleast_1d(times) - begins[which]
-        poses = on_the_way(self.poses, self.controls, self.wheelbase, which, since)
+        poses = poses_between(self.poses, self.controls, self.wheelbase, which, since)
         return poses if times.ndim else poses[0]
 
 
@@ -160,20 +160,20 @@ def Trajectory(
 
 
 @compiled
-def replayed(start: Array, controls: Array, durations: Array, wheelbase: float) -> Array:
+def replay_controls(start: Array, controls: Array, durations: Array, wheelbase: float) -> Array:
     """The poses at the start and after each control, shape (n + 1, 3)."""
     poses = np.empty((len(controls) + 1, 3))
     poses[0] = start
     for k in range(len(controls)):
         distance, curvature = controls[k, 0] * durations[k], math.tan(controls[k, 1]) / wheelbase
-        poses[k + 1, 0], poses[k + 1, 1], poses[k + 1, 2] = driven(
+        poses[k + 1, 0], poses[k + 1, 1], poses[k + 1, 2] = drive_arc(
             poses[k, 0], poses[k, 1], poses[k, 2], distance, curvature
         )
     return poses
 
 
 @compiled
-def on_the_way(
+def poses_between(
     begins: Array, controls: Array, wheelbase: float, which: NDArray[np.int64], times: Array
 ) -> Array:
     """The poses (m, 3) at times[i] after control which[i] began, at pose begins[which[i]]."""
@@ -182,6 +182,6 @@ def on_the_way(
         x, y, theta = begins[which[i]]
         if len(controls) > 0:
             v, phi = controls[which[i]]
-            x, y, theta = driven(x, y, theta, v * times[i], math.tan(phi) / wheelbase)
+            x, y, theta = drive_arc(x, y, theta, v * times[i], math.tan(phi) / wheelbase)
         poses[i, 0], poses[i, 1], poses[i, 2] = x, y, theta
     return poses

@@ -7,7 +7,7 @@ extremum" (1971); LaValle, section 5.2.
 import numpy as np
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, whole
+from ..geometry.checks import Array, integer
 
 POWERS = {1: "first power", 2: "square", 3: "cube"}
 
@@ -71,7 +71,7 @@ def sukharev_bound(n: int, d: int = 2) -> float:
     >>> sukharev_bound(100), sukharev_bound(99)
     (0.05, 0.05555555555555555)
     """
-    return 1.0 / (2.0 * integer_root(whole(n, "n", least=1), whole(d, "d", least=1)))
+    return 1.0 / (2.0 * integer_root(integer(n, "n", least=1), integer(d, "d", least=1)))
 
 
 def lattice(along: Array, d: int) -> Array:
@@ -81,7 +81,7 @@ def lattice(along: Array, d: int) -> Array:
 
 def points_per_side(n: int, d: int) -> int:
     """The integer k with k^d = n; raises InvalidParameter where there is none."""
-    size, dimensions = whole(n, "n", least=1), whole(d, "d", least=1)
+    size, dimensions = integer(n, "n", least=1), integer(d, "d", least=1)
     if dimensions > 32:
         raise InvalidParameter(f"a grid has at most 32 dimensions, got d = {d}")
     k = integer_root(size, dimensions)

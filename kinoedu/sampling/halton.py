@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, whole
+from ..geometry.checks import Array, integer
 from ..support.text import shortened
 
 # Approximate length of a block whose digits are reversed one by one; it fits the first-level cache.
@@ -49,7 +49,7 @@ def halton(n: int, primes: Sequence[int] = (2, 3), start: int = 1) -> Array:
            [0.75      , 0.11111111]])
     """
     bases = as_distinct_primes(primes)
-    points = np.empty((whole(n, "n", least=1), len(bases)))
+    points = np.empty((integer(n, "n", least=1), len(bases)))
     for coordinate, base in zip(points.T, bases):
         fill_van_der_corput(coordinate, base, as_first_index(start))
     return points
@@ -75,8 +75,8 @@ def van_der_corput(n: int, base: int = 2, start: int = 1) -> Array:
     >>> van_der_corput(4)
     array([0.5  , 0.25 , 0.75 , 0.125])
     """
-    numbers = np.empty(whole(n, "n", least=1))
-    fill_van_der_corput(numbers, whole(base, "base", least=2), as_first_index(start))
+    numbers = np.empty(integer(n, "n", least=1))
+    fill_van_der_corput(numbers, integer(base, "base", least=2), as_first_index(start))
     return numbers
 
 
@@ -95,9 +95,9 @@ def fill_van_der_corput(numbers: Array, base: int, start: int) -> None:
             f"number {end - 1:,} has too many digits in base {base:,} to be exact; "
             "use a smaller start"
         )
-    of_k = (mirrored(np.arange(block), base, low) * base ** (digits - low)).astype(np.float64)
+    of_k = (reverse_digits(np.arange(block), base, low) * base ** (digits - low)).astype(np.float64)
     blocks = np.arange(start // block, (end - 1) // block + 1)
-    for j, of_j in zip(blocks.tolist(), mirrored(blocks, base, digits - low).tolist()):
+    for j, of_j in zip(blocks.tolist(), reverse_digits(blocks, base, digits - low).tolist()):
         first, last = max(j * block, start), min((j + 1) * block, end)
         numerators = of_k[first - j * block : last - j * block] + of_j
         np.divide(numerators, scale, out=numbers[first - start : last - start])
@@ -111,7 +111,7 @@ def digits_needed(base: int, number: int) -> int:
     return e
 
 
-def mirrored(numbers: NDArray[np.int64], base: int, digits: int) -> NDArray[np.int64]:
+def reverse_digits(numbers: NDArray[np.int64], base: int, digits: int) -> NDArray[np.int64]:
     """Each number with its last `digits` digits in reverse order."""
     reverse, rest = np.zeros_like(numbers), numbers
     for _ in range(digits):
@@ -131,7 +131,7 @@ def as_first_index(start: Any) -> int:
 def as_distinct_primes(primes: Any) -> list[int]:
     """The bases of Halton's sequence as a list; raises InvalidParameter unless distinct primes."""
     try:
-        given = [whole(p, "a prime", least=2) for p in primes]
+        given = [integer(p, "a prime", least=2) for p in primes]
     except TypeError:
         given = []
     if not given:

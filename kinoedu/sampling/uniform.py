@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..geometry.checks import Array, as_generator, whole
+from ..geometry.checks import Array, as_generator, integer
 
 
 def uniform_random(n: int, d: int = 2, *, rng: int | np.random.Generator) -> Array:
@@ -30,5 +30,5 @@ def uniform_random(n: int, d: int = 2, *, rng: int | np.random.Generator) -> Arr
     >>> uniform_random(100, rng=0).shape
     (100, 2)
     """
-    size, dimensions = whole(n, "n", least=1), whole(d, "d", least=1)
+    size, dimensions = integer(n, "n", least=1), integer(d, "d", least=1)
     return as_generator(rng).random((size, dimensions))

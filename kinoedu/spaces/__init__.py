@@ -1,7 +1,7 @@
 """Configuration spaces: distance, interpolation, sampling and nearest neighbours."""
 
 from .angles import circle_distance, torus_distance
-from .asks import diameter, distance, interpolate, nearest, sample
+from .interface import diameter, distance, interpolate, nearest, sample
 from .near import near
 from .real import Box, RealSpace
 from .wrapping import SE2, Circle, Torus, WrappingSpace, wrapped_configuration

@@ -18,7 +18,7 @@ FULL_TURN = 2.0 * math.pi
 
 
 @compiled
-def wrapped(angle: float) -> float:
+def wrap_angle(angle: float) -> float:
     """The same direction in [-pi, pi); an angle in this interval is returned unchanged."""
     if -math.pi <= angle < math.pi:
         return angle
@@ -27,7 +27,7 @@ def wrapped(angle: float) -> float:
 
 
 @compiled
-def short_way(a: float, b: float) -> float:
+def angle_difference(a: float, b: float) -> float:
     """The signed difference b - a of two directions, in [-pi, pi); half a turn is -pi.
 
     It is rounded once if both angles are wrapped.
@@ -35,7 +35,7 @@ def short_way(a: float, b: float) -> float:
     difference, error = two_sum(b, -a)
     if -math.pi <= difference < math.pi:
         return difference
-    return wrapped(wrapped(difference) + error)
+    return wrap_angle(wrap_angle(difference) + error)
 
 
 def circle_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
@@ -111,12 +111,12 @@ def circle_distances(a: Array, b: Array) -> Array:
 
     Remainders are exact, and so is the rounding error of a difference of two.
     """
-    x, y = nearest_turn(a), nearest_turn(b)
+    x, y = wrap_angles_exactly(a), wrap_angles_exactly(b)
     apart, error = two_sum.py_func(np.maximum(x, y), -np.minimum(x, y))
     return np.where(apart > math.pi, np.abs((FULL_TURN - apart) - error), apart)
 
 
-def nearest_turn(angles: Array) -> Array:
+def wrap_angles_exactly(angles: Array) -> Array:
     """The same directions in [-pi, pi], exactly."""
     inside = np.fmod(angles, FULL_TURN)
     return inside - FULL_TURN * (inside > math.pi) + FULL_TURN * (inside < -math.pi)

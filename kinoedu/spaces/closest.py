@@ -50,7 +50,7 @@ def kth_squared_distance(search: Closest) -> float:
 
 
 @algorithm
-def fill(tree: GrowingTree, nodes: Array) -> None:
+def add_nodes(tree: GrowingTree, nodes: Array) -> None:
     """Put nodes (n, d) into the tree's buckets, without parents."""
     for node in nodes:
         add(tree, node, -1)

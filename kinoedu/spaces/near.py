@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..compiled import generic
 from ..geometry.checks import Array
-from .asks import distance
 from .buckets import bucket_of
+from .interface import distance
 from .real import RealSpace
 from .rings import squared_distance
 

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array
-from .asks import distance, interpolate, nearest, sample, sample_box
 from .euclidean import nearest_euclidean_node, squared_difference
+from .interface import distance, interpolate, nearest, sample, sample_box
 from .rings import squared_distance
 
 

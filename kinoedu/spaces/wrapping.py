@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..geometry.checks import Array, as_array, positive, whole
-from .angles import FULL_TURN, short_way, wrapped
-from .asks import diameter, distance, interpolate, nearest, sample, sample_box
+from ..geometry.checks import Array, as_array, integer, positive
+from .angles import FULL_TURN, angle_difference, wrap_angle
 from .buckets import GrowingTree
+from .interface import diameter, distance, interpolate, nearest, sample, sample_box
 from .real import as_bounds
 from .rings import (
     coordinate_weight,
@@ -67,7 +67,7 @@ def Torus(d: int = 2) -> WrappingSpace:
     >>> diameter(Torus(1)) == math.pi
     True
     """
-    joints = whole(d, "d", least=1)
+    joints = integer(d, "d", least=1)
     half = np.full(joints, math.pi)
     return WrappingSpace(-half, half, np.ones(joints, np.bool_), np.ones(joints))
 
@@ -116,7 +116,7 @@ def wrapped_configuration(space: WrappingSpace, q: ArrayLike) -> Array:
     """
     inside = np.array(as_array(q, "configuration"))
     for i in np.flatnonzero(space.wraps):
-        inside[..., i] = np.vectorize(wrapped.py_func, otypes=[np.float64])(inside[..., i])
+        inside[..., i] = np.vectorize(wrap_angle.py_func, otypes=[np.float64])(inside[..., i])
     return inside
 
 
@@ -125,7 +125,7 @@ def weighted_distance(space: WrappingSpace, a: Array, b: Array) -> float:
     """The weighted Euclidean distance; angles take the shorter way around."""
     total = 0.0
     for i in range(len(a)):
-        apart = space.weight[i] * (short_way(a[i], b[i]) if space.wraps[i] else b[i] - a[i])
+        apart = space.weight[i] * (angle_difference(a[i], b[i]) if space.wraps[i] else b[i] - a[i])
         total += apart * apart
     return math.sqrt(total)
 
@@ -146,7 +146,7 @@ def interpolate_wrapping(space: WrappingSpace, a: Array, b: Array, t: float) -> 
     q = np.empty(len(a))
     for i in range(len(a)):
         if space.wraps[i]:
-            q[i] = wrapped(a[i] + t * short_way(a[i], b[i]))
+            q[i] = wrap_angle(a[i] + t * angle_difference(a[i], b[i]))
         else:
             q[i] = a[i] + t * (b[i] - a[i])
     return q
@@ -164,7 +164,7 @@ def squared_weighted_distance(space: WrappingSpace, nodes: Array, node: int, q: 
     total = 0.0
     for i in range(len(q)):
         p = nodes[node, i]
-        apart = space.weight[i] * (short_way(q[i], p) if space.wraps[i] else p - q[i])
+        apart = space.weight[i] * (angle_difference(q[i], p) if space.wraps[i] else p - q[i])
         total += apart * apart
     return total
 
@@ -182,9 +182,9 @@ def search_images(space: WrappingSpace, tree: GrowingTree, q: Array, search: Any
     x_wraps, y_wraps = space.wraps[0], len(q) > 1 and space.wraps[1]
     x, y = q[0], q[1] if len(q) > 1 else 0.0
     if x_wraps:
-        x = wrapped(x)
+        x = wrap_angle(x)
     if y_wraps:
-        y = wrapped(y)
+        y = wrap_angle(y)
     for right in (0.0, FULL_TURN, -FULL_TURN):
         for up in (0.0, FULL_TURN, -FULL_TURN):
             if (right != 0.0 and not x_wraps) or (up != 0.0 and not y_wraps):

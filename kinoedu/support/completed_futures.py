@@ -13,7 +13,7 @@ from typing import Any, Generic, TypeVar
 T = TypeVar("T")
 
 
-class Arrivals(Generic[T]):
+class CompletedFutures(Generic[T]):
     """An iterable of pairs (label, future) in the order in which the futures complete.
 
     More futures may be added while the iteration runs.
@@ -22,10 +22,10 @@ class Arrivals(Generic[T]):
     --------
     >>> from concurrent.futures import ThreadPoolExecutor
     >>> with ThreadPoolExecutor(1) as executor:
-    ...     arrivals = Arrivals()
+    ...     completed = CompletedFutures()
     ...     for word in ("to", "fro"):
-    ...         arrivals.expect(executor.submit(len, word), word)
-    ...     sorted((word, future.result()) for word, future in arrivals)
+    ...         completed.add(executor.submit(len, word), word)
+    ...     sorted((word, future.result()) for word, future in completed)
     [('fro', 3), ('to', 2)]
     """
 
@@ -33,7 +33,7 @@ class Arrivals(Generic[T]):
         self.waiting: dict[Future[Any], T] = {}
         self.done: SimpleQueue[Future[Any]] = SimpleQueue()
 
-    def expect(self, future: "Future[Any]", what: T) -> None:
+    def add(self, future: "Future[Any]", what: T) -> None:
         """Add a future with its label."""
         self.waiting[future] = what
         future.add_done_callback(self.done.put)

@@ -19,7 +19,7 @@ class Notes(logging.Handler):
 
 
 @contextmanager
-def stage(what: str) -> Iterator[Notes]:
+def show_stage(what: str) -> Iterator[Notes]:
     """Show what is being done while the block runs; yields the handler of log messages."""
     if sys.stderr is None:  # closed by the caller
         yield Notes()
@@ -63,7 +63,7 @@ def print_line(what: str, notes: Notes, done: threading.Event) -> None:
 
 
 @contextmanager
-def counted(what: str) -> Iterator[Callable[[int, int], None]]:
+def show_progress(what: str) -> Iterator[Callable[[int, int], None]]:
     """Show a progress bar while the block runs.
 
     Yields the function that updates it, which takes how many things are done and how many there
@@ -77,7 +77,7 @@ def counted(what: str) -> Iterator[Callable[[int, int], None]]:
         left = ""
         if first < done < total:
             seconds = (time.monotonic() - began) / (done - first) * (total - done)
-            left = f", {duration(seconds)} left"
+            left = f", {format_duration(seconds)} left"
         tenths = 10 * done // max(total, 1)
         if sys.stderr is not None and sys.stderr.isatty():
             rewrite_line(f"{what} [{'#' * 2 * tenths:<20}] {done}/{total}{left}")
@@ -92,12 +92,12 @@ def counted(what: str) -> Iterator[Callable[[int, int], None]]:
             rewrite_line("")
 
 
-def duration(seconds: float) -> str:
+def format_duration(seconds: float) -> str:
     """A duration in a readable unit.
 
     Examples
     --------
-    >>> duration(7.6), duration(125), duration(7300)
+    >>> format_duration(7.6), format_duration(125), format_duration(7300)
     ('8 s', '2 min', '2.0 h')
     """
     if seconds < 100:

@@ -1,6 +1,6 @@
 """Time limits for functions that may never end, so that they do not block a notebook.
 
-`within` limits a whole computation by wall-clock time. `within_processor_time` is for a student's
+`run_within` limits a whole computation by wall-clock time. `run_within_processor_time` is for a student's
 program and counts only what that program itself computes.
 """
 
@@ -20,8 +20,8 @@ from .threads import WAITING_FILES, library_seconds, raise_in, spent_by
 T = TypeVar("T")
 
 
-class Bounded(Protocol):
-    """A function that runs work() with a time limit, such as `within`."""
+class Limiter(Protocol):
+    """A function that runs work() with a time limit, such as `run_within`."""
 
     def __call__(self, seconds: float, work: Callable[[], T]) -> T: ...
 
@@ -32,7 +32,7 @@ IN_BROWSER = sys.platform == "emscripten"  # Python has no threads there
 GRACE = 1.0  # seconds that a function has to stop
 POLL_INTERVAL = 0.02  # seconds
 
-WAITING = 4.0  # a program that only waits ends after this many times the limit
+MAX_WAIT_FACTOR = 4.0  # a program that only waits ends after this many times the limit
 BUSY_SHARE = 0.1  # a program that computes for less of the wall-clock time only waits
 LONGEST = 20.0  # every program ends after this many times the limit of wall-clock time
 
@@ -40,7 +40,7 @@ REFERENCE = 0.0015  # seconds that time_practice_loop() takes on a typical compu
 SLOWEST = 20.0  # no computer counts as more times slower than that
 
 
-class Seen(NamedTuple):
+class SeenLines(NamedTuple):
     """The lines of one call of a function, first to last, in which a thread was seen."""
 
     file: str
@@ -66,14 +66,14 @@ class TimeUp(BaseException):
         allowed: float = 0.0,
         passed: float = 0.0,
         left_running: bool = False,
-        seen: Seen | None = None,
+        seen: SeenLines | None = None,
     ) -> None:
         super().__init__()
         self.used, self.allowed, self.passed = used, allowed, passed
         self.left_running, self.seen = left_running, seen
 
 
-def within(seconds: float, work: Callable[[], T]) -> T:
+def run_within(seconds: float, work: Callable[[], T]) -> T:
     """Run work() with a limit of wall-clock time, and return its result.
 
     The work runs in a separate thread, which is told to stop at the limit. Python code then stops.
@@ -88,13 +88,13 @@ def within(seconds: float, work: Callable[[], T]) -> T:
 
     Examples
     --------
-    >>> within(1.0, lambda: 2 + 2)
+    >>> run_within(1.0, lambda: 2 + 2)
     4
     """
     return run_bounded(Clock(seconds), work)
 
 
-def within_processor_time(seconds: float, work: Callable[[], T]) -> T:
+def run_within_processor_time(seconds: float, work: Callable[[], T]) -> T:
     """Run a student's program with a limit of processor time, and return its result.
 
     Only the processor time of its thread counts. The time spent in interpreted functions of the
@@ -110,12 +110,12 @@ def within_processor_time(seconds: float, work: Callable[[], T]) -> T:
 
     Examples
     --------
-    >>> within_processor_time(1.0, lambda: 2 + 2)
+    >>> run_within_processor_time(1.0, lambda: 2 + 2)
     4
     """
     if IN_BROWSER:
         return work()
-    return run_bounded(FairClock(seconds * speed()), work)
+    return run_bounded(FairClock(seconds * slowdown()), work)
 
 
 def run_bounded(clock: "Clock", work: Callable[[], T]) -> T:
@@ -162,7 +162,7 @@ class Clock:
         self.used = self.passed = time.monotonic() - self.began
         return self.used > self.allowed
 
-    def seen(self) -> Seen | None:
+    def seen(self) -> SeenLines | None:
         """Where the work spent its time, if known."""
         return None
 
@@ -210,10 +210,12 @@ class FairClock(Clock):
         self.wall, self.processor, self.library = wall, processor, library
         if max(self.used, self.passed / LONGEST) > self.allowed / 2.0:
             self.seen_calls.add(frame)
-        waits = self.passed > WAITING * self.allowed and self.busy < BUSY_SHARE * self.passed
+        waits = (
+            self.passed > MAX_WAIT_FACTOR * self.allowed and self.busy < BUSY_SHARE * self.passed
+        )
         return self.used > self.allowed or waits or self.passed > LONGEST * self.allowed
 
-    def seen(self) -> Seen | None:
+    def seen(self) -> SeenLines | None:
         """The lines in which the program spent its time, if it used up its processor time."""
         return self.seen_calls.seen() if self.used > self.allowed else None
 
@@ -243,13 +245,13 @@ class SeenCalls:
         del self.calls[same:], self.lines[same:]
         self.looks += 1
 
-    def seen(self) -> Seen | None:
+    def seen(self) -> SeenLines | None:
         """Where the thread was at every look; None where that is not a few lines."""
         if self.looks < self.MIN_LOOKS or not self.calls or not self.lines[-1]:
             return None
         code, first, last = self.calls[-1].f_code, min(self.lines[-1]), max(self.lines[-1])
         is_known = last - first < self.MAX_LINES
-        return Seen(code.co_filename, code.co_name, first, last) if is_known else None
+        return SeenLines(code.co_filename, code.co_name, first, last) if is_known else None
 
 
 def calls_on_stack(frame: FrameType | None) -> Iterator[FrameType]:
@@ -286,12 +288,12 @@ def clock_of_this_thread() -> int | None:
 
 
 @functools.cache
-def speed() -> float:
+def slowdown() -> float:
     """How many times slower this computer is than a typical one; at least 1. Measured once.
 
     Examples
     --------
-    >>> 1.0 <= speed() <= 20.0
+    >>> 1.0 <= slowdown() <= 20.0
     True
     """
     seconds = statistics.median(time_practice_loop() for _ in range(5))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_array, positive, whole
+from ..geometry.checks import Array, as_array, integer, positive
 from .terrain import Terrain
 
 
@@ -71,7 +71,7 @@ def roughness(heights: ArrayLike, *, reach: int = 1) -> Array:
     >>> roughness([[0.0, 1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 7.0, 8.0]]).max() < 1e-7
     np.True_
     """
-    field, r = as_heights(heights), whole(reach, "reach", least=1)
+    field, r = as_heights(heights), integer(reach, "reach", least=1)
     if r >= min(field.shape):
         raise InvalidWorld(f"reach {r} must be less than both sides of the heights, {field.shape}")
     wide = np.pad(field, r, mode="reflect", reflect_type="odd")

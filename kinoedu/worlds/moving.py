@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_array, as_things
+from ..geometry.checks import Array, as_array, as_list
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
@@ -125,7 +125,7 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
     """
     if not isinstance(still, PolygonWorldRecord):
         raise InvalidWorld(f"the fixed obstacles must be a PolygonWorld, got {shortened(still)}")
-    given = as_things(movers, "movers")
+    given = as_list(movers, "movers")
     for mover in given:
         if not isinstance(mover, Mover):
             raise InvalidWorld(

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import turn
+from ..geometry.exact import orientation_sign
 from ..geometry.parts import Parts, motion_touches_part, part_boxes
 
 MARGIN = 0.01  # of a cell: boxes are grown by it, so that rounding of cell numbers loses no part
@@ -154,7 +154,7 @@ def is_left_of_edges(x: float, y: float, parts: Parts, i: int) -> bool:
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     last = end - 1
     for k in range(begin, end):
-        if turn(points[last, 0], points[last, 1], points[k, 0], points[k, 1], x, y) < 0:
+        if orientation_sign(points[last, 0], points[last, 1], points[k, 0], points[k, 1], x, y) < 0:
             return False
         last = k
     return True

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPolygon, InvalidWorld
-from ..geometry.checks import Array, as_array, as_point, as_things
+from ..geometry.checks import Array, as_array, as_list, as_point
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
-from ..geometry.polygons import places
+from ..geometry.polygons import locate_points
 from ..geometry.rings import as_ring
-from .known_cells import KnownCells, known_cells, nothing_known
+from .occupancy import Occupancy, make_occupancy, no_occupancy
 from .parts_index import PartsIndex, index_parts
 
 
@@ -26,7 +26,7 @@ class PolygonWorldRecord(NamedTuple):
     hull : (k, 2), the convex hull of the boundary, outside of which everything is solid.
     obstacles : the convex parts of the obstacles and of the pockets between boundary and hull, and
         then the round obstacles.
-    cells, known : the index of the parts, and the occupancy cells.
+    cells, occupancy : the index of the parts, and the occupancy cells.
     lo, hi : the corners of the bounding box.
     """
 
@@ -34,7 +34,7 @@ class PolygonWorldRecord(NamedTuple):
     hull: Array
     obstacles: Parts
     cells: PartsIndex
-    known: KnownCells
+    occupancy: Occupancy
     lo: Array
     hi: Array
 
@@ -70,7 +70,7 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     outline = as_ring(boundary, "boundary")
     hull = convex_hull(outline)
     solids, pieces, discs = [[outline[::-1]]], pockets(outline, hull), []
-    for number, obstacle in enumerate(as_things(obstacles, "obstacles")):
+    for number, obstacle in enumerate(as_list(obstacles, "obstacles")):
         name = f"obstacle {number}"
         if is_pair_with_radius(obstacle):
             discs.append(as_disc(obstacle[0], obstacle[1], name))
@@ -88,8 +88,8 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
     lo, hi = hull.min(axis=0), hull.max(axis=0)
     cells = index_parts(parts, lo, hi)
-    known = known_cells(hull, parts, cells, lo, hi)
-    return PolygonWorldRecord(edges, hull, parts, cells, known, lo, hi)
+    occupancy = make_occupancy(hull, parts, cells, lo, hi)
+    return PolygonWorldRecord(edges, hull, parts, cells, occupancy, lo, hi)
 
 
 def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:
@@ -106,7 +106,7 @@ def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRe
     first, radius = 3 * np.arange(len(triangles) + 1), np.zeros(len(triangles))
     parts = Parts(triangles.reshape(-1, 2), first, radius)
     cells = index_parts(parts, lo, hi)
-    return PolygonWorldRecord(edges, box, parts, cells, nothing_known(), lo, hi)
+    return PolygonWorldRecord(edges, box, parts, cells, no_occupancy(), lo, hi)
 
 
 def edges_of(ring: Array, solid: int) -> Array:
@@ -163,13 +163,13 @@ def as_polygon_with_rooms(obstacle: Any, name: str) -> tuple[Array, list[Array]]
         has_rooms = False
     if not has_rooms:
         return as_ring(obstacle, name), []
-    found = enumerate(as_things(rooms, f"{name}: its rooms"))
+    found = enumerate(as_list(rooms, f"{name}: its rooms"))
     return as_ring(polygon, name), [as_ring(room, f"{name}, room {i}") for i, room in found]
 
 
 def pockets(outline: Array, hull: Array) -> list[Array]:
     """The convex parts of the region between a boundary and its convex hull."""
-    on_hull = np.flatnonzero(places(outline, hull) == 0)
+    on_hull = np.flatnonzero(locate_points(outline, hull) == 0)
     parts: list[Array] = []
     for i, j in zip(on_hull, [*on_hull[1:], on_hull[0] + len(outline)], strict=True):
         if j > i + 1:

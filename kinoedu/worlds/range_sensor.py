@@ -13,7 +13,7 @@ from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint, InvalidWorld
 from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
-from ..geometry.polygons import places
+from ..geometry.polygons import locate_points
 from ..geometry.segments import shared_points
 from ..support.text import shortened
 from .polygon_world import PolygonWorldRecord, discs_of, rings_of
@@ -80,7 +80,7 @@ def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) 
     most = farthest if isinstance(reach, float) and reach == math.inf else as_array(reach, "reach")
     if np.ndim(most) or most <= 0.0:
         raise InvalidParameter(f"reach must be one positive length, got {shortened(reach)}")
-    if places(place[None], rings_of(world)[0][0])[0] <= 0:
+    if locate_points(place[None], rings_of(world)[0][0])[0] <= 0:
         raise InvalidPoint(f"q must lie inside the world's boundary, got {tuple(place.tolist())}")
     angles = 2.0 * math.pi * np.arange(rays) / rays
     within = min(float(most), farthest)

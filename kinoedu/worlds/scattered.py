@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_array, as_generator, none_or_more, positive, whole
+from ..geometry.checks import Array, as_array, as_generator, integer, nonnegative, positive
 from .polygon_world import PolygonWorld, PolygonWorldRecord
 
 TRIES = 1000  # draws for each obstacle before the world counts as full
@@ -51,12 +51,16 @@ def scattered(
     >>> bool((ten.obstacles.points == twenty.obstacles.points[: len(ten.obstacles.points)]).all())
     True
     """
-    count, width, size = whole(n, "n", least=0), positive(side, "side"), positive(radius, "radius")
+    count, width, size = (
+        integer(n, "n", least=0),
+        positive(side, "side"),
+        positive(radius, "radius"),
+    )
     if 2.0 * size > width:
         raise InvalidParameter(
             f"an obstacle of radius {size:g} must fit into a side of {width:g}; make it smaller"
         )
-    apart = -np.inf if gap is None else none_or_more(gap, "gap")
+    apart = -np.inf if gap is None else nonnegative(gap, "gap")
     generator, placed, polygons = as_generator(rng), as_discs(keep_free), []
     kept = len(placed)
     for number in range(count):

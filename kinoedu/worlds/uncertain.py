@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidParameter, InvalidWorld
-from ..geometry.checks import Array, as_array, as_generator, is_real, whole
+from ..geometry.checks import Array, as_array, as_generator, integer, is_real
 from ..geometry.convex import convex_parts
-from ..geometry.grown import grown
+from ..geometry.grown import grow_piece
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
 from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_with_radius
@@ -145,7 +145,7 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
     solids: list[Any] = []
     for k, (own, more) in enumerate(zip(parts.radius, margin)):
         piece = parts.points[parts.first[k] : parts.first[k + 1]]
-        solids.append((piece[0], own + more) if own > 0.0 else grown(piece, float(more)))
+        solids.append((piece[0], own + more) if own > 0.0 else grow_piece(piece, float(more)))
     return PolygonWorld(ring_of(world.empty), solids)
 
 
@@ -164,7 +164,7 @@ def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Gener
     InvalidParameter
         Where n or rng is not valid.
     """
-    count = whole(n, "n", least=0)
+    count = integer(n, "n", least=0)
     return as_generator(rng).standard_normal((count, len(world.sigma), 2)) * world.sigma[:, None]
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from kinoedu.course.bank import wrong
 from kinoedu.course.lessons.bugs.exposing_problem import mended_bug0
 from kinoedu.geometry import point_polygon_distance, polygon_tangent
-from kinoedu.geometry.leash import at_most_apart
+from kinoedu.geometry.leash import densify_path
 from kinoedu.planners.bugs import bug0, bug1, bug2, bug2_prelim, bug_base
 
 # BugBase
@@ -14,7 +14,7 @@ from kinoedu.planners.bugs import bug0, bug1, bug2, bug2_prelim, bug_base
 @wrong("bug_base")
 def blind(start, goal, obstacles, step):
     """Ignores all obstacles."""
-    return at_most_apart([start, goal], step)
+    return densify_path([start, goal], step)
 
 
 @wrong("bug_base")
@@ -141,7 +141,7 @@ def jumps_back(start, goal, obstacles, step):
 def leaves_at_the_hit(start, goal, obstacles, step):
     """After the round it goes on through the wall from the hit."""
     points, hits, _ = pieces(start, goal, obstacles, step)
-    return at_most_apart([start, *points[hits], goal], step)
+    return densify_path([start, *points[hits], goal], step)
 
 
 @wrong("bug1")
@@ -244,14 +244,14 @@ def greedy_bug(start, goal, obstacles, step):
 @wrong("bug2")
 def through_the_wall(start, goal, obstacles, step):
     """Keeps to the line through all obstacles."""
-    return at_most_apart([start, goal], step)
+    return densify_path([start, goal], step)
 
 
 @wrong("bug2")
 def cuts_corners(start, goal, obstacles, step):
     """Keeps every tenth point only, and goes straight between them."""
     walk = bug2(start, goal, obstacles, step).walk
-    return at_most_apart(walk.points[[0, *walk.hit, *walk.leave[-1:], -1]], step)
+    return densify_path(walk.points[[0, *walk.hit, *walk.leave[-1:], -1]], step)
 
 
 @wrong("bug2")

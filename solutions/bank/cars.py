@@ -9,7 +9,7 @@ from math import cos, hypot, pi, sin, tan
 import numpy as np
 
 from kinoedu.course.bank import wrong
-from kinoedu.curves.arcs import driven
+from kinoedu.curves.arcs import drive_arc
 
 # One control
 
@@ -30,7 +30,7 @@ def by_radius(pose, v, phi, t, bend):
 @wrong("move", slip="small_angle")
 def phi_for_tan(pose, v, phi, t, L):
     """Uses phi in place of tan(phi)."""
-    return driven(*pose, v * t, phi / L)
+    return drive_arc(*pose, v * t, phi / L)
 
 
 @wrong("move")
@@ -55,25 +55,25 @@ def divides_by_zero(pose, v, phi, t, L):
 @wrong("move", slip="no_wheelbase")
 def without_wheelbase(pose, v, phi, t, L):
     """Forgets L."""
-    return driven(*pose, v * t, tan(phi))
+    return drive_arc(*pose, v * t, tan(phi))
 
 
 @wrong("move", slip="sine")
 def sine_for_tangent(pose, v, phi, t, L):
     """Uses the sine."""
-    return driven(*pose, v * t, sin(phi) / L)
+    return drive_arc(*pose, v * t, sin(phi) / L)
 
 
 @wrong("move", slip="degrees")
 def in_degrees(pose, v, phi, t, L):
     """Converts to radians once too often."""
-    return driven(*pose, v * t, tan(math.radians(phi)) / L)
+    return drive_arc(*pose, v * t, tan(math.radians(phi)) / L)
 
 
 @wrong("move", slip="clockwise")
 def turns_right(pose, v, phi, t, L):
     """Has the wrong sign."""
-    return driven(*pose, v * t, -tan(phi) / L)
+    return drive_arc(*pose, v * t, -tan(phi) / L)
 
 
 @wrong("move", slip="one_step")
@@ -102,19 +102,19 @@ def as_long_as_the_arc(pose, v, phi, t, L):
 @wrong("move", slip="no_turn")
 def old_heading(pose, v, phi, t, L):
     """Forgets the heading."""
-    return *driven(*pose, v * t, tan(phi) / L)[:2], pose[2]
+    return *drive_arc(*pose, v * t, tan(phi) / L)[:2], pose[2]
 
 
 @wrong("move", slip="straight_if_small")
 def straight_below_a_fiftieth(pose, v, phi, t, L):
     """Ignores turns that are too large to ignore."""
-    return driven(*pose, v * t, tan(phi) / L if abs(phi) >= 0.02 else 0.0)
+    return drive_arc(*pose, v * t, tan(phi) / L if abs(phi) >= 0.02 else 0.0)
 
 
 @wrong("move", slip="steered")
 def where_the_wheels_point(pose, v, phi, t, L):
     """Moves in the direction of the front wheels."""
-    x, y, theta = driven(pose[0], pose[1], pose[2] + phi, v * t, tan(phi) / L)
+    x, y, theta = drive_arc(pose[0], pose[1], pose[2] + phi, v * t, tan(phi) / L)
     return x, y, theta - phi
 
 
@@ -129,28 +129,28 @@ def a_thousand_steps(pose, v, phi, t, L):
 @wrong("move", slip="other_side")
 def cosines_the_wrong_way(pose, v, phi, t, L):
     """Integrates the sine without its minus sign."""
-    x, y, theta = driven(*pose, v * t, tan(phi) / L)
+    x, y, theta = drive_arc(*pose, v * t, tan(phi) / L)
     return (x, pose[1] - (y - pose[1]), theta) if phi else (x, y, theta)
 
 
 @wrong("move", slip="forward")
 def never_back(pose, v, phi, t, L):
     """Uses the absolute value of the speed."""
-    return driven(*pose, abs(v) * t, tan(phi) / L)
+    return drive_arc(*pose, abs(v) * t, tan(phi) / L)
 
 
 @wrong("move")
 def stays_on_the_first_circle(pose, v, phi, t, L):
     """Limits the turn to one circle."""
     distance = math.fmod(v * t, pi * L / tan(phi)) if phi else v * t
-    return driven(*pose, distance, tan(phi) / L)
+    return drive_arc(*pose, distance, tan(phi) / L)
 
 
 # Many controls
 
 
 def move(pose, v, phi, t, L):
-    return driven(*pose, v * t, tan(phi) / L)
+    return drive_arc(*pose, v * t, tan(phi) / L)
 
 
 def replay_by(start, controls, durations, L, step=move):

@@ -11,7 +11,7 @@ from math import hypot, pi, sqrt
 import numpy as np
 
 from kinoedu.course.bank import wrong
-from kinoedu.curves.arcs import driven
+from kinoedu.curves.arcs import drive_arc
 from kinoedu.geometry import point_in_polygon
 from kinoedu.worlds.polygon_world import rings_of
 
@@ -257,7 +257,7 @@ def phi_for_tan(problem, *given):
     return best(
         problem,
         *given,
-        move=lambda q, v, phi, t: np.array(driven(*q, v * t, phi / problem.robot.wheelbase)),
+        move=lambda q, v, phi, t: np.array(drive_arc(*q, v * t, phi / problem.robot.wheelbase)),
     )
 
 

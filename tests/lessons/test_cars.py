@@ -8,8 +8,8 @@ import pytest
 from kinoedu import Car, Trajectory, dubins_path, reeds_shepp_path
 from kinoedu.boards import curves_board
 from kinoedu.course.lessons.cars import csc_length, exposing_drive
-from kinoedu.course.lessons.shared.driving import moved
-from kinoedu.curves.dubins import every_word
+from kinoedu.course.lessons.shared.driving import pose_after
+from kinoedu.curves.dubins import all_dubins_curves
 from kinoedu.figures import cars
 
 
@@ -23,7 +23,7 @@ def poses(seed, n):
 def test_every_word_leads_there_and_the_shortest_is_dubins(seed):
     """Each curve ends at the goal, each word occurs once, the shortest is that of dubins_path."""
     for a, b in zip(poses(seed, 60), poses(seed + 10, 60)):
-        curves = every_word(a, b, 1.3)
+        curves = all_dubins_curves(a, b, 1.3)
         for curve in curves:
             end = curve.at(curve.length)
             assert math.dist(end[:2], b[:2]) < 1e-8
@@ -43,7 +43,9 @@ def test_the_lengths_by_circles_are_those_of_the_curves(seed):
             word: 1.3 * (t + v) + u for word, (t, u, v) in csc_length.words_to(a, b, 1.3).items()
         }
         curves = {
-            curve.word: curve.length for curve in every_word(a, b, 1.3) if curve.word[1] == "S"
+            curve.word: curve.length
+            for curve in all_dubins_curves(a, b, 1.3)
+            if curve.word[1] == "S"
         }
         assert by_circles == pytest.approx(curves, abs=1e-7)
 
@@ -87,7 +89,7 @@ def test_moves_agree_with_fine_steps():
 
     for pose, phi in zip(poses(3, 20), np.linspace(-0.78, 0.78, 20)):
         stepped = runge_kutta(pose, -1.5, math.tan(phi) / 2.5, 4.0, 400)[-1]
-        assert moved(pose, -1.5, phi, 4.0, 2.5) == pytest.approx(stepped, abs=1e-8)
+        assert pose_after(pose, -1.5, phi, 4.0, 2.5) == pytest.approx(stepped, abs=1e-8)
 
 
 def test_the_board_tells_both_ways_and_moves_what_a_pose_looks_at():

@@ -24,7 +24,7 @@ from kinoedu.course.lessons.kinodynamic.driven_trees import find_drive_fault, fi
 from kinoedu.curves.integrators import runge_kutta
 from kinoedu.experiments import read_experiment
 from kinoedu.robots.trajectory import DrivenTree
-from kinoedu.spaces.angles import short_way, wrapped
+from kinoedu.spaces.angles import angle_difference, wrap_angle
 
 EXPERIMENTS = Path(__file__).resolve().parent.parent.parent / "notebooks" / "experiments"
 
@@ -38,10 +38,10 @@ def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
     assert (
         DrivenTask().encode(sent)
         == DrivenTask().encode(copied)
-        == DrivenTask().encode(problem.anew())
+        == DrivenTask().encode(problem.fresh_copy())
     )
     problem.sample(np.random.default_rng(0))
-    assert problem.anew().counts() == {}
+    assert problem.fresh_copy().counts() == {}
 
 
 def test_moves_agree_with_fine_steps_and_drives_are_cut_where_they_are_closest():
@@ -140,7 +140,7 @@ def test_near_enough_is_judged_across_pi():
         ]
     )
     assert find_near_goal(problem, poses).tolist() == [0, 1]
-    assert abs(short_way(wrapped(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
+    assert abs(angle_difference(wrap_angle(math.pi - 0.2), -math.pi)) == pytest.approx(0.2)
 
 
 @pytest.mark.parametrize("name", garages.OPEN)

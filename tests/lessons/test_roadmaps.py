@@ -5,7 +5,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from kinoedu.chances import wilson
+from kinoedu.chances import wilson_interval
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.roadmaps.component_k_closest import join_by_components
 from kinoedu.course.lessons.roadmaps.exposing_sight import world_fault, wrong_views
@@ -24,7 +24,7 @@ from kinoedu.course.lessons.roadmaps.visibility_roadmap import (
     join_visible,
 )
 from kinoedu.figures.torus_roadmap import unroll
-from kinoedu.planners.roadmaps.connecting import ComponentKClosest, KClosest, Radius, joined
+from kinoedu.planners.roadmaps.connecting import ComponentKClosest, KClosest, Radius, connect_nodes
 
 
 @pytest.mark.parametrize(
@@ -41,7 +41,7 @@ def test_the_judges_rules_are_the_planners(ours, rule, number):
     rng = np.random.default_rng(8)
     for problem in (make_hall(), make_hall(*draw_obstacles(rng, 3)), make_arm()):
         nodes = draw_free_nodes(rng, problem, 25)
-        edges, _ = joined(rule(number), problem.problem, nodes)
+        edges, _ = connect_nodes(rule(number), problem.problem, nodes)
         assert sorted(map(tuple, np.sort(edges, axis=1).tolist())) == sorted(
             map(tuple, ours(problem, nodes, number).tolist())
         )
@@ -85,7 +85,7 @@ def test_no_quadrilateral_fools_the_program_and_a_pentagon_does():
 @pytest.mark.parametrize(("successes", "trials"), [(0, 20), (1, 20), (10, 20), (20, 20), (77, 200)])
 def test_wilsons_ends_are_where_the_share_is_just_believable(successes, trials):
     """At each end p of the interval, the fraction is 1.96 standard deviations from p."""
-    for p in wilson([successes], trials):
+    for p in wilson_interval([successes], trials):
         off = abs(successes / trials - p[0])
         assert off == pytest.approx(
             1.959963984540054 * np.sqrt(p[0] * (1 - p[0]) / trials), abs=1e-12

@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 
 from ...collision import link_in_contact, paint_configuration_space
 from ...collision.arms import check_arm
+from ...messages import get_message
 from ...planners import rrt
-from ...planners.tuning import whole
+from ...planners.tuning import integer
 from ...problems import Plan
 from ...problems.configurations import as_configuration, space_of
 from ...robots import why_unreachable
 from ...robots.arm import ArmRobot
-from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies
 from ..core.framed import Pictured, arrange_in_row
@@ -98,7 +98,7 @@ class ArmBoard(Pictured, widgets.VBox):
         self._names = label_regions(self.image)
         self.q = as_configuration(q, space, "q")
         self.goal = None if goal is None else as_configuration(goal, space, "goal")
-        self._planner, self._seed = planner, whole(rng, "rng", least=0)
+        self._planner, self._seed = planner, integer(rng, "rng", least=0)
         self._ride: Ride | None = None
         self._plan_anew()
         scene, plane = make_world_scene(world, self._grips()), make_square_scene(self._spots())
@@ -124,7 +124,9 @@ class ArmBoard(Pictured, widgets.VBox):
         layers += draw_ride_in_workspace(self.arm, self._ride) if self._ride else []
         layers += draw_arm(self.arm, self.q, hits)
         first, second = (f"{angle:.2f}" for angle in self.q)
-        text = say("arm_board.told", first=first, second=second, contact=describe_contact(hits))
+        text = get_message(
+            "arm_board.told", first=first, second=second, contact=describe_contact(hits)
+        )
         self._gripped = [joint.tolist() for joint in self.arm.joints(self.q)]
         lines = (text, hindered, self._ride.text if self._ride else "")
         return self._drawn(layers, "\n".join(filter(None, lines)), self._gripped)
@@ -142,8 +144,8 @@ class ArmBoard(Pictured, widgets.VBox):
         layers += draw_ride_in_square(self._ride) if self._ride else []
         self._spotted = [q.tolist() for q in (self.q, self.goal) if q is not None]
         first, second = (f"{np.degrees(angle):.0f}" for angle in self.q)
-        link = say(f"figure.link_{link_in_contact(self.arm, self.q, self.world)}")
-        text = say("arm_board.in_square", first=first, second=second, link=link)
+        link = get_message(f"figure.link_{link_in_contact(self.arm, self.q, self.world)}")
+        text = get_message("arm_board.in_square", first=first, second=second, link=link)
         return self._drawn(layers, text, self._spotted)
 
     def _take(self, scene: Scene) -> str:
@@ -166,7 +168,7 @@ class ArmBoard(Pictured, widgets.VBox):
         self.square.refresh()
         tip = pulls[TIP] if pulls[ELBOW] is None else None
         reason = "" if tip is None else why_unreachable(self.arm, tip)
-        return say("arm_board.out_of_reach", reason=reason) if reason else ""
+        return get_message("arm_board.out_of_reach", reason=reason) if reason else ""
 
     def _plan_anew(self) -> None:
         """Plan if there is a goal.
@@ -183,16 +185,16 @@ class ArmBoard(Pictured, widgets.VBox):
         places = [("handle", number, place) for number, place in enumerate(handles)]
         stops = self._ride.stops.tolist() if self._ride else []
         texts = [
-            say("arm_board.riding", first=f"{first:.2f}", second=f"{second:.2f}")
+            get_message("arm_board.riding", first=f"{first:.2f}", second=f"{second:.2f}")
             for first, second in stops
         ]
-        total, unit = max(len(texts) - 1, 0), say("arm_board.unit")
+        total, unit = max(len(texts) - 1, 0), get_message("arm_board.unit")
         drawing = Drawing(layers, text=text, total=total, unit=unit)
         return replace(drawing, step_texts=texts, places=places)
 
     def _grips(self) -> list[dict[str, Any]]:
         """The workspace's handles: elbow and tip."""
-        names = (say("arm_board.elbow"), say("arm_board.tip"))
+        names = (get_message("arm_board.elbow"), get_message("arm_board.tip"))
         return [
             mark_drawn(handle(name, at, colour="ink"))
             for name, at in zip(names, self.arm.joints(self.q), strict=True)
@@ -200,9 +202,9 @@ class ArmBoard(Pictured, widgets.VBox):
 
     def _spots(self) -> list[dict[str, Any]]:
         """The square's handles: q, and the goal where there is one."""
-        handles = [handle(say("arm_board.q"), self.q, colour="ink")]
+        handles = [handle(get_message("arm_board.q"), self.q, colour="ink")]
         if self.goal is not None:
-            goal = handle(say("arm_board.goal"), self.goal, colour="goal", marker="star")
+            goal = handle(get_message("arm_board.goal"), self.goal, colour="goal", marker="star")
             handles.append(goal)
         return handles
 

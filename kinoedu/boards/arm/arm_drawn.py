@@ -8,9 +8,9 @@ import numpy as np
 from ...collision import link_in_contact
 from ...figures.bars import bar_outline
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...robots import ArmChain
 from ...robots.arm import ArmRobot
-from ...words import say
 from ..core.drawing import Layer, bodies, dots, labels
 
 ASIDE = 0.15  # the distance of a link's name from it, as a fraction of its length
@@ -32,8 +32,12 @@ def links_in_contact(arm: ArmRobot, q: Array, world: Any) -> list[int]:
 def describe_contact(hits: Sequence[int]) -> str:
     """The links in contact, in words."""
     if len(hits) == 2:
-        return say("arm_board.both")
-    return say("figure.link_in_contact", link=hits[0]) if hits else say("figure.no_link_in_contact")
+        return get_message("arm_board.both")
+    return (
+        get_message("figure.link_in_contact", link=hits[0])
+        if hits
+        else get_message("figure.no_link_in_contact")
+    )
 
 
 def link_outlines(arm: ArmRobot, q: Array) -> Array:
@@ -64,5 +68,5 @@ def label_links(joints: Array, q: Array) -> Layer:
     """The links' names beside their midpoints, on the outer side of the bent elbow."""
     along = np.diff(joints, axis=0)
     aside = np.column_stack([along[:, 1], -along[:, 0]]) * (ASIDE if q[1] >= 0.0 else -ASIDE)
-    names = [say("arm_board.link", number=i + 1) for i in range(2)]
+    names = [get_message("arm_board.link", number=i + 1) for i in range(2)]
     return labels(joints[:-1] + 0.5 * along + aside, names, "ink")

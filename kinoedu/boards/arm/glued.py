@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ...figures.arms import find_widest
 from ...geometry.checks import Array
-from ...words import say
+from ...messages import get_message
 from ..core.drawing import Layer, arrows, edges, labels, sides_of
 from ..core.scene import Scene, make_scene
 
@@ -49,7 +49,7 @@ def draw_sights(q: Array) -> Layer:
 def label_regions(image: NDArray[np.int8]) -> list[Layer]:
     """The meaning of each colour of a painted image, written where the region is widest."""
     coarse = image[COARSE // 2 :: COARSE, COARSE // 2 :: COARSE]
-    found = [(find_widest(coarse == link), say(f"figure.link_{link}")) for link in range(3)]
+    found = [(find_widest(coarse == link), get_message(f"figure.link_{link}")) for link in range(3)]
     return [
         labels([(min(place[0], PI - 1.3) - 0.3, place[1] - 0.2)], [name], "ink")
         for place, name in found

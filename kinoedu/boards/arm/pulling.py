@@ -7,7 +7,7 @@ import numpy as np
 from ...geometry.checks import Array
 from ...robots.arm import ArmRobot
 from ...spaces import torus_distance
-from ...spaces.angles import wrapped
+from ...spaces.angles import wrap_angle
 
 
 def pull_arm(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> Array:
@@ -19,7 +19,7 @@ def pull_arm(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) ->
     """
     if elbow is not None:
         first = heading(arm.base, elbow, q[0])
-        second = q[1] if tip is None else wrapped(heading(elbow, tip, first + q[1]) - first)
+        second = q[1] if tip is None else wrap_angle(heading(elbow, tip, first + q[1]) - first)
         return np.array([first, second])
     if tip is None:
         return q
@@ -49,4 +49,4 @@ def folds_onto_base(arm: ArmRobot, p: Array) -> bool:
 
 def heading(a: Array, b: Array, otherwise: float) -> float:
     """The direction from a to b; `otherwise` where they are the same point."""
-    return wrapped(math.atan2(b[1] - a[1], b[0] - a[0]) if (a != b).any() else otherwise)
+    return wrap_angle(math.atan2(b[1] - a[1], b[0] - a[0]) if (a != b).any() else otherwise)

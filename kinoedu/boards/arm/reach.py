@@ -4,9 +4,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...figures.configurations import way_on_torus
+from ...messages import get_message
 from ...robots.arm import ArmRobot, why_unreachable
 from ...spaces import torus_distance
-from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, dots, edges, segments_along
 from ..core.scene import Scene, handle, make_scene, place_of
@@ -51,18 +51,22 @@ def draw_solutions(arm: ArmRobot, scene: Scene) -> Drawing:
     base = dots([arm.base], "ink", radius=6.0)
     why = why_unreachable(arm, p)
     if why:
-        return Drawing([*rims, base], text=say("reach_board.none", why=why))
+        return Drawing([*rims, base], text=get_message("reach_board.none", why=why))
     solutions = arm.inverse(p)
     places = [np.vstack([arm.base, *arm.joints(q)]) for q in solutions]
     links = edges(
         [segment for joints in places for segment in (joints[:2], joints[1:])], "robot", width=5.0
     )
     elbows = dots([joints[1] for joints in places], "robot", radius=6.0)
-    pairs = say("reach_board.or").join(
-        say("reach_board.pair", first=format_angle(float(q[0])), second=format_angle(float(q[1])))
+    pairs = get_message("reach_board.or").join(
+        get_message(
+            "reach_board.pair", first=format_angle(float(q[0])), second=format_angle(float(q[1]))
+        )
         for q in solutions
     )
-    text = say("reach_board.found", far=f"{float(np.hypot(*(p - arm.base))):.4g}", pairs=pairs)
+    text = get_message(
+        "reach_board.found", far=f"{float(np.hypot(*(p - arm.base))):.4g}", pairs=pairs
+    )
     return Drawing([*rims, links, elbows, base], text=text)
 
 
@@ -100,7 +104,7 @@ def draw_way(scene: Scene) -> Drawing:
     uncut = pieces[(np.abs(pieces[:, 1] - pieces[:, 0]) < np.pi).all(axis=1)]
     plane, torus = float(np.hypot(*(a - b))), float(torus_distance(a, b))
     layers = [edges([[a, b]], "goal", width=1.5, dash=(6, 4)), edges(uncut, "path", width=4.0)]
-    text = say("torus_board.text", torus=f"{torus:.3g}", plane=f"{plane:.3g}")
+    text = get_message("torus_board.text", torus=f"{torus:.3g}", plane=f"{plane:.3g}")
     return Drawing(layers, text=text)
 
 

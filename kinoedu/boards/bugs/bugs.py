@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...geometry.checks import as_point
+from ...messages import get_message
 from ...planners import bug0, bug1, bug2, bug2_prelim, bug_base
-from ...planners.bugs.walls import as_rings
+from ...planners.bugs.walls import check_obstacles
 from ...planners.tuning import one_of
 from ...problems import Plan, Walk
-from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
 from ..core.framed import Pictured, make_menu
@@ -92,8 +92,8 @@ class BugBoard(Pictured, widgets.VBox):
         self._clock, self._texts = Clock(1.0, 0), list[str]()  # of both pictures
         self._step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
         bugs = [(name, key) for key, (name, _) in BUGS.items()]
-        self.bug = make_menu("bug_board.bug", [*bugs, (say("bug_board.all"), ALL)], chosen)
-        turns = [(say(f"bug_board.{side}"), side) for side in ("left", "right")]
+        self.bug = make_menu("bug_board.bug", [*bugs, (get_message("bug_board.all"), ALL)], chosen)
+        turns = [(get_message(f"bug_board.{side}"), side) for side in ("left", "right")]
         self.turn = make_menu("bug_board.turn", turns, heading)
         self.plot = Canvas(make_plot_scene(), self._plotted)
         self.canvas = Canvas(scene, self.answer)
@@ -123,14 +123,14 @@ class BugBoard(Pictured, widgets.VBox):
             self._texts = describe_steps(plans, self._clock)
             if len(plans) > 1:
                 return draw_race(plans, self._clock, self._texts)
-            return draw_walk(*plans[0], self._clock, self._texts, as_rings(obstacles))
+            return draw_walk(*plans[0], self._clock, self._texts, check_obstacles(obstacles))
         finally:
             self.plot.refresh()
 
     def _plotted(self, _: Scene) -> Drawing:
         """The plot of the walks shown."""
         if not self.plans:
-            return Drawing(text=say("bug_board.nothing"))
+            return Drawing(text=get_message("bug_board.nothing"))
         return draw_plot(self.plans, self._clock, self._texts)
 
     def picture(self) -> bytes:
@@ -140,12 +140,12 @@ class BugBoard(Pictured, widgets.VBox):
 
 def make_bug_scene(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) -> Scene:
     """The scene of a bug: everything in it can be dragged."""
-    rings, begin, end = as_rings(obstacles), as_point(start, START), as_point(goal, GOAL)
+    rings, begin, end = check_obstacles(obstacles), as_point(start, START), as_point(goal, GOAL)
     shown = np.concatenate([*rings, begin[None], end[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     margin = 0.12 * (hi - lo).max() or 1.0
     ends = [handle(START, begin, colour="start"), handle(GOAL, end, colour="goal", marker="star")]
     polygons = [
-        polygon(say("bug_board.obstacle", number=k), [ring]) for k, ring in enumerate(rings)
+        polygon(get_message("bug_board.obstacle", number=k), [ring]) for k, ring in enumerate(rings)
     ]
     return make_scene(lo - margin, hi + margin, handles=ends, polygons=polygons)

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...problems import Plan, Walk
-from ...words import say
 from ..core.drawing import Drawing, Layer, arrows, dots, edges, labels, segments_along, sides_of
 from ..core.scene import Scene, make_scene
 
@@ -68,7 +68,7 @@ def grow_by_clock(
     clock: Clock, layers: Sequence[Layer], text: str, texts: Sequence[str]
 ) -> Drawing:
     """A drawing that grows by a clock."""
-    unit = say("bug_board.unit")
+    unit = get_message("bug_board.unit")
     return Drawing(layers, text=text, total=clock.total, unit=unit, step_texts=texts)
 
 
@@ -76,14 +76,14 @@ def describe_steps(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> list[str
     """For each step what the one bug does, or how far all have come, in words."""
     if len(plans) > 1:
         far = clock.tick * np.arange(clock.total + 1)
-        return [say("bug_board.race", travelled=f"{s:.4g}") for s in far]
+        return [get_message("bug_board.race", travelled=f"{s:.4g}") for s in far]
     (plan, walk) = plans[0]
     at, texts = clock.at(walk), []
     values = walk.travelled[at], walk.distance_to_goal[at], walk.following[at]
     for s, d, follows in zip(*values, strict=True):
         numbers = {"travelled": f"{s:.4g}", "distance": f"{d:.4g}"}
         kind = "along" if follows else "free"
-        texts.append(say(f"bug_board.{kind}", bug=plan.planner, **numbers))
+        texts.append(get_message(f"bug_board.{kind}", bug=plan.planner, **numbers))
     return texts
 
 
@@ -91,8 +91,8 @@ def describe_outcome(plan: Plan, walk: Walk) -> str:
     """The result of a walk, in words."""
     values = {"bug": plan.planner, "length": f"{walk.travelled[-1]:.4g}", "hits": len(walk.hit)}
     if plan.path is not None:
-        return say("bug_board.reached", **values)
-    return say("bug_board.failed", **values, reason=plan.reason)
+        return get_message("bug_board.reached", **values)
+    return get_message("bug_board.failed", **values, reason=plan.reason)
 
 
 def draw_race(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
@@ -108,8 +108,8 @@ def draw_race(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[
         f"{plan.planner} {walk.travelled[-1]:.4g}" for plan, walk in plans if plan.path is not None
     ]
     missed = [plan.planner for plan, _ in plans if plan.path is None]
-    lines = [say("bug_board.lengths", lengths=", ".join(reached))] if reached else []
-    lines += [say("bug_board.missed", names=", ".join(missed))] if missed else []
+    lines = [get_message("bug_board.lengths", lengths=", ".join(reached))] if reached else []
+    lines += [get_message("bug_board.missed", names=", ".join(missed))] if missed else []
     return grow_by_clock(clock, layers, "\n".join(lines), texts)
 
 
@@ -234,7 +234,7 @@ def draw_plot(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[
             for layer in draw_robot(by_name[plan.planner], walk, clock, LOOKS[plan.planner][0])
         ]
         layers += label_ends(by_name)
-    return grow_by_clock(clock, layers, say("bug_board.nothing"), texts)
+    return grow_by_clock(clock, layers, get_message("bug_board.nothing"), texts)
 
 
 def draw_axes(way: float, far: float) -> list[Layer]:
@@ -250,8 +250,8 @@ def draw_axes(way: float, far: float) -> list[Layer]:
         edges([[(0.0, high), (0.0, 0.0)], [(0.0, 0.0), (wide, 0.0)]], "ink", width=1.5),
         labels(below, [f"{value:g}" for value in across], "ink"),
         labels(left, [f"{value:g}" for value in up[1:]], "ink"),
-        labels([(-0.03, high + 0.08)], [say("bug_board.distance")], "ink"),
-        labels([(0.62 * wide, -0.31)], [say("bug_board.way")], "ink"),
+        labels([(-0.03, high + 0.08)], [get_message("bug_board.distance")], "ink"),
+        labels([(0.62 * wide, -0.31)], [get_message("bug_board.way")], "ink"),
     ]
 
 

@@ -10,14 +10,14 @@ from ...collision import is_free
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.drawing import growth_of, summary
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...planners import trajectory_along
 from ...planners.registry import PLANNERS
-from ...planners.tuning import one_of, whole
+from ...planners.tuning import integer, one_of
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
-from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..arm.arm import obstacle_places
 from ..core.drawing import Drawing, Layer
@@ -102,11 +102,11 @@ class CarBoard(Framed):
         self.plan: Plan | None = None
         chosen = one_of(planner, "planner", (*ON_BOARD, YOU))
         default = ON_BOARD.get(chosen, ON_BOARD["rrt"]).car_board
-        most = whole(default if iterations is None else iterations, "iterations", least=1)
+        most = integer(default if iterations is None else iterations, "iterations", least=1)
         titles = [(title_of(one, "car_board"), name) for name, one in ON_BOARD.items()]
         self.planner = make_menu("board.planner", [*titles, *make_options([YOU])], chosen)
         self.iterations = make_counter("car_board.iterations", most, 50, 3000)
-        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.view = make_menu("car_board.view", make_options(VIEWS), one_of(view, "view", VIEWS))
         self._drive, self._ends = start_drive(problem), (problem.start, problem.goal)
         self._home = self._good = make_car_scene(problem)
@@ -175,7 +175,7 @@ class CarBoard(Framed):
         total, unit = growth_of(plan)
         counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
         ride, shown = make_ride(trajectory_of(plan)), (k * total // begin for k in range(begin))
-        texts = [say("figure.growing", shown=f"{count:,}", **counts) for count in shown]
+        texts = [get_message("figure.growing", shown=f"{count:,}", **counts) for count in shown]
         texts += [*describe_ride(ride)[:-1], summary(plan, total)]
         return self._ridden(ride, begin, layers, texts, self.problem.start)
 
@@ -185,9 +185,9 @@ class CarBoard(Framed):
         ride.controls[-1, 1] = phi
         here = ride.poses[-1]
         values = {"length": f"{self.driven.length:.4g}", "phi": f"{np.degrees(phi):.0f}"}
-        lines = [say("car_board.driven", **values)]
-        lines += [say("car_board.contact")] if self._drive.stopped else []
-        lines += [say("car_board.arrived")] if is_at_goal(self.problem, here) else []
+        lines = [get_message("car_board.driven", **values)]
+        lines += [get_message("car_board.contact")] if self._drive.stopped else []
+        lines += [get_message("car_board.arrived")] if is_at_goal(self.problem, here) else []
         return self._ridden(ride, 0, [], [*describe_ride(ride)[:-1], "\n".join(lines)], here)
 
     def _ridden(
@@ -204,7 +204,7 @@ class CarBoard(Framed):
         layers += [follow_car(car, ride, begin)] if self.view.value == "followed" else []
         places = [("handle", k, place) for k, place in enumerate(handle_places(car, *ends, here))]
         *before, text = texts
-        drawing = Drawing(layers, text=text, total=len(before), unit=say("car_board.unit"))
+        drawing = Drawing(layers, text=text, total=len(before), unit=get_message("car_board.unit"))
         return replace(drawing, step_texts=before, places=places)
 
     def _dress(self) -> None:
@@ -232,7 +232,7 @@ def check_car_problem(problem: Any) -> ProblemRecord:
 
 def make_options(names: Iterable[str]) -> list[tuple[str, str]]:
     """The options of a menu: pairs (text, name)."""
-    return [(say(f"car_board.{name}"), name) for name in names]
+    return [(get_message(f"car_board.{name}"), name) for name in names]
 
 
 def trajectory_of(plan: Plan) -> TrajectoryRecord:

@@ -10,10 +10,10 @@ from ...figures.ackermann import steered_wheels
 from ...figures.drawing import line_width
 from ...figures.robots import driven_tracks, outline_at, tracks
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...problems import Plan
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
-from ...words import say
 from ..core.drawing import Layer, arrows, bodies, edges, eye, labels, path_edges, segments_along
 from .car_poses import body_middles, tip_of
 
@@ -106,7 +106,7 @@ def draw_ends(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:
         drawn += [
             bodies([outline], name),
             bodies(wheels, name),
-            labels([beside], [say(f"car_board.{name}")], name),
+            labels([beside], [get_message(f"car_board.{name}")], name),
             arrows([pose[:2]], [tip_of(car, pose) - pose[:2]], name),
         ]
     return drawn
@@ -130,4 +130,4 @@ def describe_ride(ride: Ride) -> list[str]:
 
 def describe_moment(t: float, v: float, phi: float) -> str:
     """A moment of a ride in words."""
-    return say("car_board.moment", t=f"{t:.1f}", v=f"{v:.3g}", phi=round(math.degrees(phi)))
+    return get_message("car_board.moment", t=f"{t:.1f}", v=f"{v:.3g}", phi=round(math.degrees(phi)))

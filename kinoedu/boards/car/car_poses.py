@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...problems import ProblemRecord
 from ...robots.car import CarRobot
-from ...words import say
 from ..core.scene import Scene, handle, mark_drawn, mark_driven
 from ..planning.plans import make_world_scene
 
@@ -21,7 +21,7 @@ def make_car_scene(problem: ProblemRecord) -> Scene:
     """The scene of a problem's world, with the handles of its poses."""
     places = handle_places(problem.robot, problem.start, problem.goal, problem.start)
     handles = [
-        mark_drawn(handle(say(f"car_board.{name}"), at, colour="ink"))
+        mark_drawn(handle(get_message(f"car_board.{name}"), at, colour="ink"))
         for name, at in zip(NAMES, places, strict=True)
     ]
     return {

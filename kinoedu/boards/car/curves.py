@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from ...curves import Curve, dubins_path, reeds_shepp_path
 from ...curves.curve import as_pose, as_radius
 from ...geometry.checks import Array
-from ...words import say
+from ...messages import get_message
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, arrows, edges, segments_along
 from ..core.scene import Scene, handle, make_scene, place_of
@@ -40,7 +40,9 @@ def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
     handles = []
     for (name, pose), colour, marker in zip(poses.items(), ("start", "goal"), ("dot", "star")):
         handles.append(handle(name, pose[:2], colour=colour, marker=marker))
-        handles.append(handle(say(f"curves_board.{name}_looks"), nose(pose, r), colour=colour))
+        handles.append(
+            handle(get_message(f"curves_board.{name}_looks"), nose(pose, r), colour=colour)
+        )
     return Canvas(
         make_scene(middle - 0.55 * reach, middle + 0.55 * reach, handles=handles),
         lambda now: draw_curves(now, r),
@@ -54,7 +56,7 @@ def nose(pose: Array, radius: float) -> Array:
 
 def pose_in(scene: Scene, name: str) -> Array:
     """A pose in a scene, from its two handles."""
-    place, ahead = place_of(scene, name), place_of(scene, say(f"curves_board.{name}_looks"))
+    place, ahead = place_of(scene, name), place_of(scene, get_message(f"curves_board.{name}_looks"))
     return np.array([*place, math.atan2(ahead[1] - place[1], ahead[0] - place[0])])
 
 
@@ -75,7 +77,7 @@ def draw_curves(scene: Scene, radius: float) -> Drawing:
         "second": f"{both.length:.3g}",
     }
     places = [("handle", number, nose(pose, radius).tolist()) for number, pose in ((1, a), (3, b))]
-    return Drawing(layers, text=say("curves_board.text", **words), places=places)
+    return Drawing(layers, text=get_message("curves_board.text", **words), places=places)
 
 
 def draw_curve(curve: Curve, colour: str, width: float) -> list[Layer]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...collision import is_free, is_free_drive
 from ...geometry.checks import Array
-from ...planners.driving.common import is_near, near_of
+from ...planners.driving.common import as_goal_region, is_near
 from ...problems import ProblemRecord
 from ...robots.car import CarRobot
 from ...robots.trajectory import Trajectory, TrajectoryRecord
@@ -113,5 +113,5 @@ def find_free_time(
 
 def is_at_goal(problem: ProblemRecord, pose: Array) -> bool:
     """Whether a pose counts as the goal, with the default tolerance of `kinodynamic_rrt`."""
-    near = near_of(problem, None, math.radians(15.0))
+    near = as_goal_region(problem, None, math.radians(15.0))
     return is_near(pose, problem.goal, near)

@@ -35,7 +35,7 @@ import traitlets
 
 from ...errors import KinoeduError
 from ...figures import palette
-from ...words import say
+from ...messages import get_message
 from .drawing import Drawing, encode_drawing
 from .printed import print_board
 from .scene import Scene, arrange_like, list_places, move_parts
@@ -111,7 +111,7 @@ class Canvas(anywidget.AnyWidget):
             bitmap=pack_bitmap(self._free),
             palette=palette.NAMED,
             words={
-                name: say(f"board.front.{name}", **{v: f"{{{v}}}" for v in values})
+                name: get_message(f"board.front.{name}", **{v: f"{{{v}}}" for v in values})
                 for name, values in FRONT.items()
             },
         )
@@ -204,7 +204,7 @@ class Canvas(anywidget.AnyWidget):
             self._keep(Drawing(warning=str(error)))
         except Exception as error:
             log.exception("a board could not answer")
-            warning = say("board.failed", error=f"{type(error).__name__}: {error}")
+            warning = get_message("board.failed", error=f"{type(error).__name__}: {error}")
             self._keep(Drawing(warning=warning))
         self._content["took"] = 1e3 * (time.perf_counter() - began)
 

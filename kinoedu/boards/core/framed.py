@@ -5,9 +5,9 @@ from typing import Any
 
 import ipywidgets as widgets
 
+from ...messages import get_message, has_message
 from ...planners.registry import Planner
 from ...planners.tuning import positive
-from ...words import has_words, say
 from .canvas import Canvas, add_picture
 from .printed import join_pictures
 
@@ -73,7 +73,7 @@ def make_menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> wid
 def title_of(planner: Planner, table: str) -> str:
     """A planner's text in a menu: the message `<table>.<name>`, or else its row of the registry."""
     key = f"{table}.{planner.name}"
-    return say(key) if has_words(key) else f"{planner.name}: {planner.about}"
+    return get_message(key) if has_message(key) else f"{planner.name}: {planner.about}"
 
 
 def make_counter(name: str, value: int, least: int, most: int) -> widgets.IntSlider:
@@ -109,4 +109,8 @@ def make_length_slider(key: str, size: float, given: float | None) -> widgets.Fl
 def control_style(key: str) -> dict[str, Any]:
     """The shared style of a control, and its name: the message under a key."""
     layout = widgets.Layout(width="30em", max_width="100%")
-    return {"description": say(key), "layout": layout, "style": {"description_width": "6em"}}
+    return {
+        "description": get_message(key),
+        "layout": layout,
+        "style": {"description_width": "6em"},
+    }

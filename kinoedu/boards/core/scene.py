@@ -34,8 +34,8 @@ from numpy.typing import ArrayLike
 
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_point
+from ...messages import get_message
 from ...support.text import shortened
-from ...words import say
 
 Scene = dict[str, Any]
 
@@ -193,7 +193,7 @@ def move_item(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, An
 
 def unknown_part(part: Any) -> InvalidParameter:
     """The error for a part that the scene does not have."""
-    return InvalidParameter(say("board.no_such_part", part=shortened(part)))
+    return InvalidParameter(get_message("board.no_such_part", part=shortened(part)))
 
 
 def arrange_like(home: Scene, proposed: Any) -> Scene:

@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...planners.exploring.receding_horizon import Look
 from ...problems import Plan
-from ...words import say
 from ..core.drawing import Drawing, Layer, bodies, cells, dots, edges, path_edges, segments_along
 
 MOVES = 8  # steps from one look to the next
@@ -34,7 +34,7 @@ def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
         *path_edges(segments_along(places), when=steps[1:]),
         *robot,
     ]
-    text, unit = describe_outcome(plan, len(looks), walked[-1]), say("exploring_board.unit")
+    text, unit = describe_outcome(plan, len(looks), walked[-1]), get_message("exploring_board.unit")
     texts = describe_steps(looks, walked)
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
@@ -70,16 +70,18 @@ def describe_steps(looks: Sequence[Look], walked: Array) -> list[str]:
         for gone in walked[MOVES * k : MOVES * (k + 1)].tolist():
             values = {"look": k + 1, "walls": len(look.walls), "walked": f"{gone:.4g}"}
             if look.plan.path is None:
-                texts.append(say("exploring_board.stuck", **values))
+                texts.append(get_message("exploring_board.stuck", **values))
             else:
                 legs = pairwise(look.plan.path)
                 promised = sum(float(np.sqrt(((b - a) ** 2).sum())) for a, b in legs)
-                texts.append(say("exploring_board.now", **values, promised=f"{promised:.4g}"))
+                texts.append(
+                    get_message("exploring_board.now", **values, promised=f"{promised:.4g}")
+                )
     return texts
 
 
 def describe_outcome(plan: Plan, looks: int, walked: float) -> str:
     """The result of the exploration, in words."""
     if plan.path is None:
-        return say("exploring_board.failed", reason=plan.reason, walked=f"{walked:.4g}")
-    return say("exploring_board.arrived", looks=looks, walked=f"{plan.cost:.4g}")
+        return get_message("exploring_board.failed", reason=plan.reason, walked=f"{walked:.4g}")
+    return get_message("exploring_board.arrived", looks=looks, walked=f"{plan.cost:.4g}")

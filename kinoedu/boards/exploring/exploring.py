@@ -1,13 +1,13 @@
 """The exploring board: a robot with a sensor of limited range in an unknown world."""
 
 from ...errors import InvalidParameter
-from ...planners.exploring.receding_horizon import Look, plan_of_looks, receding_horizon_looks
+from ...messages import get_message
+from ...planners.exploring.receding_horizon import Look, plan_from_looks, receding_horizon_looks
 from ...planners.problem_input import world_size
-from ...planners.tuning import positive, whole
+from ...planners.tuning import integer, positive
 from ...problems import Plan, ProblemRecord
 from ...robots.round import RoundRobot
 from ...support.text import shortened
-from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..core.drawing import Drawing
 from ..core.framed import Framed, make_counter, make_length_slider
@@ -65,13 +65,13 @@ class ExploringBoard(Framed):
         self._given = check_in_plane(problem)
         among_polygons = isinstance(problem.world, PolygonWorldRecord)
         if not among_polygons or not isinstance(problem.robot, RoundRobot):
-            raise InvalidParameter(say("exploring_board.needs", given=shortened(problem)))
+            raise InvalidParameter(get_message("exploring_board.needs", given=shortened(problem)))
         size = world_size(problem)
         sight = size / 5.0 if reach is None else positive(reach, "reach")
         ahead = sight / 2.0 if horizon is None else horizon
         self.reach = make_length_slider("exploring_board.reach", size, sight)
         self.horizon = make_length_slider("exploring_board.horizon", size, ahead)
-        self.seed = make_counter("exploring_board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("exploring_board.seed", integer(rng, "rng", least=0), 0, 99)
         self.looks: list[Look] = []
         self.plan: Plan | None = None
         super().__init__(
@@ -85,5 +85,5 @@ class ExploringBoard(Framed):
         given = {"reach": self.reach.value, "horizon": self.horizon.value, "rng": self.seed.value}
         looks = receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60)
         self.looks = list(looks)
-        self.plan = plan_of_looks(problem, self.looks)
+        self.plan = plan_from_looks(problem, self.looks)
         return draw_exploration(self.plan, self.looks)

@@ -7,7 +7,7 @@ from ...geometry import point_polygon_distance, polygon_tangent
 from ...geometry.checks import as_point
 from ...geometry.polygons import nearest_on_ring
 from ...geometry.rings import as_ring
-from ...words import say
+from ...messages import get_message
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, arrows, dots, edges, labels
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
@@ -30,7 +30,7 @@ def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
     >>> distance_board([(0, 0), (4, 0), (4, 4), (0, 4)], q=(7, 8))
     Canvas(distance 5; nearest: vertex 2)
     """
-    ring, name = as_ring(vertices), say("board.distance.q")
+    ring, name = as_ring(vertices), get_message("board.distance.q")
     here = as_point(q, name)
     lo, hi = np.minimum(ring.min(axis=0), here), np.maximum(ring.max(axis=0), here)
     margin = 0.25 * (hi - lo).max()
@@ -38,7 +38,7 @@ def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
         lo - margin,
         hi + margin,
         handles=[handle(name, here, colour="start")],
-        polygons=[polygon(say("board.distance.polygon"), [ring])],
+        polygons=[polygon(get_message("board.distance.polygon"), [ring])],
     )
     return Canvas(scene, draw_nearest)
 
@@ -51,14 +51,14 @@ def draw_nearest(scene: Scene) -> Drawing:
     numbers = labels(ring, [str(i) for i in range(len(ring))], "obstacle")
     distance = point_polygon_distance(q, ring)
     if distance == 0.0:
-        return Drawing([numbers, tangent], text=say("board.distance.inside"))
+        return Drawing([numbers, tangent], text=get_message("board.distance.inside"))
     edge, x, y, region = nearest_on_ring(q[0], q[1], ring)
     near, size = np.array([x, y]), f"{distance:.4g}"
     if region == 0:
-        text = say("board.distance.edge", distance=size, number=edge)
+        text = get_message("board.distance.edge", distance=size, number=edge)
     else:
         vertex = edge if region == 1 else (edge + 1) % len(ring)
-        text = say("board.distance.vertex", distance=size, number=vertex)
+        text = get_message("board.distance.vertex", distance=size, number=vertex)
     layers = [
         numbers,
         edges([[q, near]], "tree", width=2.5, dash=(6, 4)),

@@ -6,10 +6,10 @@ from collections.abc import Callable
 import ipywidgets as widgets
 import numpy as np
 
-from ...geometry.checks import Array, whole
+from ...geometry.checks import Array, integer
+from ...messages import get_message
 from ...planners.tuning import one_of
 from ...sampling import corner_grid, halton, largest_empty_ball, sukharev_grid, uniform_random
-from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, dots, edges, segments_along
 from ..core.framed import Framed, control_style, make_menu
@@ -52,19 +52,19 @@ class SamplesBoard(Framed):
     """The widget that `samples_board` returns: sampler, number, and the square in `canvas`."""
 
     def __init__(self, sampler: str, n: int) -> None:
-        options = [(say(f"samples_board.{name}"), name) for name in SAMPLERS]
+        options = [(get_message(f"samples_board.{name}"), name) for name in SAMPLERS]
         chosen = one_of(sampler, "sampler", tuple(SAMPLERS))
         self.sampler = make_menu("samples_board.sampler", options, chosen)
         style = {**control_style("board.samples"), "description": "n"}
-        self.n = widgets.IntSlider(min(whole(n, "n", least=1), MOST), 1, MOST, **style)
-        q = handle(say("samples_board.q"), (0.5, 0.5), colour="start")
+        self.n = widgets.IntSlider(min(integer(n, "n", least=1), MOST), 1, MOST, **style)
+        q = handle(get_message("samples_board.q"), (0.5, 0.5), colour="start")
         scene = make_scene((-0.04, -0.04), (1.04, 1.04), handles=[q])
         super().__init__([self.sampler, self.n], [Canvas(scene, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
         """Draw the points, the largest hole, and the distance from q to the nearest point."""
         points = SAMPLERS[self.sampler.value](self.n.value)
-        q = np.clip(place_of(scene, say("samples_board.q")), 0.0, 1.0)
+        q = np.clip(place_of(scene, get_message("samples_board.q")), 0.0, 1.0)
         ball = largest_empty_ball(points)
         away = np.sqrt(((points - q) ** 2).sum(axis=1))
         layers = [
@@ -75,7 +75,9 @@ class SamplesBoard(Framed):
             dots(points, "tree", radius=4.5 if len(points) <= 150 else 3.0),
         ]
         hole, far = f"{ball.radius:.4f}", f"{away.min():.4f}"
-        return Drawing(layers, text=say("samples_board.told", n=len(points), hole=hole, away=far))
+        return Drawing(
+            layers, text=get_message("samples_board.told", n=len(points), hole=hole, away=far)
+        )
 
 
 def clip_circle(centre: Array, radius: float) -> Array:

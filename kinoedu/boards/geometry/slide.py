@@ -13,7 +13,7 @@ from ...c_space import Slide, slide
 from ...errors import KinoeduError
 from ...geometry.checks import Array, as_points
 from ...geometry.polygons import nearest_on_ring
-from ...words import say
+from ...messages import get_message
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies, dots, edges, labels, segments_along, sides_of
 from ..core.framed import Framed, control_style
@@ -127,10 +127,10 @@ def make_slide_scene(way: Slide, home: Array) -> Scene:
     return make_scene(
         lo - margin,
         hi + margin,
-        handles=[mark_drawn(handle(say("slide_board.q"), way.corners[0], colour="robot"))],
+        handles=[mark_drawn(handle(get_message("slide_board.q"), way.corners[0], colour="robot"))],
         polygons=[
-            polygon(say("slide_board.obstacle"), [way.obstacle]),
-            mark_drawn(polygon(say("slide_board.robot"), [robot])),
+            polygon(get_message("slide_board.obstacle"), [way.obstacle]),
+            mark_drawn(polygon(get_message("slide_board.robot"), [robot])),
         ],
     )
 
@@ -148,7 +148,7 @@ def fraction_at(way: Slide, p: ArrayLike) -> float:
 def describe_contact(way: Slide, stretch: int) -> str:
     """The features in contact in a stretch, in words."""
     parts = {"robot": way.robot_part[stretch], "obstacle": way.obstacle_part[stretch]}
-    return say(CONTACTS[str(way.kind[stretch])], **parts)
+    return get_message(CONTACTS[str(way.kind[stretch])], **parts)
 
 
 def draw_copy(ring: Array, home: Array) -> list[Layer]:
@@ -158,7 +158,7 @@ def draw_copy(ring: Array, home: Array) -> list[Layer]:
         dots(ring, "obstacle", radius=5.0),
         dots(ring, "free", radius=3.5),
         dots([home], "ink", radius=4.0),
-        labels([below(ring)], [say("slide_board.point")], "ink"),
+        labels([below(ring)], [get_message("slide_board.point")], "ink"),
     ]
 
 
@@ -192,7 +192,7 @@ def draw_contact(way: Slide, q: Array, stretch: int) -> list[Layer]:
         number_vertices(way.obstacle, "obstacle"),
         dots([q], "free", radius=9.0),
         dots([q], "path", radius=7.0),
-        labels([q], [say("slide_board.q")], "ink"),
+        labels([q], [get_message("slide_board.q")], "ink"),
     ]
 
 

@@ -25,8 +25,8 @@ from ...geometry import convex_polygons_intersect
 from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
 from ...geometry.rings import as_ring
+from ...messages import get_message
 from ...support.text import shortened
-from ...words import say
 from ..core.canvas import add_picture
 
 if TYPE_CHECKING:
@@ -128,7 +128,9 @@ def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array)
     state, degrees = "touches" if touches else "clear", f"{np.degrees(theta):.0f}"
     x, y = (f"{value:.3g}" for value in place)
     return {
-        "text": say("c_space.section", theta=degrees, state=say(f"c_space.{state}"), x=x, y=y),
+        "text": get_message(
+            "c_space.section", theta=degrees, state=get_message(f"c_space.{state}"), x=x, y=y
+        ),
         "shapes": [
             *grown,
             shape(obstacle, "obstacle", ""),
@@ -178,7 +180,7 @@ class SolidBoard(anywidget.AnyWidget):
             place=here,
             palette=palette.NAMED,
             words={
-                name: say(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values})
+                name: get_message(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values})
                 for name, values in FRONT.items()
             },
         )
@@ -223,7 +225,10 @@ class SolidBoard(anywidget.AnyWidget):
         lines = [
             shape(line[:, :2], line="goal", closed=False) for line in cut_mesh(self._mesh, theta)
         ]
-        return {"text": say("c_space.nothing", theta=f"{np.degrees(theta):.0f}"), "shapes": lines}
+        return {
+            "text": get_message("c_space.nothing", theta=f"{np.degrees(theta):.0f}"),
+            "shapes": lines,
+        }
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""

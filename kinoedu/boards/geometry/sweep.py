@@ -10,7 +10,7 @@ import numpy as np
 from ...decomposition import Step, sweep
 from ...decomposition.trapezoidation import corners_of
 from ...geometry.checks import Array
-from ...words import say
+from ...messages import get_message
 from ...worlds.polygon_world import rings_of
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
@@ -69,11 +69,13 @@ class SweepBoard(Pictured, widgets.HBox):
         self.steps, rows = [], np.empty((0, 4))
         try:
             everything = list(sweep(world_in(scene)))
-            x = float(place_of(scene, say("sweep_board.line"))[0])
+            x = float(place_of(scene, get_message("sweep_board.line"))[0])
             self.steps = [step for step in everything if step.x <= x]
             names = number_edges(everything)
             if not self.steps:
-                return Drawing([draw_line(x, scene)], text=say("sweep_board.before", x=f"{x:.4g}"))
+                return Drawing(
+                    [draw_line(x, scene)], text=get_message("sweep_board.before", x=f"{x:.4g}")
+                )
             rows = self.steps[-1].status
             return draw_sweep(self.steps, x, names, scene)
         finally:
@@ -86,9 +88,10 @@ def make_sweep_scene(world: Any, x: float | None) -> Scene:
     margin = 0.06 * (world.hi - world.lo).max()
     at = (world.lo[0] + world.hi[0]) / 2.0 if x is None else x
     polygons = [
-        polygon(say("sweep_board.obstacle", number=k), rings) for k, rings in enumerate(solids)
+        polygon(get_message("sweep_board.obstacle", number=k), rings)
+        for k, rings in enumerate(solids)
     ]
-    handles = [handle(say("sweep_board.line"), (at, world.lo[1] - margin), colour="ink")]
+    handles = [handle(get_message("sweep_board.line"), (at, world.lo[1] - margin), colour="ink")]
     lo, hi = world.lo - [margin, 1.5 * margin], world.hi + margin
     return make_scene(lo, hi, boundary=outline[::-1], handles=handles, polygons=polygons)
 
@@ -136,9 +139,11 @@ def draw_sweep(
     ]
     said = {"x": f"{now.x:.4g}", "event": now.kind, "closed": len(done)}
     if not len(now.status):
-        return Drawing(layers, text=say("sweep_board.ended", **said))
-    status = ", ".join(say("sweep_board.edge", number=text) for text in texts)
-    return Drawing(layers, text=say("sweep_board.now", **said, open=len(begun), status=status))
+        return Drawing(layers, text=get_message("sweep_board.ended", **said))
+    status = ", ".join(get_message("sweep_board.edge", number=text) for text in texts)
+    return Drawing(
+        layers, text=get_message("sweep_board.now", **said, open=len(begun), status=status)
+    )
 
 
 def draw_line(x: float, scene: Scene) -> Layer:
@@ -197,8 +202,13 @@ def spread_heights(heights: Array, gap: float) -> Array:
 def list_status(rows: Array, names: dict[tuple[float, ...], int]) -> str:
     """The status as an HTML list, the top of the line first."""
     lines = [
-        say("sweep_board.ceiling" if k % 2 else "sweep_board.floor", number=names[tuple(row)])
+        get_message(
+            "sweep_board.ceiling" if k % 2 else "sweep_board.floor", number=names[tuple(row)]
+        )
         for k, row in enumerate(rows.tolist())
     ]
-    title, rest = say("sweep_board.status"), lines[::-1] or [say("sweep_board.empty")]
+    title, rest = (
+        get_message("sweep_board.status"),
+        lines[::-1] or [get_message("sweep_board.empty")],
+    )
     return f"<b>{title}</b><ul>{''.join(f'<li>{line}</li>' for line in rest)}</ul>"

@@ -6,17 +6,17 @@ import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...chances import wilson
+from ...chances import wilson_interval
 from ...collision import collision_bound
 from ...collision.probability import as_mover, hit_scenarios, part_gaps
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.uncertain import expected_outlines, margin_rings
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...planners import prm, shortcut
-from ...planners.tuning import whole
+from ...planners.tuning import integer
 from ...problems import Plan, Problem
 from ...support.text import shortened
-from ...words import say
 from ...worlds.polygon_world import rings_of
 from ...worlds.uncertain import UncertainWorldRecord, inflated, scenarios
 from ..core.canvas import Canvas
@@ -85,14 +85,14 @@ class ChanceBoard(Framed):
         rng: int,
     ) -> None:
         if not isinstance(world, UncertainWorldRecord):
-            raise InvalidParameter(say("chance_board.needs", given=shortened(world)))
+            raise InvalidParameter(get_message("chance_board.needs", given=shortened(world)))
         self._robot, self._world = as_mover(robot), world
         inflated(world, delta)
         choices = sorted({*CHANCES, float(delta)}, reverse=True)
         options = [(f"{chance:.6g}", chance) for chance in choices]
         style = control_style("chance_board.delta")
         self.delta = widgets.SelectionSlider(options=options, value=float(delta), **style)
-        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         radius = getattr(robot, "radius", 0.0)
         handles = [
@@ -115,7 +115,7 @@ class ChanceBoard(Framed):
             return Drawing(bare, warning=str(error))
         self.plan = plan = shortcut(prm(problem, n=400, rng=self.seed.value), rng=self.seed.value)
         if plan.path is None:
-            return Drawing(bare, text=say("chance_board.none", delta=f"{delta:.4g}"))
+            return Drawing(bare, text=get_message("chance_board.none", delta=f"{delta:.4g}"))
         offsets = scenarios(world, TRIED, rng=self.seed.value)
         gaps = part_gaps(robot, world.parts, plan.path)
         hit = hit_scenarios(robot, world.parts, world.owner, gaps, plan.path, offsets)
@@ -127,15 +127,15 @@ class ChanceBoard(Framed):
             *draw_expected(world, SHOWN),
         ]
         texts = [
-            say(f"chance_board.{'hit' if was else 'missed'}", number=k + 1)
+            get_message(f"chance_board.{'hit' if was else 'missed'}", number=k + 1)
             for k, was in enumerate(hit[:SHOWN])
         ]
-        text, unit = self._text(plan, plan.path, hit), say("chance_board.unit")
+        text, unit = self._text(plan, plan.path, hit), get_message("chance_board.unit")
         return Drawing(layers, text=text, total=SHOWN, unit=unit, step_texts=texts)
 
     def _text(self, plan: Plan, points: Array, hit: Any) -> str:
         """The chance promised, the bound proven, and the scenarios hit, in words."""
-        low, high = wilson(int(hit.sum()), TRIED)
+        low, high = wilson_interval(int(hit.sum()), TRIED)
         chances = {
             "delta": self.delta.value,
             "bound": collision_bound(self._robot, self._world, points),
@@ -145,7 +145,7 @@ class ChanceBoard(Framed):
         }
         percents = {name: format_percent(float(value)) for name, value in chances.items()}
         counts = {"hits": f"{hit.sum():,}", "tried": f"{TRIED:,}"}
-        return say("chance_board.text", **counts, length=f"{plan.cost:.4g}", **percents)
+        return get_message("chance_board.text", **counts, length=f"{plan.cost:.4g}", **percents)
 
 
 def format_percent(fraction: float) -> str:

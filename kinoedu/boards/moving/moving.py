@@ -9,13 +9,13 @@ from ...errors import InvalidParameter, KinoeduError
 from ...figures.moving import outline_of
 from ...figures.robots import outline_at
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...planners import plan_in_time
-from ...planners.tuning import whole
+from ...planners.tuning import integer
 from ...problems import Plan
 from ...problems.in_time import TimedProblem, TimedProblemRecord
 from ...robots.round import RoundRobot
 from ...support.text import shortened
-from ...words import say
 from ...worlds.moving import MovingWorldRecord, movers_at
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies, dots, edges, path_edges, segments_along
@@ -65,14 +65,14 @@ class MovingBoard(Framed):
 
     def __init__(self, problem: TimedProblemRecord, nodes: int, rng: int) -> None:
         if not isinstance(problem, TimedProblemRecord):
-            raise InvalidParameter(say("moving_board.needs", given=shortened(problem)))
-        self._given, self._nodes = problem, whole(nodes, "nodes", least=0)
+            raise InvalidParameter(get_message("moving_board.needs", given=shortened(problem)))
+        self._given, self._nodes = problem, integer(nodes, "nodes", least=0)
         notch = problem.speed / 10.0
         span = {"min": 3 * notch, "max": 30 * notch, "step": notch, "readout_format": ".3g"}
         self.speed = widgets.FloatSlider(
             problem.speed, **span, **control_style("moving_board.speed")
         )
-        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         handles = [
             handle(START, problem.start, colour="start"),
@@ -105,16 +105,18 @@ class MovingBoard(Framed):
             *draw_movers(world, moments),
         ]
         if plan.path is None:
-            text = say("moving_board.none", reason=plan.reason)
+            text = get_message("moving_board.none", reason=plan.reason)
         else:
             times = {"time": f"{plan.cost:.3g}", "waited": f"{waiting_time(plan.path):.3g}"}
-            text = say("moving_board.there", **times)
+            text = get_message("moving_board.there", **times)
             layers += draw_way(problem.robot, plan.path, moments)
         texts = [
-            say(f"moving_board.{'waits' if waits_at(plan.path, t) else 'now'}", time=f"{t:.2f}")
+            get_message(
+                f"moving_board.{'waits' if waits_at(plan.path, t) else 'now'}", time=f"{t:.2f}"
+            )
             for t in moments[:-1]
         ]
-        unit = say("moving_board.unit")
+        unit = get_message("moving_board.unit")
         return Drawing(layers, text=text, total=STEPS, unit=unit, step_texts=texts)
 
     def _problem_in(self, scene: Scene) -> TimedProblemRecord:

@@ -6,13 +6,13 @@ from typing import Any
 import ipywidgets as widgets
 
 from ...errors import InvalidParameter
+from ...messages import get_message
 from ...planners import rrt
 from ...planners.problem_input import world_size
 from ...planners.registry import PLANNERS
-from ...planners.tuning import whole
+from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
-from ...words import say
 from ..core.drawing import Drawing
 from ..core.framed import Framed, control_style, make_length_slider, make_menu, title_of
 from ..core.scene import Scene
@@ -95,11 +95,13 @@ class Board(Framed):
     def _menu(self, chosen: str) -> widgets.Dropdown:
         options = [(title_of(planner, "board"), name) for name, planner in ON_BOARD.items()]
         if self._own is not None:
-            options.append((say("board.own_name", name=getattr(self._own, "__name__", "?")), OWN))
+            options.append(
+                (get_message("board.own_name", name=getattr(self._own, "__name__", "?")), OWN)
+            )
         return make_menu("board.planner", options, chosen)
 
     def _sliders(self, step: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:
-        seed, n = whole(rng, "rng", least=0), whole(samples, "samples", least=1)
+        seed, n = integer(rng, "rng", least=0), integer(samples, "samples", least=1)
         return (
             widgets.IntSlider(seed, 0, max(99, seed), **control_style("board.seed")),
             make_length_slider("board.step", world_size(self._given), step),
@@ -150,5 +152,5 @@ def choose_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
     if callable(planner):
         return planner, OWN
     raise InvalidParameter(
-        say("board.unknown_planner", names=", ".join(ON_BOARD), given=shortened(planner))
+        get_message("board.unknown_planner", names=", ".join(ON_BOARD), given=shortened(planner))
     )

@@ -16,11 +16,11 @@ import numpy as np
 
 from ...errors import KinoeduError
 from ...geometry.checks import Array, as_array
+from ...messages import get_message
 from ...planners.problem_input import world_size
 from ...problems import Plan, ProblemRecord, Question, Recorder
 from ...support.text import shortened
-from ...support.time_limit import TimeUp, within_processor_time
-from ...words import say
+from ...support.time_limit import TimeUp, run_within_processor_time
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path
 
 SECONDS = 2.0
@@ -81,7 +81,7 @@ def try_planner(
             return None, error
 
     try:
-        answer, error = within_processor_time(seconds, work)
+        answer, error = run_within_processor_time(seconds, work)
     except TimeUp as over:
         return Attempt(
             log[:], log.motions, fault=describe_timeout(over), still_running=over.left_running
@@ -95,8 +95,10 @@ def describe_timeout(over: TimeUp) -> str:
     """A message why a planner was stopped: the time it used and the time allowed."""
     why = "time_up" if over.used > over.allowed else "waited"
     seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
-    words = say(f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()})
-    return f"{words} {say('board.own.left_running' if over.left_running else 'board.own.stopped')}"
+    words = get_message(
+        f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()}
+    )
+    return f"{words} {get_message('board.own.left_running' if over.left_running else 'board.own.stopped')}"
 
 
 def call_planner(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
@@ -125,9 +127,9 @@ def describe_exception(error: BaseException) -> str:
     frames = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
     own = [(file, line) for file, line in frames if is_readers_code(file)]
     if not own:
-        return say("board.own.raised", error=text)
+        return get_message("board.own.raised", error=text)
     line = linecache.getline(*own[-1]).strip()
-    return say("board.own.raised_in", error=text, number=own[-1][1], line=line)
+    return get_message("board.own.raised_in", error=text, number=own[-1][1], line=line)
 
 
 def is_readers_code(file: str) -> bool:
@@ -158,13 +160,15 @@ def judge_answer(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> At
     except KinoeduError:
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != d or len(points) == 0:
-        return replace(tried, fault=say("board.own.wrong_shape", d=d, given=shortened(answer)))
+        return replace(
+            tried, fault=get_message("board.own.wrong_shape", d=d, given=shortened(answer))
+        )
     motions = zip(points[:-1], points[1:], strict=True)
     wrong = [i for i, (a, b) in enumerate(motions) if not problem.is_free_path(a, b)]
     fault = check_ends(points, problem)
     if wrong and not fault:
         a, b = (format_configuration(q) for q in points[wrong[0] : wrong[0] + 2])
-        fault = say("board.own.wrong", number=wrong[0] + 1, a=a, b=b)
+        fault = get_message("board.own.wrong", number=wrong[0] + 1, a=a, b=b)
     if fault:
         return replace(tried, path=points, wrong=wrong, fault=fault)
     length = sum(problem.distance(a, b) for a, b in zip(points[:-1], points[1:], strict=True))
@@ -177,7 +181,7 @@ def check_ends(points: Array, problem: ProblemRecord) -> str:
     ends = ("wrong_start", points[0], problem.start), ("wrong_end", points[-1], problem.goal)
     for name, here, there in ends:
         if problem.distance(here, there) > near:
-            return say(
+            return get_message(
                 f"board.own.{name}",
                 there=format_configuration(there),
                 here=format_configuration(here),
@@ -192,7 +196,7 @@ def format_configuration(q: Array) -> str:
 
 def describe_race(tried: Attempt, ours: Plan) -> str:
     """The result of a reader's planner beside ours, in words."""
-    return say(
+    return get_message(
         "board.own.race",
         yours=describe_result(tried.length, tried.motions),
         ours=describe_result(length_of(ours), ours.stats.get("checks", 0)),
@@ -208,8 +212,8 @@ def describe_result(length: float | None, motions: int) -> str:
     """Length and effort in words."""
     count = f"{motions:,}"
     if length is None:
-        return say("board.own.no_path", motions=count)
-    return say("board.own.length", length=f"{length:.4g}", motions=count)
+        return get_message("board.own.no_path", motions=count)
+    return get_message("board.own.length", length=f"{length:.4g}", motions=count)
 
 
 def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
@@ -221,13 +225,16 @@ def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
     if ours is not None and ours.path is not None:
         layers.append(path(ours.path[:, :2], "ink", width=1.5, dash=(2, 4), casing=False))
         middle = ours.path[len(ours.path) // 2, :2]
-        layers.append(labels([middle], [say("board.own.ours")], "ink")._replace(last=True))
+        layers.append(labels([middle], [get_message("board.own.ours")], "ink")._replace(last=True))
     if tried.path is not None:
         layers.append(path(tried.path[:, :2], "path"))
         segments = np.stack([tried.path[:-1, :2], tried.path[1:, :2]], axis=1)[tried.wrong]
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
-    text, unit = "" if ours is None else describe_race(tried, ours), say("board.own.questions")
+    text, unit = (
+        "" if ours is None else describe_race(tried, ours),
+        get_message("board.own.questions"),
+    )
     total = len(tried.questions)
     return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
 

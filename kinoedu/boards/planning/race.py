@@ -5,12 +5,12 @@ from functools import partial
 from typing import Any
 
 from ...errors import InvalidParameter, KinoeduError
+from ...messages import get_message
 from ...planners import rrt, rrt_connect, rrt_star
 from ...planners.problem_input import world_size
-from ...planners.tuning import whole
+from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
-from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
 from ..core.framed import Framed, make_counter, make_length_slider
@@ -78,9 +78,9 @@ class RaceBoard(Framed):
         rng: int,
     ) -> None:
         self._given, self._planners = check_in_plane(problem), check_planners(planners)
-        self.nodes = make_counter("rewiring_board.n", whole(nodes, "nodes", least=2), 50, 3000)
+        self.nodes = make_counter("rewiring_board.n", integer(nodes, "nodes", least=2), 50, 3000)
         self.step = make_length_slider("board.step", world_size(problem), step)
-        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self._scene: Scene = {}
         self._runners: list[Runner] = []
         self._fault: KinoeduError | None = None
@@ -137,5 +137,7 @@ def check_planners(planners: Sequence[Callable[..., Any]] | None) -> list[Callab
     chosen = [rrt, rrt_connect, rrt_star] if planners is None else planners
     some = isinstance(chosen, Sequence) and 1 <= len(chosen) <= MOST
     if not some or not all(map(callable, chosen)):
-        raise InvalidParameter(say("race_board.too_many", most=MOST, given=shortened(planners)))
+        raise InvalidParameter(
+            get_message("race_board.too_many", most=MOST, given=shortened(planners))
+        )
     return list(chosen)

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...messages import get_message
 from ...planners import rrt, rrt_connect
 from ...planners.trees.rewiring import rrt_star_rewirings
 from ...planners.trees.rrt_star import rrt_star
 from ...problems import Plan, ProblemRecord
-from ...words import say
 from ..arm.rides import is_ours
 from ..core.drawing import Drawing, Layer
 from ..trees.rewired import costs_at, draw_tree_history, draw_ways, find_ways_to_goal
@@ -42,7 +42,7 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
         drawing = draw_attempt(tried, None)
         name = getattr(planner, "__name__", "?")
         outcome = tried.fault or describe_result(tried.length, tried.motions)
-        texts = [say("race_board.asked", name=name, result=outcome)] * (drawing.total + 1)
+        texts = [get_message("race_board.asked", name=name, result=outcome)] * (drawing.total + 1)
         return Runner(tried, replace(drawing, warning="", step_texts=texts))
     plan = planner(problem, rng=given.seed, **(tuning if planner in (rrt, rrt_connect) else {}))
     drawing = draw_plan(plan)
@@ -56,11 +56,11 @@ def describe_steps(name: str, costs: list[float]) -> list[str]:
     for step, cost in enumerate(costs):
         values = {"name": name, "nodes": f"{step:,}"}
         if np.isfinite(cost):
-            texts.append(say("race_board.arrived", **values, cost=f"{cost:.4g}"))
+            texts.append(get_message("race_board.arrived", **values, cost=f"{cost:.4g}"))
         else:
-            texts.append(say("race_board.growing", **values))
+            texts.append(get_message("race_board.growing", **values))
     if not np.isfinite(costs[-1]):
-        texts[-1] = say("race_board.failed", name=name, nodes=f"{len(costs) - 1:,}")
+        texts[-1] = get_message("race_board.failed", name=name, nodes=f"{len(costs) - 1:,}")
     return texts
 
 
@@ -72,7 +72,7 @@ def stretch_growth(drawing: Drawing, total: int) -> Drawing:
     layers = [show_from(layer, drawing.total) for layer in drawing.layers]
     last = list(drawing.step_texts[-1:])
     *texts, text = [*drawing.step_texts, *last * (total - drawing.total)]
-    unit = say("race_board.unit")
+    unit = get_message("race_board.unit")
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from ...figures.drawing import dot_size
 from ...geometry.checks import Array
+from ...messages import get_message
 from ...planners import build_roadmap, plan_by_visibility
 from ...planners.roadmaps.properties import Length, RoadmapSurvey, survey_roadmap
 from ...problems import Plan, ProblemRecord, Roadmap
-from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord, discs_of
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path, segments_along
 from ..core.framed import Framed
@@ -86,7 +86,7 @@ class PropertiesBoard(Framed):
         world = self._given.world
         if isinstance(world, PolygonWorldRecord):
             world = world_in(scene)
-        problem = self._given._replace(world=world, asked=np.zeros(2, np.int64))
+        problem = self._given._replace(world=world, query_counts=np.zeros(2, np.int64))
         roadmap = build_roadmap(problem, **self.controls.given)
         exact = knows_shortest_paths(problem)
         shortest = make_length(problem) if exact else None
@@ -110,7 +110,7 @@ def knows_shortest_paths(problem: ProblemRecord) -> bool:
 
 def plan_shortest(problem: ProblemRecord, u: Array, v: Array) -> Plan:
     """The shortest path between two nodes."""
-    return plan_by_visibility(problem._replace(start=u, goal=v, asked=np.zeros(2, np.int64)))
+    return plan_by_visibility(problem._replace(start=u, goal=v, query_counts=np.zeros(2, np.int64)))
 
 
 def make_length(problem: ProblemRecord) -> Length:
@@ -166,7 +166,9 @@ def draw_worst_pair(
         path(nodes[survey.way], "path"),
         edges(segments_along(line), "ink", width=2.2, dash=(7.0, 5.0)),
         dots([u, v], "ink", radius=6.0),
-        labels([u, v], [say("properties_board.u"), say("properties_board.v")], "ink"),
+        labels(
+            [u, v], [get_message("properties_board.u"), get_message("properties_board.v")], "ink"
+        ),
     ]
 
 
@@ -175,13 +177,13 @@ def describe_survey(survey: RoadmapSurvey, exact: bool) -> str:
     delta = survey.efficiency
     reach, leave = survey.reached.sum(axis=0).tolist() if len(survey.places) else (0, 0)
     if np.isnan(delta):
-        efficient = say("properties_board.none")
+        efficient = get_message("properties_board.none")
     elif np.isinf(delta):
-        efficient = say("properties_board.apart")
+        efficient = get_message("properties_board.apart")
     else:
         bound = "least" if exact else "most"
-        efficient = say(f"properties_board.{bound}", delta=f"{delta:.3g}")
-    return say(
+        efficient = get_message(f"properties_board.{bound}", delta=f"{delta:.3g}")
+    return get_message(
         "properties_board.told",
         accessible=reach,
         departable=leave,

@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 
 from ...figures.drawing import dot_size
+from ...messages import get_message
 from ...planners import ComponentKClosest, KClosest, Radius, prm
 from ...planners.problem_input import world_size
-from ...planners.roadmaps.connecting import components_as_joined
+from ...planners.roadmaps.connecting import count_components
 from ...planners.roadmaps.prm import Sampler
-from ...planners.tuning import one_of, whole
+from ...planners.tuning import integer, one_of
 from ...problems import Plan, ProblemRecord, Roadmap
 from ...sampling import halton, sukharev_grid
-from ...words import say
 from ..core.drawing import Drawing, Layer, dots, edges, path
 from ..core.framed import Framed, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
@@ -31,8 +31,8 @@ class RoadmapControls:
     """The controls of a roadmap; `given` are their values as arguments of `prm`."""
 
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
-        rules = [(say(f"roadmap_board.{name}"), name) for name in RULES]
-        samplers = [(say(f"roadmap_board.{name}"), name) for name in SAMPLERS]
+        rules = [(get_message(f"roadmap_board.{name}"), name) for name in RULES]
+        samplers = [(get_message(f"roadmap_board.{name}"), name) for name in SAMPLERS]
         self.rule = make_menu("roadmap_board.rule", rules, one_of(rule, "rule", RULES))
         self.k = make_counter("roadmap_board.k", 10, 1, 30)
         self.r = make_length_slider(
@@ -40,8 +40,8 @@ class RoadmapControls:
         )
         chosen = one_of(sampler, "sampler", tuple(SAMPLERS))
         self.sampler = make_menu("roadmap_board.sampler", samplers, chosen)
-        self.n = make_counter("roadmap_board.n", whole(n, "n", least=1), 1, 1000)
-        self.seed = make_counter("roadmap_board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.n = make_counter("roadmap_board.n", integer(n, "n", least=1), 1, 1000)
+        self.seed = make_counter("roadmap_board.seed", integer(rng, "rng", least=0), 0, 99)
         self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
         self.dress()
 
@@ -129,13 +129,13 @@ def draw_growing_roadmap(plan: Plan) -> Drawing:
     """Draw a roadmap that grows, its nodes first, then the edges of each node; and the path."""
     roadmap = plan.roadmap
     n = len(roadmap.nodes)
-    layers, unit = draw_nodes_and_edges(roadmap), say("roadmap_board.unit")
+    layers, unit = draw_nodes_and_edges(roadmap), get_message("roadmap_board.unit")
     *texts, counts = describe_steps(roadmap)
     if plan.path is None:
-        text = say("roadmap_board.failed", reason=plan.reason, counts=counts)
+        text = get_message("roadmap_board.failed", reason=plan.reason, counts=counts)
     else:
         layers.append(path(plan.path, "path"))
-        text = say("roadmap_board.found", length=f"{plan.cost:.4g}", counts=counts)
+        text = get_message("roadmap_board.found", length=f"{plan.cost:.4g}", counts=counts)
     return Drawing(layers, text=text, total=2 * n, unit=unit, step_texts=texts)
 
 
@@ -153,15 +153,15 @@ def describe_steps(roadmap: Roadmap) -> list[str]:
     n = len(roadmap.nodes)
     # Each message is looked up once; its numbers are filled in afterwards.
     blanks = {name: f"{{{name}}}" for name in ("joined", "edges", "components")}
-    sampled = say("roadmap_board.sampled", nodes="{nodes}", n=f"{n:,}")
-    joined = say("roadmap_board.joined", n=f"{n:,}", **blanks)
+    sampled = get_message("roadmap_board.sampled", nodes="{nodes}", n=f"{n:,}")
+    joined = get_message("roadmap_board.joined", n=f"{n:,}", **blanks)
     so_far = np.searchsorted(roadmap.edges[:, 0], np.arange(n), side="right")
-    components = components_as_joined(n, roadmap.edges)[so_far]
+    components = count_components(n, roadmap.edges)[so_far]
     texts = [sampled.format(nodes=f"{k:,}") for k in range(n + 1)]
     texts += [
         joined.format(joined=f"{k:,}", edges=f"{m:,}", components=f"{c:,}")
         for k, (m, c) in enumerate(zip(so_far.tolist(), components.tolist(), strict=True), start=1)
     ]
     counts = {"edges": f"{len(roadmap.edges):,}", "components": f"{components[-1]:,}"}
-    texts[-1] = say("roadmap_board.counts", n=f"{n:,}", **counts)
+    texts[-1] = get_message("roadmap_board.counts", n=f"{n:,}", **counts)
     return texts

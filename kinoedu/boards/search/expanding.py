@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ...geometry.checks import Array
 from ...graphs import Expansion, Graph, extract_path
-from ...words import say
+from ...messages import get_message
 from ..core.drawing import Drawing, Layer, arrows, cells, dots, edges, labels, path
 from ..core.scene import Scene
 
@@ -52,22 +52,22 @@ def draw_search(
         way = extract_path(moments[-1].parent, goal)
         layers.append(path(places[way], "path"))
         cost = sum(graph.weight(u, v) for u, v in pairwise(way.tolist()))
-        text = say("search_board.found", **counts, edges=len(way) - 1, cost=f"{cost:.4g}")
+        text = get_message("search_board.found", **counts, edges=len(way) - 1, cost=f"{cost:.4g}")
     else:
-        text = say("search_board.failed", **counts)
+        text = get_message("search_board.failed", **counts)
     if not side and len(graph) <= MOST_NUMBERED:
-        text = say("search_board.between", start=start, goal=goal, outcome=text)
+        text = get_message("search_board.between", start=start, goal=goal, outcome=text)
         layers.append(labels(places[list(graph)], [str(u) for u in graph], "ink"))
-    unit, texts = say("search_board.unit"), describe_steps(moments, len(graph))
+    unit, texts = get_message("search_board.unit"), describe_steps(moments, len(graph))
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
 
 
 def describe_steps(moments: Sequence[Expansion], nodes: int) -> list[str]:
     """The state of the search at each step, in words."""
-    texts = [say("search_board.before", nodes=nodes)]
+    texts = [get_message("search_board.before", nodes=nodes)]
     for k, moment in enumerate(moments, start=1):
         counts = {"expanded": k, "nodes": nodes, "frontier": len(moment.frontier)}
-        texts.append(say("search_board.growing", **counts, node=moment.node))
+        texts.append(get_message("search_board.growing", **counts, node=moment.node))
     return texts
 
 

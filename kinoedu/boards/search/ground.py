@@ -9,10 +9,10 @@ from ...errors import InvalidGraph, InvalidParameter
 from ...geometry.checks import Array, as_point
 from ...graphs import Graph
 from ...graphs.checks import edge_lengths
+from ...messages import get_message
 from ...planners import prm
 from ...problems import ProblemRecord
 from ...support.text import shortened
-from ...words import say
 from ...worlds.polygon_world import PolygonWorldRecord
 from ...worlds.terrain import TerrainRecord
 from ..core.scene import Scene, handle, make_scene, stop
@@ -42,7 +42,7 @@ def make_ground(given: Any, start: int | None, goal: int | None) -> Ground:
     """
     if isinstance(given, Graph):
         if given.space is None or given.nodes.shape[1] != 2 or len(given) == 0:
-            raise InvalidGraph(say("search_board.needs", given=shortened(given)))
+            raise InvalidGraph(get_message("search_board.needs", given=shortened(given)))
         ground = make_small_ground(given, place_ends(given, start, goal), None, 0.0)
         return add_stops(ground) if len(given) <= MOST_NUMBERED else ground
     if isinstance(given, ProblemRecord) and given.start.shape == (2,):
@@ -61,7 +61,7 @@ def make_ground(given: Any, start: int | None, goal: int | None) -> Ground:
             return ground._replace(scene=fix_obstacles(make_problem_scene(given), ground.scene))
     free: Any = np.asarray(given) if isinstance(given, np.ndarray | list | tuple) else np.empty(0)
     if free.ndim != 2 or free.dtype != np.bool_ or not free.any():
-        raise InvalidParameter(say("search_board.needs", given=shortened(given)))
+        raise InvalidParameter(get_message("search_board.needs", given=shortened(given)))
     graph = make_grid_graph(free, np.zeros(2), 1.0)
     box = np.zeros(2), np.array(free.shape[::-1], float)
     return make_small_ground(graph, place_ends(graph, start, goal), free, 1.0, box)
@@ -86,13 +86,18 @@ def make_small_ground(
 ) -> Ground:
     """The ground of a graph that is small enough, in a box or round its nodes."""
     if len(graph) > MOST:
-        raise InvalidParameter(say("search_board.too_many", most=MOST, nodes=len(graph)))
+        raise InvalidParameter(get_message("search_board.too_many", most=MOST, nodes=len(graph)))
     places = graph.nodes[list(graph)]
     lo, hi = box or (places.min(axis=0), places.max(axis=0))
     margin = 0.0 if box else 0.12 * float((hi - lo).max()) or 1.0
     handles = [
-        handle(say("search_board.start"), as_point(ends[0], "start"), colour="start"),
-        handle(say("search_board.goal"), as_point(ends[1], "goal"), colour="goal", marker="star"),
+        handle(get_message("search_board.start"), as_point(ends[0], "start"), colour="start"),
+        handle(
+            get_message("search_board.goal"),
+            as_point(ends[1], "goal"),
+            colour="goal",
+            marker="star",
+        ),
     ]
     return Ground(graph, make_scene(lo - margin, hi + margin, handles=handles), free, side)
 
@@ -100,7 +105,7 @@ def make_small_ground(
 def add_stops(ground: Ground) -> Ground:
     """The ground with a stop on each node: nodes can be dragged, and clicked for start and goal."""
     graph = ground.graph
-    stops = [stop(say("search_board.node", number=u), graph.nodes[u]) for u in graph]
+    stops = [stop(get_message("search_board.node", number=u), graph.nodes[u]) for u in graph]
     return ground._replace(scene={**ground.scene, "handles": ground.scene["handles"] + stops})
 
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from ...geometry.checks import Array
 from ...graphs import Expansion, Graph, astar_expansions, bfs_expansions, dfs_expansions
+from ...messages import get_message
 from ...planners.tuning import one_of
-from ...words import say
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
 from ..core.framed import Framed, make_menu
@@ -61,7 +61,7 @@ class SearchBoard(Framed):
     ) -> None:
         self.ground = make_ground(graph_or_problem, start, goal)
         self.moments: list[Expansion] = []
-        options = [(say(f"search_board.{name}"), name) for name in SEARCHES]
+        options = [(get_message(f"search_board.{name}"), name) for name in SEARCHES]
         chosen = one_of(search, "search", SEARCHES)
         self.search = make_menu("search_board.search", options, chosen)
         canvas = Canvas(self.ground.scene, self.answer, free=self.ground.free)

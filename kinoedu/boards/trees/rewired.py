@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from ...figures.drawing import line_width
 from ...geometry.checks import Array
 from ...graphs import extract_path
+from ...messages import get_message
 from ...planners.trees.rewiring import Rewirings
-from ...words import say
 from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_along
 
 CORNERS = 40  # of the polygon that draws a ball
@@ -137,15 +137,15 @@ def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) 
     rewired = np.bincount(log.came[log.node != log.came], minlength=n).tolist()
     new = log.node == log.came
     parent = dict(zip(log.node[new].tolist(), log.parent[new].tolist(), strict=True))
-    texts = ["", say("rewiring_board.root")]
+    texts = ["", get_message("rewiring_board.root")]
     for node in range(1, n):
         cost, values = costs[node + 1], {"node": node, "parent": parent[node]}
-        way = say("rewiring_board.no_way")
+        way = get_message("rewiring_board.no_way")
         if np.isfinite(cost):
-            way = say("rewiring_board.way", cost=f"{cost:.4g}")
+            way = get_message("rewiring_board.way", cost=f"{cost:.4g}")
         if node == log.at_goal:
-            texts.append(say("rewiring_board.goal", **values, way=way))
+            texts.append(get_message("rewiring_board.goal", **values, way=way))
         else:
             counts = {"near": count[node], "hung": rewired[node]}
-            texts.append(say("rewiring_board.node", **values, **counts, way=way))
+            texts.append(get_message("rewiring_board.node", **values, **counts, way=way))
     return texts

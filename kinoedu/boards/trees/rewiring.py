@@ -1,10 +1,10 @@
 """The rewiring board: RRT* node by node, with the changes that each new node makes."""
 
+from ...messages import get_message
 from ...planners.problem_input import world_size
 from ...planners.trees.rewiring import rrt_star_rewirings
-from ...planners.tuning import whole
+from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
-from ...words import say
 from ..core.drawing import Drawing
 from ..core.framed import Framed, make_counter, make_length_slider
 from ..core.scene import Scene
@@ -58,9 +58,9 @@ class RewiringBoard(Framed):
 
     def __init__(self, problem: ProblemRecord, nodes: int, step: float | None, rng: int) -> None:
         self._given = check_in_plane(problem)
-        self.nodes = make_counter("rewiring_board.n", whole(nodes, "nodes", least=1), 50, 1000)
+        self.nodes = make_counter("rewiring_board.n", integer(nodes, "nodes", least=1), 50, 1000)
         self.step = make_length_slider("board.step", world_size(problem), step)
-        self.seed = make_counter("board.seed", whole(rng, "rng", least=0), 0, 99)
+        self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         super().__init__(
             [self.nodes, self.step, self.seed], [make_problem_canvas(problem, self.answer)]
@@ -76,5 +76,5 @@ class RewiringBoard(Framed):
         n, ways, near = len(log.nodes), find_ways_to_goal(log), find_near_pairs(log)
         *texts, text = describe_steps(log, near, costs_at(ways, n))
         layers = [draw_tree_history(log), *draw_ways(ways), *draw_moments(log, near)]
-        unit = say("rewiring_board.unit")
+        unit = get_message("rewiring_board.unit")
         return Drawing(layers, text=text, total=n, unit=unit, step_texts=texts)

@@ -9,7 +9,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from ...errors import InvalidParameter
-from ...words import say
+from ...messages import get_message
 from ..exercise import Exercise
 
 ROOMS = [room.name for room in iter_modules(__path__) if room.name != "shared"]
@@ -33,11 +33,11 @@ def find(name: str, variant: str = "") -> Exercise:
     '01_geometry'
     """
     if name not in EXERCISES:
-        raise InvalidParameter(say("check.unknown", name=name, names=", ".join(EXERCISES)))
+        raise InvalidParameter(get_message("check.unknown", name=name, names=", ".join(EXERCISES)))
     exercise = EXERCISES[name]
     if variant and variant not in exercise.variants:
         raise InvalidParameter(
-            say(
+            get_message(
                 "check.no_variant",
                 name=name,
                 variant=variant,

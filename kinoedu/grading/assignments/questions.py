@@ -19,7 +19,7 @@ import numpy as np
 
 from ...course.exercise import Case, Exercise
 from ...course.lessons import find
-from ...course.release import HOUSE, solution
+from ...course.release import HOUSE, solution_path
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
 
@@ -51,7 +51,7 @@ def assignment(name: str, house: Path = HOUSE) -> Assignment:
     """An assignment, from its solution notebook: what a student hands in has no say in what is
     asked. Raises InvalidParameter.
     """
-    book = json.loads(solution(name, house).read_text(encoding="utf-8"))
+    book = json.loads(solution_path(name, house).read_text(encoding="utf-8"))
     marks = [
         cell["metadata"]["nbgrader"] for cell in book["cells"] if "nbgrader" in cell["metadata"]
     ]

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from ...course.lessons import EXERCISES
 from ...errors import InvalidParameter
+from ...messages import get_message
 from ...support.whole_files import written_whole
-from ...words import say
 from .notebook import cells_in, joined, notebook_in, read_bytes
 
 UNTOUCHED = "YOUR ANSWER HERE"
@@ -33,13 +33,13 @@ class Receipt(NamedTuple):
     def __str__(self) -> str:
         done = sum(answered for answered, _ in self.answers.values())
         lines = [
-            say("hand_in.title", assignment=self.assignment),
-            say("hand_in.time", time=self.time.isoformat(sep=" ", timespec="seconds")),
-            say("hand_in.digest", sha256=self.sha256),
-            say("hand_in.answered", done=done, questions=len(self.answers)),
+            get_message("hand_in.title", assignment=self.assignment),
+            get_message("hand_in.time", time=self.time.isoformat(sep=" ", timespec="seconds")),
+            get_message("hand_in.digest", sha256=self.sha256),
+            get_message("hand_in.answered", done=done, questions=len(self.answers)),
         ]
         for name, (answered, said) in self.answers.items():
-            state = say("hand_in.yes" if answered else "hand_in.no")
+            state = get_message("hand_in.yes" if answered else "hand_in.no")
             lines.append(f"  {name}: {state}" + (f"; {said}" if said else ""))
         return "\n".join(lines)
 
@@ -103,7 +103,7 @@ def broken_functions(sources: list[str]) -> dict[str, str]:
         try:
             ast.parse(source)
         except SyntaxError as error:
-            words = say("hand_in.unreadable", message=error.msg, line=error.lineno)
+            words = get_message("hand_in.unreadable", message=error.msg, line=error.lineno)
             found |= dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE), words)
         except (ValueError, RecursionError, MemoryError):
             continue
@@ -148,11 +148,11 @@ def said_by_checks(cells: list[Any]) -> dict[str, str]:
         called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
         if called and isinstance(outputs, list) and outputs:
             text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
-            stale = text == say(
+            stale = text == get_message(
                 "check.unanswered", name=called[1]
             )  # the exercise as it was handed out
             said[called[1]] = (
-                say("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
+                get_message("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
             )
     return said
 

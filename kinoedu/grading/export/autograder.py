@@ -14,10 +14,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ...course.feedback import laid_out
+from ...course.feedback import format_entry
 from ...errors import InvalidParameter
+from ...messages import get_message
 from ...support.whole_files import written_whole
-from ...words import say
 from ..assignments.questions import assignment
 from ..collect.found import files_in
 from ..collect.marks import assignment_of, marks_in, shared_marks
@@ -83,14 +83,14 @@ def the_submission(folder: Path, name: str) -> Submission:
         file for file in found if assignment_of(file.place[-1], file.place, file.data, [name])
     ] or found
     if not mine:
-        return Submission("", name, "", b"", say("gradescope.nothing", name=name))
+        return Submission("", name, "", b"", get_message("gradescope.nothing", name=name))
     one = next(
         without_doubles(
             [Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]
         )
     )
     if marks_in(one.data) and not any(shared_marks(one.data, [name]).values()):
-        return one._replace(trouble=say("gradescope.wrong_file", name=name))
+        return one._replace(trouble=get_message("gradescope.wrong_file", name=name))
     return one
 
 
@@ -103,14 +103,18 @@ def results_of(name: str, record: Grade | None, trouble: str) -> Results:
         return {
             "score": 0.0,
             "visibility": "visible",
-            "output": say("gradescope.unreadable", why=why),
+            "output": get_message("gradescope.unreadable", why=why),
             "tests": [],
         }
     results = gradescope_results(row_of(name, question) for question in record["questions"])
     by_hand = assignment(name).by_hand
-    said = [say("gradescope.by_hand", names=", ".join(by_hand))] if by_hand else []
+    said = [get_message("gradescope.by_hand", names=", ".join(by_hand))] if by_hand else []
     said += (
-        [say("gradescope.cells", numbers=", ".join(str(one["cell"]) for one in record["cells"]))]
+        [
+            get_message(
+                "gradescope.cells", numbers=", ".join(str(one["cell"]) for one in record["cells"])
+            )
+        ]
         if record["cells"]
         else []
     )
@@ -135,4 +139,4 @@ def explained(question: Grade) -> Iterator[str]:
     """The smallest case that failed, unless it is hidden, and the hint."""
     if question["status"] != RIGHT:
         for title, text in told_of(question):
-            yield laid_out(title, text)
+            yield format_entry(title, text)

@@ -10,7 +10,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from ...course.release import HOUSE, Packed, is_by_product, solution, without_answers, write_zip
+from ...course.release import HOUSE, Packed, is_generated, remove_answers, solution_path, write_zip
 
 COURSE = "kinoedu-course"
 SECRET = "course_secret"
@@ -68,7 +68,7 @@ def pack_autograder(
         Packed("setup.sh", SETUP.encode(), 0o755),
         Packed("run_autograder", run.encode(), 0o755),
         Packed(SECRET, secret.hex().encode() + b"\n", 0o600),
-        Packed(f"{COURSE}/solutions/{name}.ipynb", questions_of(solution(name, house))),
+        Packed(f"{COURSE}/solutions/{name}.ipynb", questions_of(solution_path(name, house))),
         *library(house),
     ]
     write_zip(zip_file, files)
@@ -80,11 +80,11 @@ def questions_of(file: Path) -> bytes:
     """A solution notebook as the grader reads it, without the answers."""
     import nbformat
 
-    return (str(nbformat.writes(without_answers(file))) + "\n").encode()
+    return (str(nbformat.writes(remove_answers(file))) + "\n").encode()
 
 
 def library(house: Path) -> Iterator[Packed]:
     """The library and what installs it: no solution, no bank, no tests."""
     for file in [house / name for name in FILES] + sorted((house / "kinoedu").rglob("*")):
-        if file.is_file() and not is_by_product(file):
+        if file.is_file() and not is_generated(file):
             yield Packed(f"{COURSE}/{file.relative_to(house).as_posix()}", file.read_bytes())

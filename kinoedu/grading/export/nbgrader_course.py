@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from ...course.release import solution
+from ...course.release import solution_path
 from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
@@ -85,7 +85,7 @@ def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
 
 def marks_of(name: str) -> Marks:
     """An assignment's marks, as its solution has them."""
-    book = json.loads(solution(name).read_text(encoding="utf-8"))
+    book = json.loads(solution_path(name).read_text(encoding="utf-8"))
     marked = [
         (cell, cell["metadata"]["nbgrader"])
         for cell in book["cells"]

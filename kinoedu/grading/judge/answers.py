@@ -17,8 +17,8 @@ from ...course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
 from ...course.plain import WrongShape
 from ...course.shapes import Maybe, Shape, Truth
 from ...errors import InvalidParameter
-from ...support.time_limit import WAITING, speed
-from ...words import say
+from ...messages import get_message
+from ...support.time_limit import MAX_WAIT_FACTOR, slowdown
 from ..collect.notebook import Cell
 from ..sandbox.sandbox import Reply, Sandbox
 from ..sandbox.talk import LONGEST
@@ -75,7 +75,7 @@ def answers(
         how many times its usual time everything is given; a slow computer gives more. What is not
         asked when all that time is over, however often it broke off, counts as late.
     """
-    patience *= speed()
+    patience *= slowdown()
     found = Answers({}, {})
     cells, questions = list(cells), list(questions)
     until = time.monotonic() + LONGEST * patience
@@ -91,7 +91,7 @@ def answers(
         drawn = any(own_call(question.exercise) for question in questions)
         request = request_for(cells, questions, patience)
         request[CELLS]["lent"] = lent
-        reply = sandbox.ask(request, WAITING * longest + GRACE, DRAWING if drawn else ())
+        reply = sandbox.ask(request, MAX_WAIT_FACTOR * longest + GRACE, DRAWING if drawn else ())
         take(reply, questions, found)
         if reply.end == "done":
             break
@@ -195,7 +195,7 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
             if is_open(question, found, HIDDEN)
         ):
             if outcomes is not None:  # it said that it is done, and was not asked all
-                outcomes.append(Misshapen(say("grading.no_outcome")))
+                outcomes.append(Misshapen(get_message("grading.no_outcome")))
 
 
 def take_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
@@ -215,7 +215,7 @@ def outcome_in(data: Any, shape: Shape) -> Outcome:
     try:
         return decode_outcome(data, shape)
     except (WrongShape, TypeError, ValueError, RecursionError):
-        return Misshapen(say("grading.no_outcome"))
+        return Misshapen(get_message("grading.no_outcome"))
 
 
 def what_remains(
@@ -278,7 +278,7 @@ def ending(reply: Reply) -> Outcome:
         if reply.status >= 0
         else "grading.stopped"
     )
-    return Raised([STOPPED], say(key, status=reply.status), [], "")
+    return Raised([STOPPED], get_message(key, status=reply.status), [], "")
 
 
 STOPPED = "Stopped"

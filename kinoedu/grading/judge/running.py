@@ -21,8 +21,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...compiled.store import source_digest
-from ...course.release import HOUSE, solution
-from ...support.completed_futures import Arrivals
+from ...course.release import HOUSE, solution_path
+from ...support.completed_futures import CompletedFutures
 from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
 from ..collect.submissions import Submission
@@ -136,7 +136,7 @@ def key_of(one: Submission, secret: bytes) -> str:
 @functools.cache
 def sources(name: str) -> bytes:
     """What a grade depends on beside the submission."""
-    return source_digest(HOUSE / "kinoedu").encode() + solution(name).read_bytes()
+    return source_digest(HOUSE / "kinoedu").encode() + solution_path(name).read_bytes()
 
 
 def kept(file: Path) -> Grade | None:
@@ -216,15 +216,15 @@ def worked(
         now = calm or left[:1]
         left = [job for job in left if job not in calm] if calm else left[1:]
         with place(most if calm else 1) as executor:
-            arrivals, begun = Arrivals[Job](), set[str]()
+            completed, begun = CompletedFutures[Job](), set[str]()
             for job in now:
-                arrivals.expect(executor.submit(work, job), job)
-            for job, future in arrivals:
+                completed.add(executor.submit(work, job), job)
+            for job, future in completed:
                 trouble = future.exception()
                 if trouble is None:
                     begun = {
                         other.key
-                        for waiting, other in arrivals.waiting.items()
+                        for waiting, other in completed.waiting.items()
                         if waiting.running()
                     }
                     yield job, future.result(), ""

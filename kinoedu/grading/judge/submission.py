@@ -5,11 +5,11 @@ what it is worth and why.
 from collections.abc import Sequence
 from typing import Any
 
-from ...course.feedback import hint_words, rule_words
-from ...course.judging import Judged, Report, report_on
+from ...course.feedback import hint_message, rule_message
+from ...course.judging import JudgedCase, Report, judge_outcomes
 from ...course.outcomes import Late, Outcome, encode_outcome
 from ...course.shapes import Maybe, Truth
-from ...words import say
+from ...messages import get_message
 from ..assignments.questions import Asked, Assignment, Cases, cases_of
 from ..collect.notebook import Cell, UnreadableSubmission, cells_in
 from ..sandbox.sandbox import Sandbox
@@ -66,7 +66,7 @@ def blank(asked: Asked) -> Grade:
         "score": 0.0,
         "max_score": asked.points,
         "status": UNANSWERED,
-        "message": say("grading.unanswered", name=asked.exercise.name),
+        "message": get_message("grading.unanswered", name=asked.exercise.name),
         "failure": None,
         "late": False,
     }
@@ -76,14 +76,14 @@ def judged(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Gr
     """A question's grade."""
     if not outcomes:
         return blank(asked)
-    report = report_on(asked.exercise, known.cases, outcomes)
+    report = judge_outcomes(asked.exercise, known.cases, outcomes)
     if report.unwritten and report.failure is not None and report.failure.number == 0:
         return blank(asked)
     late = any(isinstance(outcome, Late) for outcome in outcomes)
     record = blank(asked) | {
         "score": asked.points * report.score,
         "status": status_of(report),
-        "message": say("grading.right"),
+        "message": get_message("grading.right"),
         "late": late,
     }
     if report.failure is None:
@@ -114,17 +114,19 @@ def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
     failure, exercise = report.failure, asked.exercise
     assert failure is not None
     shown = None if hidden else shown_failure(report)
-    message = rule_words(exercise, failure) + (" " + say("grading.hidden") if hidden else "")
+    message = rule_message(exercise, failure) + (
+        " " + get_message("grading.hidden") if hidden else ""
+    )
     return {
         "message": message,
-        "hint": hint_words(exercise, failure),
+        "hint": hint_message(exercise, failure),
         "failure": shown,
         "kinds": list(report.failed),
         "reason": reason_of(failure),
     }
 
 
-def reason_of(failure: Judged) -> str:
+def reason_of(failure: JudgedCase) -> str:
     """The key of the misconception that was recognised, or of the rule that was broken: what
     instructors count.
     """

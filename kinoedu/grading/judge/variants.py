@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from ...course.lessons import find
-from ...course.release import HOUSE, solution
+from ...course.release import HOUSE, solution_path
 from ...errors import InvalidParameter
+from ...messages import get_message
 from ...support.csv_cells import harmless, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
-from ...words import say
 from ..assignments.questions import assignment
 from .contracts import Choices, choices
 
@@ -47,7 +47,7 @@ def write_variants(
 
 def released(name: str, house: Path) -> Any:
     """The exercise as it was released. Raises InvalidParameter."""
-    solution(name, house)
+    solution_path(name, house)
     file = house / "exercises" / f"{name}.ipynb"
     if not file.is_file():
         raise InvalidParameter(f"exercises/{name}.ipynb is not there: release {name} first")
@@ -60,7 +60,7 @@ def with_contracts(book: Any, chosen: Choices) -> Any:
     for cell in book["cells"]:
         name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
         if name in mine:
-            words = say("variants.yours", contract=find(name, mine[name]).contract)
+            words = get_message("variants.yours", contract=find(name, mine[name]).contract)
             cells.append(
                 {
                     "cell_type": "markdown",

@@ -10,22 +10,22 @@ from typing import Any
 
 from ...compiled.store import source_digest
 from ...course.exercise import Case, Exercise
-from ...course.feedback import picture_of, told_case
-from ...course.judging import Judged
+from ...course.feedback import case_lines, draw_failure
+from ...course.judging import JudgedCase
 from ...course.lessons import find
 from ...course.outcomes import Answer, decode_outcome
 from ...course.plain import WrongShape
 from ...course.release import HOUSE
 from ...errors import KinoeduError
-from ...support.time_limit import TimeUp, within
+from ...messages import get_message
+from ...support.time_limit import TimeUp, run_within
 from ...support.whole_files import written_whole
-from ...words import say
 from ..judge.submission import Grade
 
 DRAWING = 20.0  # seconds
 
 
-def failure_of(question: Grade) -> tuple[Exercise, Judged] | None:
+def failure_of(question: Grade) -> tuple[Exercise, JudgedCase] | None:
     """The exercise and the case that failed, from a question's record; None where there is none, or
     the course has changed.
     """
@@ -36,7 +36,7 @@ def failure_of(question: Grade) -> tuple[Exercise, Judged] | None:
         exercise = find(question["question"], question.get("variant", ""))
         case = Case(kept["case"]["kind"], exercise.given.decode(kept["case"]["given"]))
         outcome = decode_outcome(kept["outcome"], exercise.answer)
-        return exercise, Judged(
+        return exercise, JudgedCase(
             case, outcome, exercise.judge(case, outcome), kept["slip"], kept["number"]
         )
     except (KinoeduError, WrongShape, KeyError, TypeError):
@@ -48,11 +48,11 @@ def told_of(question: Grade) -> list[tuple[str, str]]:
     if everybody has seen it, the hint, and what to read again.
     """
     found = failure_of(question)
-    told = told_case(*found, "") if found is not None else []
+    told = case_lines(*found, "") if found is not None else []
     if question.get("hint"):
-        told.append((say("check.hint"), question["hint"]))
+        told.append((get_message("check.hint"), question["hint"]))
     if found is not None:
-        told.append((say("check.read"), found[0].words("section")))
+        told.append((get_message("check.read"), found[0].message("section")))
     return told
 
 
@@ -74,7 +74,7 @@ def picture_for(question: Grade, folder: Path) -> bytes | None:
     return file.read_bytes()
 
 
-def shows_nothing(exercise: Exercise, failure: Judged) -> bool:
+def shows_nothing(exercise: Exercise, failure: JudgedCase) -> bool:
     """Whether a picture would be empty: nothing was given, and nothing came back."""
     return not failure.case.given and not isinstance(failure.outcome, Answer)
 
@@ -97,11 +97,11 @@ def sources() -> str:
     return source_digest(HOUSE / "kinoedu")
 
 
-def drawn(exercise: Exercise, failure: Judged) -> bytes | None:
+def drawn(exercise: Exercise, failure: JudgedCase) -> bytes | None:
     """A picture; None where the exercise cannot draw what a program answered, which may be anything
     of the right shape.
     """
     try:
-        return within(DRAWING, lambda: picture_of(exercise, failure))
+        return run_within(DRAWING, lambda: draw_failure(exercise, failure))
     except (Exception, TimeUp):
         return None

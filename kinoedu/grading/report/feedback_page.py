@@ -11,9 +11,9 @@ from typing import Any
 from ...course.outcomes import Raised, decode_outcome
 from ...course.plain import WrongShape
 from ...course.shapes import Maybe, Truth
+from ...messages import get_message
 from ...support.csv_cells import number
 from ...support.file_names import file_name
-from ...words import say
 from ..judge.answers import is_stopped
 from ..judge.submission import RIGHT, Grade
 from .failures import picture_for, told_of
@@ -32,20 +32,20 @@ def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures:
     total = totals(rows)[student, assignment]
     body = [paragraph(student, "quiet")]
     if rows[0].late:
-        body.append(paragraph(say("grades.late")))
+        body.append(paragraph(get_message("grades.late")))
     if trouble:
-        body += [heading(say("grades.trouble")), paragraph(trouble)]
+        body += [heading(get_message("grades.trouble")), paragraph(trouble)]
     if assignment:
-        waiting = say("grades.waiting", count=total.waiting) if total.waiting else ""
+        waiting = get_message("grades.waiting", count=total.waiting) if total.waiting else ""
         score, most = number(total.score), number(total.max_score)
-        body.append(paragraph(say("grades.total", score=score, most=most) + waiting))
+        body.append(paragraph(get_message("grades.total", score=score, most=most) + waiting))
     records = {one["question"]: one for one in record["questions"]} if record is not None else {}
     for row in rows:
         if row.question:
             body += section(row, records.get(row.question), pictures)
     if record is not None and record["cells"]:
         body += cells(record["cells"])
-    return page(assignment or say("grades.unknown"), body)
+    return page(assignment or get_message("grades.unknown"), body)
 
 
 def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
@@ -53,21 +53,21 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
     share = 0.0 if row.score is None else row.score / (row.max_score or 1.0)
     kind = "" if row.score is None else "all" if share >= 1.0 else "some" if share > 0.0 else "none"
     score = (
-        say("grades.no_score", most=number(row.max_score))
+        get_message("grades.no_score", most=number(row.max_score))
         if row.score is None
         else f"{number(row.score)} / {number(row.max_score)}"
     )
     yield f'<section class="{kind}"><h2><span>{escape(row.question)}</span><span class="n">{score}</span></h2>'
     if row.score is None or row.status in (BY_HAND, DECIDED):
         yield paragraph(
-            say(f"grades.status.{row.status.replace(' ', '_')}")
+            get_message(f"grades.status.{row.status.replace(' ', '_')}")
             + (f": {row.message}" if row.message else ".")
         )
     if question is not None and question["status"] != RIGHT:
         if row.status != DECIDED:
             yield paragraph(question["message"])
             if row.comment:
-                yield paragraph(say("grades.comment", comment=row.comment))
+                yield paragraph(get_message("grades.comment", comment=row.comment))
         yield from explained(question, pictures)
     elif row.status == RIGHT:
         yield paragraph(row.message)
@@ -78,7 +78,7 @@ def explained(question: Grade, pictures: Path) -> Iterator[str]:
     """What a wrong answer met: the case, if everybody has seen it, its picture, and the hint."""
     told = told_of(question)
     if told:
-        plain = (say("check.wanted"), say("check.hint"), say("check.read"))
+        plain = (get_message("check.wanted"), get_message("check.hint"), get_message("check.read"))
         pairs = [
             (title, escape(text) if title in plain else f"<code>{escape(text)}</code>")
             for title, text in told
@@ -90,17 +90,17 @@ def explained(question: Grade, pictures: Path) -> Iterator[str]:
         )
     picture = picture_for(question, pictures)
     if picture is not None:
-        alt = escape(say("check.picture", name=question["question"]))
+        alt = escape(get_message("check.picture", name=question["question"]))
         yield f'<img alt="{alt}" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
 
 
 def cells(troubles: list[Grade]) -> Iterator[str]:
     """The cells that failed, with the student's own lines."""
-    yield heading(say("grades.cells"))
-    yield paragraph(say("grades.cells_about"), "quiet")
+    yield heading(get_message("grades.cells"))
+    yield paragraph(get_message("grades.cells_about"), "quiet")
     for trouble in troubles:
         words, lines = cell_words(trouble["trouble"])
-        yield paragraph(say("grades.cell", number=trouble["cell"], words=words))
+        yield paragraph(get_message("grades.cell", number=trouble["cell"], words=words))
         if lines:
             yield f"<pre>{escape(chr(10).join(lines))}</pre>"
 
@@ -110,9 +110,9 @@ def cell_words(data: Mapping[str, Any]) -> tuple[str, list[str]]:
     try:
         outcome = decode_outcome(data, Maybe(Truth()))
     except WrongShape:
-        return say("grading.no_outcome"), []
+        return get_message("grading.no_outcome"), []
     if not isinstance(outcome, Raised):
-        return say("grades.cell_late"), []
+        return get_message("grades.cell_late"), []
     if is_stopped(outcome):
         return outcome.message, []
     kind = outcome.kinds[0] if outcome.kinds else ""

@@ -8,8 +8,8 @@ from html import escape
 from pathlib import Path
 
 from ...figures import palette
+from ...messages import get_message
 from ...support.whole_files import written_whole
-from ...words import say
 
 STYLE = f"""
 body {{
@@ -64,7 +64,7 @@ POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 def page(title: str, body: Iterable[str]) -> str:
     """A whole page; `body` is HTML."""
     return (
-        f'<!doctype html>\n<html lang="{say("grades.language")}">\n<meta charset="utf-8">\n'
+        f'<!doctype html>\n<html lang="{get_message("grades.language")}">\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{escape(title)}</title>\n<style>{STYLE}</style>\n<h1>{escape(title)}</h1>\n"

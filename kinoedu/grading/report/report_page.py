@@ -8,8 +8,8 @@ from urllib.parse import quote
 
 from ...course.lessons import find
 from ...figures import palette
+from ...messages import get_message
 from ...support.csv_cells import number
-from ...words import say
 from ..judge.class_list import Class, record_of
 from .feedback_page import page_name
 from .pages import breakable, heading, page, paragraph, table
@@ -29,7 +29,9 @@ def report_page(of: Class, rows: list[Row]) -> str:
     graded = sum((entry.student, entry.assignment) not in bad for entry in of.entries)
     late = {(entry.student, entry.assignment) for entry in of.entries if entry.late}
     body = [
-        paragraph(say("grades.report.summary", **counts, graded=graded) + late_words(len(late)))
+        paragraph(
+            get_message("grades.report.summary", **counts, graded=graded) + late_words(len(late))
+        )
     ]
     body += not_graded(of, rows)
     for name in names:
@@ -40,12 +42,12 @@ def report_page(of: Class, rows: list[Row]) -> str:
     body += mistakes(of)
     body += students(found, names, late)
     body += decisions(rows)
-    return page(say("grades.report.title"), body)
+    return page(get_message("grades.report.title"), body)
 
 
 def late_words(count: int) -> str:
     """How many were late, where any were."""
-    return " " + say("grades.report.late", count=count) if count else ""
+    return " " + get_message("grades.report.late", count=count) if count else ""
 
 
 def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
@@ -57,8 +59,8 @@ def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
         if (entry.student, entry.assignment) in said
     ]
     if found:
-        yield heading(say("grades.report.not_graded"))
-        head = [say(f"grades.report.{key}") for key in ("student", "file", "reason")]
+        yield heading(get_message("grades.report.not_graded"))
+        head = [get_message(f"grades.report.{key}") for key in ("student", "file", "reason")]
         reasons = [
             (entry.student, entry.file, f"{row.status}: {entry.trouble or row.message}")
             for entry, row in found
@@ -74,7 +76,7 @@ def spread(name: str, found: list[Total]) -> Iterator[str]:
         total.score / (total.max_score or 1.0) for total in found if total.waiting < total.questions
     ]
     counts = Counter(min(TENTHS - 1, int(TENTHS * share + 1e-9)) for share in shares)
-    yield heading(f"{name}: {say('grades.report.histogram')}")
+    yield heading(f"{name}: {get_message('grades.report.histogram')}")
     yield bars([counts[tenth] for tenth in range(TENTHS)], name)
 
 
@@ -96,7 +98,9 @@ def bars(counts: list[int], name: str) -> str:
         parts.append(f'<text x="{x}" y="{52 + high}" text-anchor="{anchor}">{10 * tenth} %</text>')
     line = f'<line x1="0" x2="{TENTHS * wide}" y1="{30 + high}" y2="{30 + high}" stroke="{palette.INK}"/>'
     alt = escape(
-        say("grades.report.histogram_alt", assignment=name, counts=", ".join(map(str, counts)))
+        get_message(
+            "grades.report.histogram_alt", assignment=name, counts=", ".join(map(str, counts))
+        )
     )
     return (
         f'<svg role="img" aria-label="{alt}" viewBox="0 0 {TENTHS * wide} {62 + high}" width="{TENTHS * wide}" '
@@ -108,9 +112,9 @@ def questions(rows: list[Row]) -> Iterator[str]:
     """Of each question how many points were had on average, by how many all, and who answered at
     all; of what is scored.
     """
-    yield heading(say("grades.report.questions"))
+    yield heading(get_message("grades.report.questions"))
     head = [
-        say(f"grades.report.{key}")
+        get_message(f"grades.report.{key}")
         for key in ("assignment", "question", "answered", "full", "mean")
     ]
     scored = sorted(
@@ -153,12 +157,12 @@ def mistakes(of: Class) -> Iterator[str]:
         for question in record["questions"] if record is not None else ():
             if question.get("reason"):
                 met[question["question"], question["reason"]] += 1
-    yield heading(say("grades.report.mistakes"))
+    yield heading(get_message("grades.report.mistakes"))
     if not met:
-        yield paragraph(say("grades.report.nothing"))
+        yield paragraph(get_message("grades.report.nothing"))
         return
-    yield paragraph(say("grades.report.mistakes_about"), "quiet")
-    head = [say(f"grades.report.{key}") for key in ("question", "mistake", "count")]
+    yield paragraph(get_message("grades.report.mistakes_about"), "quiet")
+    head = [get_message(f"grades.report.{key}") for key in ("question", "mistake", "count")]
     often = sorted(met.items(), key=lambda item: (-item[1], item[0]))
     lines = [
         [breakable(name), breakable(words_of(name, reason)), str(count)]
@@ -170,7 +174,7 @@ def mistakes(of: Class) -> Iterator[str]:
 def words_of(question: str, reason: str) -> str:
     """A rule or a misconception in words; its key where the course has changed since."""
     try:
-        return find(question).words(reason)
+        return find(question).message(reason)
     except (KeyError, ValueError):
         return reason
 
@@ -179,14 +183,14 @@ def students(
     found: dict[tuple[str, str], Total], names: list[str], late: set[tuple[str, str]]
 ) -> Iterator[str]:
     """A line for each student, with links to their pages, and what was late."""
-    yield heading(say("grades.report.students"))
+    yield heading(get_message("grades.report.students"))
     lines = []
     for student in sorted({student for student, _ in found}):
         line = [breakable(student)]
         for name in names:
             total, mark = (
                 found.get((student, name)),
-                " " + say("grades.late_mark") if (student, name) in late else "",
+                " " + get_message("grades.late_mark") if (student, name) in late else "",
             )
             line.append(
                 ""
@@ -194,23 +198,30 @@ def students(
                 else f'<a href="{quote(page_name(student, name))}">{total_words(total)}</a>{mark}'
             )
         lines.append(line)
-    yield table([say("grades.report.student"), *names], lines, numbers=len(names))
+    yield table([get_message("grades.report.student"), *names], lines, numbers=len(names))
 
 
 def total_words(total: Total) -> str:
     """A total as a cell; where nothing has a score it is none rather than zero."""
     if total.waiting == total.questions:
-        return say("grades.report.all_open", most=number(total.max_score))
+        return get_message("grades.report.all_open", most=number(total.max_score))
     score = f"{number(total.score)} / {number(total.max_score)}"
-    return say("grades.report.open", score=score, waiting=total.waiting) if total.waiting else score
+    return (
+        get_message("grades.report.open", score=score, waiting=total.waiting)
+        if total.waiting
+        else score
+    )
 
 
 def decisions(rows: Iterable[Row]) -> Iterator[str]:
     """What people decided, and where they only said something, that."""
     found = [row for row in rows if row.status == DECIDED or row.comment]
     if found:
-        yield heading(say("grades.report.decisions"))
-        head = [say(f"grades.report.{key}") for key in ("student", "question", "reason", "score")]
+        yield heading(get_message("grades.report.decisions"))
+        head = [
+            get_message(f"grades.report.{key}")
+            for key in ("student", "question", "reason", "score")
+        ]
         yield table(
             head,
             [

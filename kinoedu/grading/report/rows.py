@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...errors import InvalidParameter
+from ...messages import get_message
 from ...support.csv_cells import harmless, number, write_rows
-from ...words import say
 from ..assignments.questions import assignment
 from ..judge.class_list import Class, Entry, record_of
 from ..judge.submission import Grade
@@ -81,7 +81,7 @@ def trouble_of(entry: Entry, record: Grade | None) -> str:
     """Why a submission has no scores, in words; "" where it has."""
     if record is not None:
         return str(record["message"])
-    return entry.trouble or say("grades.not_graded")
+    return entry.trouble or get_message("grades.not_graded")
 
 
 def decided(row: Row, decision: Decision | None) -> Row:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...course.release import HOUSE, solution
+from ...course.release import HOUSE, solution_path
 from ..assignments.questions import assignment
 from ..collect.notebook import UnreadableSubmission, cells_in
 from ..collect.submissions import Submission
@@ -123,7 +123,7 @@ def of_the_course(name: str, house: Path) -> Iterator[tuple[str, list[str]]]:
     """What the course has written: the solution, the wrong answers to its questions, the
     library.
     """
-    file = solution(name, house)
+    file = solution_path(name, house)
     yield f"solutions/{file.name}", [cell.source for cell in cells_in(file.read_bytes())]
     asked = [f'"{one.exercise.name}"' for one in assignment(name, house).questions]
     bank = [

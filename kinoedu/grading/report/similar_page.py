@@ -7,8 +7,8 @@ from html import escape
 from itertools import repeat
 from pathlib import Path
 
+from ...messages import get_message
 from ...support.csv_cells import harmless, number, write_rows
-from ...words import say
 from .fingerprints import Piece
 from .pages import breakable, heading, page, paragraph, table, write_page
 from .similar import Likeness, Similar
@@ -38,7 +38,10 @@ def write_similar(found: list[Similar], folder: Path) -> int:
     write_rows(folder / "similar.csv", [COLUMNS, *lines])
     write_page(
         folder / "similar.html",
-        page(say("similar.title"), [paragraph(say("similar.about")), *map(summary, found)]),
+        page(
+            get_message("similar.title"),
+            [paragraph(get_message("similar.about")), *map(summary, found)],
+        ),
     )
     return len(pairs)
 
@@ -52,20 +55,24 @@ def placed(of: Similar) -> Iterator[tuple[str, Likeness]]:
 def summary(of: Similar) -> str:
     """An assignment's pairs, as two tables."""
     all_placed = list(placed(of))
-    parts = [paragraph(f"{of.assignment}: {say('similar.count', count=len(of.programs))}", "quiet")]
+    parts = [
+        paragraph(
+            f"{of.assignment}: {get_message('similar.count', count=len(of.programs))}", "quiet"
+        )
+    ]
     for key, pairs in (
         ("each_other", all_placed[: len(of.each_other)]),
         ("course", all_placed[len(of.each_other) :]),
     ):
-        parts.append(heading(f"{of.assignment}: {say(f'similar.{key}')}"))
+        parts.append(heading(f"{of.assignment}: {get_message(f'similar.{key}')}"))
         head = [
-            say(f"similar.{column}")
+            get_message(f"similar.{column}")
             for column in ("first", "second", "of_first", "of_second", "weight")
         ]
         parts.append(
             table(head, map(row, pairs), numbers=3)
             if pairs
-            else paragraph(say("similar.nothing"), "quiet")
+            else paragraph(get_message("similar.nothing"), "quiet")
         )
     return "\n".join(parts)
 
@@ -97,12 +104,18 @@ def pair_page(of: Similar, one: Likeness) -> str:
     marked what it is.
     """
     shared = one.first.prints & one.second.prints
-    shares = say("similar.shares", first=percent(one.of_first), second=percent(one.of_second))
-    body = [paragraph(say("similar.about")), paragraph(shares, "quiet"), '<div class="two">']
+    shares = get_message(
+        "similar.shares", first=percent(one.of_first), second=percent(one.of_second)
+    )
+    body = [
+        paragraph(get_message("similar.about")),
+        paragraph(shares, "quiet"),
+        '<div class="two">',
+    ]
     body += [f"<h2>{escape(name)}</h2>" for name in (one.first.name, one.second.name)]
     for pieces in beside(one.first.pieces, one.second.pieces, shared):
         body += map(shown, pieces, (one.first.name, one.second.name), repeat(shared))
-    return page(f"{of.assignment}: {say('similar.title')}", [*body, "</div>"])
+    return page(f"{of.assignment}: {get_message('similar.title')}", [*body, "</div>"])
 
 
 def beside(

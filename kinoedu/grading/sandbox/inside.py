@@ -205,14 +205,14 @@ def answered(
     channel: Channel,
 ) -> bool:
     """Run a function on some cases, until one takes too long; whether it may be asked more."""
-    from kinoedu.course.judging import attempted, is_unwritten
+    from kinoedu.course.judging import is_unwritten, run_encoded_case
     from kinoedu.course.outcomes import Late, encode_outcome
 
     if not callable(function):
         channel.say(question=name, missing=True)
         return False
     for case in cases:
-        outcome = attempted(exercise, function, case, by_alarm)  # type: ignore[arg-type]
+        outcome = run_encoded_case(exercise, function, case, by_alarm)  # type: ignore[arg-type]
         channel.say(
             question=name, case=counts[name], outcome=encode_outcome(outcome, exercise.answer)
         )
@@ -231,7 +231,7 @@ def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
     processor time, or WAITING times that pass on the wall. No thread may be started here, so alarms
     ring, again and again until Python code stops; what does not hear them is ended from outside.
     """
-    from kinoedu.support.time_limit import WAITING, TimeUp
+    from kinoedu.support.time_limit import MAX_WAIT_FACTOR, TimeUp
 
     wall, processor = time.monotonic(), time.process_time()
 
@@ -242,7 +242,7 @@ def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
     signal.signal(signal.SIGALRM, ring)
     try:
         signal.setitimer(signal.ITIMER_PROF, seconds, AGAIN)
-        signal.setitimer(signal.ITIMER_REAL, seconds * WAITING, AGAIN)
+        signal.setitimer(signal.ITIMER_REAL, seconds * MAX_WAIT_FACTOR, AGAIN)
         return work()
     finally:
         while any(signal.getitimer(which)[1] for which in ALARMS):

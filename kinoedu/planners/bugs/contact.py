@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...compiled import compiled
 from ...geometry.checks import Array
-from ...geometry.exact import facing, height, length, turn
+from ...geometry.exact import dot_sign, height, length, orientation_sign
 from ...geometry.segments import between, closest_on_segment, proper_crossing
 
 BLOCKED, OPEN, ALONG_BEFORE, ALONG_AFTER = 0, 1, 2, 3  # where a direction leads from a corner
@@ -59,12 +59,15 @@ def classify_direction(
     The direction is that from v to d (sense 1), or the opposite one (sense -1). The free directions
     are those counter-clockwise from the direction of u to that of w.
     """
-    u_side, w_side = sense * turn(vx, vy, dx, dy, ux, uy), sense * turn(vx, vy, dx, dy, wx, wy)
-    if u_side == 0 and sense * facing(vx, vy, dx, dy, ux, uy) > 0:
+    u_side, w_side = (
+        sense * orientation_sign(vx, vy, dx, dy, ux, uy),
+        sense * orientation_sign(vx, vy, dx, dy, wx, wy),
+    )
+    if u_side == 0 and sense * dot_sign(vx, vy, dx, dy, ux, uy) > 0:
         return ALONG_BEFORE
-    if w_side == 0 and sense * facing(vx, vy, dx, dy, wx, wy) > 0:
+    if w_side == 0 and sense * dot_sign(vx, vy, dx, dy, wx, wy) > 0:
         return ALONG_AFTER
-    corner = turn(ux, uy, vx, vy, wx, wy)
+    corner = orientation_sign(ux, uy, vx, vy, wx, wy)
     if corner > 0:
         return BLOCKED if w_side < 0 and u_side > 0 else OPEN
     if corner < 0:
@@ -85,9 +88,15 @@ def sense_walls(
     for i in range(n):
         (ux, uy), (ax, ay), (bx, by) = points[before[i]], points[i], points[after[i]]
         opens[i] = classify_direction(ux, uy, ax, ay, bx, by, gx, gy, 1)
-        to_goal, to_start = turn(ax, ay, bx, by, gx, gy), turn(ax, ay, bx, by, sx, sy)
+        to_goal, to_start = (
+            orientation_sign(ax, ay, bx, by, gx, gy),
+            orientation_sign(ax, ay, bx, by, sx, sy),
+        )
         faces[i] = to_goal < 0
-        a_side, b_side = turn(sx, sy, gx, gy, ax, ay), turn(sx, sy, gx, gy, bx, by)
+        a_side, b_side = (
+            orientation_sign(sx, sy, gx, gy, ax, ay),
+            orientation_sign(sx, sy, gx, gy, bx, by),
+        )
         on_line[i] = a_side == 0 and between(sx, sy, gx, gy, ax, ay)
         x, y, region = closest_on_segment(gx, gy, ax, ay, bx, by)
         if region == 0:
@@ -141,7 +150,7 @@ def first_contact(
     how, which = REACHED, -1
     for i in range(len(points)):
         (ax, ay), (bx, by) = points[i], points[after[i]]
-        a_side = turn(ox, oy, gx, gy, ax, ay)
+        a_side = orientation_sign(ox, oy, gx, gy, ax, ay)
         if a_side == 0 and between(ox, oy, gx, gy, ax, ay) and not (ax == ox and ay == oy):
             if left >= 0 and side_of(points, after, left, ax, ay) >= 0:
                 continue
@@ -160,8 +169,11 @@ def first_contact(
                 )
             ):
                 how, which = AT_CORNER, i
-        elif a_side > 0 and i != left and turn(ox, oy, gx, gy, bx, by) < 0:
-            if turn(ax, ay, bx, by, ox, oy) >= 0 or turn(ax, ay, bx, by, gx, gy) <= 0:
+        elif a_side > 0 and i != left and orientation_sign(ox, oy, gx, gy, bx, by) < 0:
+            if (
+                orientation_sign(ax, ay, bx, by, ox, oy) >= 0
+                or orientation_sign(ax, ay, bx, by, gx, gy) <= 0
+            ):
                 continue
             if left >= 0 and crossed_before(points, after, i, left, 1):
                 continue
@@ -181,7 +193,7 @@ def first_contact(
 def side_of(points: Array, after: NDArray[np.int64], edge: int, x: float, y: float) -> int:
     """The side of an edge that a point is on: 1 solid, -1 free, 0 in line with it."""
     a, b = points[edge], points[after[edge]]
-    return turn(a[0], a[1], b[0], b[1], x, y)
+    return orientation_sign(a[0], a[1], b[0], b[1], x, y)
 
 
 @compiled

@@ -12,9 +12,9 @@ from ...geometry.checks import Array, as_point
 from ...problems import Plan, Walk
 from ...robots import Disk, Point
 from ...worlds.open_world import OpenWorld
-from ..tuning import none_or_more, one_of, positive
+from ..tuning import nonnegative, one_of, positive
 from .robot import BugRobot, Trail
-from .walls import as_rings, contact, make_walls
+from .walls import check_obstacles, contact, make_walls
 
 MOST_POINTS = 10_000_000  # that memory can hold
 
@@ -45,9 +45,9 @@ def plan_walk(
     those of `bug0`.
     """
     q_start, q_goal = as_point(start, "start"), as_point(goal, "goal")
-    longest, margin = positive(step, "step"), none_or_more(clearance, "clearance")
+    longest, margin = positive(step, "step"), nonnegative(clearance, "clearance")
     heading = -1 if one_of(turn, "turn", ("left", "right")) == "left" else 1
-    rings = as_rings(obstacles)
+    rings = check_obstacles(obstacles)
     walls = make_walls(rings, margin)
     near = f" or closer than {margin:g} to one" if margin else ""
     if contact(walls, q_start) >= 0:

@@ -14,9 +14,9 @@ from ...compiled import compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...geometry.convex import convex_parts
-from ...geometry.exact import turn
-from ...geometry.polygons import place
-from ...geometry.rings import as_ring, ring_turn
+from ...geometry.exact import orientation_sign
+from ...geometry.polygons import locate_point
+from ...geometry.rings import as_ring, ring_orientation
 from ...geometry.segments import segments_meet
 from ...support.text import shortened
 
@@ -43,7 +43,7 @@ class Walls(NamedTuple):
     rings: list[Array]
 
 
-def as_rings(obstacles: Iterable[ArrayLike]) -> list[Array]:
+def check_obstacles(obstacles: Iterable[ArrayLike]) -> list[Array]:
     """Obstacles as checked rings, counter-clockwise.
 
     Raises
@@ -77,7 +77,7 @@ def contact(walls: Walls, q: Array) -> int:
     """Where a point is: 1 inside an obstacle, 0 on a wall, -1 in free space; exact."""
     inside = -1
     for ring in walls.rings:
-        where = place(q[0], q[1], ring)
+        where = locate_point(q[0], q[1], ring)
         if where == 0:
             return 0
         if where > 0:  # inside an obstacle, or in a hole of it, and so on
@@ -124,7 +124,7 @@ def any_meet(rings: list[Array]) -> bool:
 @compiled
 def rings_meet(P: Array, Q: Array) -> bool:
     """Whether two solid rings share a point."""
-    if place(P[0, 0], P[0, 1], Q) >= 0 or place(Q[0, 0], Q[0, 1], P) >= 0:
+    if locate_point(P[0, 0], P[0, 1], Q) >= 0 or locate_point(Q[0, 0], Q[0, 1], P) >= 0:
         return True
     for i in range(len(P)):
         for j in range(len(Q)):
@@ -146,7 +146,7 @@ def unite_rings(rings: list[Array]) -> list[Array]:
     for part in shapely.get_parts(union):
         for i, outline in enumerate((part.exterior, *part.interiors) if not part.is_empty else ()):
             ring = np.ldexp(shapely.get_coordinates(outline)[:-1], power)
-            outlines.append(ring if (ring_turn(ring) > 0) == (i == 0) else ring[::-1].copy())
+            outlines.append(ring if (ring_orientation(ring) > 0) == (i == 0) else ring[::-1].copy())
     return outlines
 
 
@@ -184,7 +184,10 @@ def compare_by_turn(points: Array, v: Array, u: Array, i: int, j: int) -> int:
     The comparison is exact.
     """
     a, b = points[i], points[j]
-    a_late, b_late = turn(*v, *u, *a) < 0, turn(*v, *u, *b) < 0  # in the second half of the turn
+    a_late, b_late = (
+        orientation_sign(*v, *u, *a) < 0,
+        orientation_sign(*v, *u, *b) < 0,
+    )  # in the second half of the turn
     if a_late != b_late:
         return 1 if a_late else -1
-    return -int(turn(*v, *a, *b))
+    return -int(orientation_sign(*v, *a, *b))

@@ -16,11 +16,11 @@ from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ...spaces import SE2
-from ...spaces.angles import short_way, wrapped
+from ...spaces.angles import angle_difference, wrap_angle
 from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..problem_input import new_tree
-from ..tuning import none_or_more, positive, whole
+from ..tuning import integer, nonnegative, positive
 
 
 class Bias(NamedTuple):
@@ -50,7 +50,7 @@ class Drives(NamedTuple):
     batches: int
 
 
-class Near(NamedTuple):
+class GoalRegion(NamedTuple):
     """What counts as the goal.
 
     A position within `tolerance` of it, and a heading within `turn_tolerance` radians.
@@ -73,7 +73,7 @@ def next_target(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -
     """The target of iteration `turn`, counted from 1."""
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
-        heading = wrapped(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
+        heading = wrap_angle(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
         x, y = problem.goal[0] + off * math.cos(towards), problem.goal[1] + off * math.sin(towards)
         return np.array([x, y, heading])
     if bias.goal_every > 0 and turn % bias.goal_every == 0:
@@ -146,16 +146,18 @@ def add_drive(
 
 
 @compiled
-def is_near(q: Array, goal: Array, near: Near) -> bool:
+def is_near(q: Array, goal: Array, near: GoalRegion) -> bool:
     """Whether a pose counts as the goal."""
     dx, dy = q[0] - goal[0], q[1] - goal[1]
     return (
         math.sqrt(dx * dx + dy * dy) <= near.tolerance
-        and abs(short_way(q[2], goal[2])) <= near.turn_tolerance
+        and abs(angle_difference(q[2], goal[2])) <= near.turn_tolerance
     )
 
 
-def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: float = 0.25) -> Any:
+def as_car_problem(
+    problem: Any, planner: str, turn_weight: float | None, wheelbases: float = 0.25
+) -> Any:
     """The problem of a car with the distance of SE(2), for planners that drive.
 
     A radian counts as `turn_weight` units of length; by default as `wheelbases` wheelbases.
@@ -181,16 +183,19 @@ def driven(problem: Any, planner: str, turn_weight: float | None, wheelbases: fl
     return recorder
 
 
-def bias_of(
+def as_bias(
     problem: Any, goal_every: int, region_every: int, region: float | None, region_turn: float
 ) -> Bias:
     """Check the parameters of a Bias; by default the region's radius is 2.5 wheelbases."""
-    radius = 2.5 * problem.robot.wheelbase if region is None else none_or_more(region, "region")
-    turns = whole(goal_every, "goal_every", least=0), whole(region_every, "region_every", least=0)
-    return Bias(*turns, radius, none_or_more(region_turn, "region_turn"))
+    radius = 2.5 * problem.robot.wheelbase if region is None else nonnegative(region, "region")
+    turns = (
+        integer(goal_every, "goal_every", least=0),
+        integer(region_every, "region_every", least=0),
+    )
+    return Bias(*turns, radius, nonnegative(region_turn, "region_turn"))
 
 
-def drives_of(
+def as_drives(
     problem: Any, trials: int, duration: float | None, step: float | None, batches: int
 ) -> Drives:
     """Check the parameters of Drives.
@@ -206,19 +211,21 @@ def drives_of(
         raise InvalidParameter(
             f"the step of {each:g} must not be longer than the duration of {whole_time:g}"
         )
-    steps = whole(round(whole_time / each), "duration / step", least=1)
-    return Drives(whole(trials, "trials", least=1), steps, each, whole(batches, "batches", least=1))
+    steps = integer(round(whole_time / each), "duration / step", least=1)
+    return Drives(
+        integer(trials, "trials", least=1), steps, each, integer(batches, "batches", least=1)
+    )
 
 
-def near_of(problem: Any, tolerance: float | None, turn_tolerance: float) -> Near:
+def as_goal_region(problem: Any, tolerance: float | None, turn_tolerance: float) -> GoalRegion:
     """Check what counts as the goal; by default the tolerance is a quarter of the wheelbase."""
     off = 0.25 * problem.robot.wheelbase
     if tolerance is not None:
-        off = none_or_more(tolerance, "tolerance")
-    return Near(off, none_or_more(turn_tolerance, "turn_tolerance"))
+        off = nonnegative(tolerance, "tolerance")
+    return GoalRegion(off, nonnegative(turn_tolerance, "turn_tolerance"))
 
 
-def new_growth(problem: Any, capacity: int) -> DrivenGrowth:
+def begin_tree(problem: Any, capacity: int) -> DrivenGrowth:
     """A tree that holds the start alone, with room for `capacity` nodes."""
     growth = DrivenGrowth(new_tree(problem, capacity), np.zeros((capacity, 2)), np.zeros(capacity))
     add.py_func(growth.tree, problem.start, -1)
@@ -254,7 +261,7 @@ def plan_from_trajectory(
             trajectory.poses, trajectory.length, trajectory=trajectory, problem=problem, **built
         )
     x, y, theta = trajectory.poses[-1]
-    off, askew = math.dist((x, y), problem.goal[:2]), abs(wrapped(theta - problem.goal[2]))
+    off, askew = math.dist((x, y), problem.goal[:2]), abs(wrap_angle(theta - problem.goal[2]))
     reason = (
         f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} "
         f"away and {math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger "

@@ -31,8 +31,8 @@ from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
 from ..problem_input import count_checks
-from ..tuning import positive, whole
-from .common import DrivenGrowth, add_drive, copy_tree, new_growth
+from ..tuning import integer, positive
+from .common import DrivenGrowth, add_drive, begin_tree, copy_tree
 from .trajectories import controls_along
 
 
@@ -147,8 +147,8 @@ def hybrid_astar(
         )
     side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
     length = 1.5 * side if step is None else positive(step, "step")
-    lattice = lattice_for(inner, side, length, whole(angles, "angles", least=2))
-    growth = new_growth(inner, whole(max_nodes, "max_nodes", least=1) + len(lattice.moves))
+    lattice = lattice_for(inner, side, length, integer(angles, "angles", least=2))
+    growth = begin_tree(inner, integer(max_nodes, "max_nodes", least=1) + len(lattice.moves))
     before = count_checks(inner)
     last, expanded = drive_by_cells(problem, growth, lattice)
     tree = copy_tree(growth)

@@ -21,21 +21,21 @@ from ...problems import Plan
 from ...robots.trajectory import DrivenRoadmap, DrivenTree
 from ..problem_input import count_checks
 from ..roadmaps.prm import distances_to
-from ..tuning import whole
+from ..tuning import integer
 from .common import (
     Bias,
     DrivenGrowth,
     Drives,
-    Near,
+    GoalRegion,
     add_drive,
-    bias_of,
+    as_bias,
+    as_car_problem,
+    as_drives,
+    as_goal_region,
+    begin_tree,
     copy_tree,
-    driven,
-    drives_of,
     free_drive,
     is_near,
-    near_of,
-    new_growth,
     next_target,
     plan_from_trajectory,
     trajectory_to,
@@ -118,12 +118,15 @@ def kinodynamic_prm(
     >>> bool(plan.cost > 20), plan.roadmap.edges.shape == (len(plan.roadmap.nodes) - 1, 2)
     (True, True)
     """
-    car_problem, nearest = driven(problem, "kinodynamic_prm", turn_weight), whole(k, "k", least=1)
-    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
-    drives = drives_of(car_problem, trials, duration, step, batches)
-    near = near_of(car_problem, tolerance, turn_tolerance)
-    turns = whole(iterations, "iterations", least=0)
-    growth, before = new_growth(car_problem, turns * nearest + 1), count_checks(car_problem)
+    car_problem, nearest = (
+        as_car_problem(problem, "kinodynamic_prm", turn_weight),
+        integer(k, "k", least=1),
+    )
+    bias = as_bias(car_problem, goal_every, region_every, region, region_turn)
+    drives = as_drives(car_problem, trials, duration, step, batches)
+    near = as_goal_region(car_problem, tolerance, turn_tolerance)
+    turns = integer(iterations, "iterations", least=0)
+    growth, before = begin_tree(car_problem, turns * nearest + 1), count_checks(car_problem)
     drive_from_nearest(car_problem, growth, nearest, bias, drives, turns, as_generator(rng))
     tree = copy_tree(growth)
     stats = {
@@ -131,10 +134,12 @@ def kinodynamic_prm(
         "iterations": turns,
         "checks": count_checks(car_problem) - before,
     }
-    return replace(searched(car_problem, tree, near, stats), problem=problem)
+    return replace(find_shortest_drive(car_problem, tree, near, stats), problem=problem)
 
 
-def searched(problem: Any, tree: DrivenTree, near: Near, stats: dict[str, int]) -> Plan:
+def find_shortest_drive(
+    problem: Any, tree: DrivenTree, near: GoalRegion, stats: dict[str, int]
+) -> Plan:
     """The plan along the shortest drive to a node near the goal, or else to the nearest node."""
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]
     goals = np.flatnonzero([is_near(q, problem.goal, near) for q in tree.nodes])

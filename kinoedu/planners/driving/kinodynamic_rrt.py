@@ -22,21 +22,21 @@ from ...geometry.checks import as_generator
 from ...graphs import extract_path
 from ...problems import Plan
 from ..problem_input import count_checks
-from ..tuning import whole
+from ..tuning import integer
 from .common import (
     Bias,
     DrivenGrowth,
     Drives,
-    Near,
+    GoalRegion,
     add_drive,
-    bias_of,
+    as_bias,
+    as_car_problem,
+    as_drives,
+    as_goal_region,
+    begin_tree,
     copy_tree,
-    driven,
-    drives_of,
     free_drive,
     is_near,
-    near_of,
-    new_growth,
     next_target,
     plan_from_trajectory,
     trajectory_to,
@@ -49,7 +49,7 @@ def grow_by_driving(
     growth: DrivenGrowth,
     bias: Bias,
     drives: Drives,
-    near: Near,
+    near: GoalRegion,
     max_iterations: int,
     rng: np.random.Generator,
 ) -> tuple[int, int]:
@@ -133,12 +133,12 @@ def kinodynamic_rrt(
     >>> bool(np.array_equal(plan.path, plan.trajectory.poses)), bool(plan.cost > 20)
     (True, True)
     """
-    car_problem = driven(problem, "kinodynamic_rrt", turn_weight)
-    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
-    drives = drives_of(car_problem, trials, duration, step, batches)
-    near = near_of(car_problem, tolerance, turn_tolerance)
-    limit = whole(max_iterations, "max_iterations", least=0)
-    growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
+    car_problem = as_car_problem(problem, "kinodynamic_rrt", turn_weight)
+    bias = as_bias(car_problem, goal_every, region_every, region, region_turn)
+    drives = as_drives(car_problem, trials, duration, step, batches)
+    near = as_goal_region(car_problem, tolerance, turn_tolerance)
+    limit = integer(max_iterations, "max_iterations", least=0)
+    growth, before = begin_tree(car_problem, limit + 1), count_checks(car_problem)
     at_goal, iterations = grow_by_driving(
         car_problem, growth, bias, drives, near, limit, as_generator(rng)
     )

@@ -15,18 +15,18 @@ from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
 from ...problems import Plan
 from ..problem_input import count_checks
-from ..tuning import positive, whole
+from ..tuning import integer, positive
 from .common import (
     Bias,
     DrivenGrowth,
-    Near,
+    GoalRegion,
     add_drive,
-    bias_of,
+    as_bias,
+    as_car_problem,
+    as_goal_region,
+    begin_tree,
     copy_tree,
-    driven,
     is_near,
-    near_of,
-    new_growth,
     next_target,
     plan_from_trajectory,
     trajectory_to,
@@ -60,7 +60,7 @@ def grow_sparsely(
     sparse: Sparse,
     bias: Bias,
     duration: float,
-    near: Near,
+    near: GoalRegion,
     max_iterations: int,
     rng: np.random.Generator,
 ) -> int:
@@ -178,12 +178,12 @@ def sst(
     >>> bool(20 < plan.cost < 40)
     True
     """
-    car_problem = driven(problem, "sst", turn_weight, 0.5)
-    bias = bias_of(car_problem, goal_every, region_every, region, region_turn)
-    near = near_of(car_problem, tolerance, turn_tolerance)
+    car_problem = as_car_problem(problem, "sst", turn_weight, 0.5)
+    bias = as_bias(car_problem, goal_every, region_every, region, region_turn)
+    near = as_goal_region(car_problem, tolerance, turn_tolerance)
     base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
-    limit = whole(max_iterations, "max_iterations", least=0)
+    limit = integer(max_iterations, "max_iterations", least=0)
     sparse = Sparse(
         witnesses=np.empty((limit + 1, 3)),
         cheapest=np.empty(limit + 1, np.int64),
@@ -192,7 +192,7 @@ def sst(
         radius=0.4 * base if radius is None else positive(radius, "radius"),
         reach=0.8 * base if reach is None else positive(reach, "reach"),
     )
-    growth, before = new_growth(car_problem, limit + 1), count_checks(car_problem)
+    growth, before = begin_tree(car_problem, limit + 1), count_checks(car_problem)
     at_goal = grow_sparsely(
         car_problem, growth, sparse, bias, longest, near, limit, as_generator(rng)
     )

@@ -15,12 +15,12 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.polygon import RigidPolygonRobot
-from ...spaces.angles import wrapped
+from ...spaces.angles import wrap_angle
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..problem_input import count_checks
-from ..roadmaps.connecting import KClosest, joined
+from ..roadmaps.connecting import KClosest, connect_nodes
 from ..roadmaps.search import Search, dijkstra_path, plan_on_roadmap
-from ..tuning import whole
+from ..tuning import integer
 
 
 class CellsWithHeadings(NamedTuple):
@@ -69,18 +69,18 @@ def cells_with_headings(
     (10, 0)
     """
     robot, world = turning_polygon(problem)
-    fractions = (np.arange(whole(headings, "headings", least=1)) + 0.5) / headings
+    fractions = (np.arange(integer(headings, "headings", least=1)) + 0.5) / headings
     places = decomposition_roadmap(trapezoidation(world)).nodes
     found = [free_headings(robot, world, place) for place in places]
     poses = [
-        (*place, wrapped(float(theta)))
+        (*place, wrap_angle(float(theta)))
         for place, rows in zip(places, found)
         for low, high in rows
         for theta in low + fractions * (high - low)
     ]
     nodes = np.vstack([problem.start, problem.goal, *poses])
     rule = KClosest(max(len(nodes) - 1, 1)) if neighbours is None else neighbours
-    edges, _ = joined(rule, problem, nodes)
+    edges, _ = connect_nodes(rule, problem, nodes)
     return CellsWithHeadings(nodes, edges, places[[len(rows) == 0 for rows in found]])
 
 

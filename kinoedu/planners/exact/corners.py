@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from ...compiled import compiled
 from ...decomposition.free_space import as_polygons
 from ...geometry.checks import Array
-from ...geometry.exact import turn
-from ...geometry.polygons import places
+from ...geometry.exact import orientation_sign
+from ...geometry.polygons import locate_points
 from ...geometry.segments import between, segments_meet
 from ...worlds.polygon_world import rings_of
 
@@ -101,7 +101,7 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
                 or not between(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1])
             ):
                 continue
-            if turn(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]) == 0:
+            if orientation_sign(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]) == 0:
                 found.append(edge)
                 found.append(i)
     return np.array(found, dtype=np.int64)
@@ -152,9 +152,9 @@ def find_swallowed(points: Array, solids: list[list[Array]]) -> NDArray[np.bool_
     inside = np.zeros(len(points), np.bool_)
     for number, (outer, *rooms) in enumerate(solids):
         solid_side = 1 if number > 0 else -1  # the first ring is the boundary, solid outside
-        within = places(points, outer) == solid_side
+        within = locate_points(points, outer) == solid_side
         for room in rooms:
-            within &= places(points, room) < 0
+            within &= locate_points(points, room) < 0
         inside |= within
     return inside
 
@@ -205,7 +205,7 @@ def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> boo
     """Whether no obstacle begins within half a turn counter-clockwise of where one ended at v."""
     x, y, ex, ey = points[v, 0], points[v, 1], points[end, 0], points[end, 1]
     for begin in after[:, v]:
-        if begin >= 0 and turn(x, y, ex, ey, points[begin, 0], points[begin, 1]) >= 0:
+        if begin >= 0 and orientation_sign(x, y, ex, ey, points[begin, 0], points[begin, 1]) >= 0:
             return False
     return True
 
@@ -216,7 +216,7 @@ def same_way(points: Array, v: int, a: int, b: int) -> bool:
     x, y = points[v, 0], points[v, 1]
     ax, ay, bx, by = points[a, 0], points[a, 1], points[b, 0], points[b, 1]
     return (
-        turn(x, y, ax, ay, bx, by) == 0
+        orientation_sign(x, y, ax, ay, bx, by) == 0
         and (ax > x) == (bx > x)
         and (ay > y) == (by > y)
         and (ax < x) == (bx < x)
@@ -227,8 +227,8 @@ def same_way(points: Array, v: int, a: int, b: int) -> bool:
 def enters(points: Array, before: int, v: int, after: int, ahead: int) -> bool:
     """Whether a motion from v towards a point ahead enters the obstacle left of before-v-after."""
     b, x, a, q = points[before], points[v], points[after], points[ahead]
-    left_of_first = turn(b[0], b[1], x[0], x[1], q[0], q[1]) > 0
-    left_of_second = turn(x[0], x[1], a[0], a[1], q[0], q[1]) > 0
-    if turn(b[0], b[1], x[0], x[1], a[0], a[1]) > 0:
+    left_of_first = orientation_sign(b[0], b[1], x[0], x[1], q[0], q[1]) > 0
+    left_of_second = orientation_sign(x[0], x[1], a[0], a[1], q[0], q[1]) > 0
+    if orientation_sign(b[0], b[1], x[0], x[1], a[0], a[1]) > 0:
         return left_of_first and left_of_second
     return left_of_first or left_of_second

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from ...compiled import compiled, inlined
 from ...decomposition.status import ABOVE, HIGH, LOW, NOBODY, insert_above, remove
 from ...geometry.checks import Array
-from ...geometry.exact import turn
+from ...geometry.exact import orientation_sign
 from .corners import enters
 
 Numbers = NDArray[np.int64]
@@ -130,7 +130,7 @@ def sides_of(points: Array, after: Numbers, v: int) -> Numbers:
 def side(points: Array, edge: int, after: Numbers, p: int) -> int:
     """1 where a point is to the left of an edge, -1 to its right, 0 on its line; exact."""
     end = after[edge]
-    return turn(
+    return orientation_sign(
         points[edge, 0], points[edge, 1], points[end, 0], points[end, 1], points[p, 0], points[p, 1]
     )
 
@@ -211,7 +211,9 @@ def direction_order(points: Array, v: int, p: int, q: int) -> int:
     half, other = half_turn(points, v, p), half_turn(points, v, q)
     if half != other:
         return -1 if half < other else 1
-    return -turn(points[v, 0], points[v, 1], points[p, 0], points[p, 1], points[q, 0], points[q, 1])
+    return -orientation_sign(
+        points[v, 0], points[v, 1], points[p, 0], points[p, 1], points[q, 0], points[q, 1]
+    )
 
 
 @compiled

@@ -19,7 +19,7 @@ import numpy as np
 
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_generator
-from ...geometry.exact import turn
+from ...geometry.exact import orientation_sign
 from ...problems import Plan, Problem, ProblemRecord, Recorder, Tree
 from ...robots.round import RoundRobot
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
@@ -28,7 +28,7 @@ from ..answers import plan_along
 from ..problem_input import count_checks, world_size
 from ..shortcut import shortcut
 from ..trees.rrt_connect import rrt_connect
-from ..tuning import positive, whole
+from ..tuning import integer, positive
 
 JOINED = 6.0  # times the distance of two rays' hits on a wall that faces them
 THICKNESS = 0.1  # of a wall's length
@@ -65,7 +65,7 @@ class SeenMap(NamedTuple):
         for square, wall in zip(
             map(tuple, squares), np.stack([second, first, beyond], axis=1), strict=True
         ):
-            if square not in self.walls and turn(*wall.ravel().tolist()) > 0:
+            if square not in self.walls and orientation_sign(*wall.ravel().tolist()) > 0:
                 self.walls[square] = wall
 
     def triangles(self) -> Array:
@@ -144,7 +144,7 @@ def receding_horizon(
         "max_moves": max_moves,
         "rng": rng,
     }
-    return plan_of_looks(problem, list(receding_horizon_looks(problem, **given)))
+    return plan_from_looks(problem, list(receding_horizon_looks(problem, **given)))
 
 
 def receding_horizon_looks(
@@ -180,9 +180,9 @@ def receding_horizon_looks(
         )
     sight = positive(world_size(inner) / 4.0 if reach is None else reach, "reach")
     ahead = positive(sight / 2.0 if horizon is None else horizon, "horizon")
-    most, generator = whole(max_moves, "max_moves", least=0), as_generator(rng)
+    most, generator = integer(max_moves, "max_moves", least=0), as_generator(rng)
     local = connect_and_shorten if planner is None else planner
-    seen, margin = SeenMap({}), sight * np.pi / whole(rays, "rays", least=3)
+    seen, margin = SeenMap({}), sight * np.pi / integer(rays, "rays", least=3)
     q, moves = problem.start, 0
     while not np.array_equal(q, problem.goal) and moves <= most:
         around = scan(inner.world, q, rays=rays, reach=sight)
@@ -198,7 +198,7 @@ def receding_horizon_looks(
         q, moves = followed[-1] if followed else q, moves + 1
 
 
-def plan_of_looks(problem: Any, looks: list[Look]) -> Plan:
+def plan_from_looks(problem: Any, looks: list[Look]) -> Plan:
     """The plan that results from all looks: the path followed, or why it ends elsewhere."""
     path = np.concatenate([[problem.start], *(look.followed for look in looks)])
     reason = ""

@@ -183,7 +183,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         )
     before = count_checks(problem)
     grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))
-    first, last = (joined_node(problem, grid, q) for q in (problem.start, problem.goal))
+    first, last = (find_joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
         name = "start" if first < 0 else "goal"
         reason = f"no free motion joins the {name} to a grid node; try a finer spacing"
@@ -266,7 +266,7 @@ def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> 
     return above
 
 
-def joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
+def find_joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
     """The nearest of the nine grid nodes round q that a free motion joins it to, or -1."""
     last = np.array([grid.columns, grid.rows]) - 2
     cell = np.clip(np.floor((q - [grid.x, grid.y]) / grid.side).astype(int) + 1, 1, last)

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...collision.departures import (
-    all_safe_intervals,
-    first_departure,
-    met_departures,
-    seen_from_movers,
+from ...collision.collision_intervals import (
+    collision_intervals,
+    find_safe_intervals,
+    first_free_time,
+    relative_obstacles,
 )
 from ...compiled import algorithm, inlined
 from ...errors import InvalidParameter
@@ -25,9 +25,9 @@ from ...graphs import GraphRecord, flat_graph
 from ...problems import Plan, Problem, Roadmap
 from ...problems.in_time import TimedProblemRecord
 from ...support.text import shortened
-from ..roadmaps.connecting import KClosest, joined
+from ..roadmaps.connecting import KClosest, connect_nodes
 from ..roadmaps.prm import free_configurations
-from ..tuning import whole
+from ..tuning import integer
 
 
 @algorithm
@@ -68,11 +68,11 @@ def search_intervals(
             if not may_gain(arrival, safe, here, first[v], first[v + 1], duration):
                 continue
             vx, vy = (nodes[v, 0] - nodes[u, 0]) / duration, (nodes[v, 1] - nodes[u, 1]) / duration
-            met = met_departures(
+            met = collision_intervals(
                 hulls, knots, times, places, problem.horizon, nodes[u], vx, vy, duration
             )
             for there in range(first[v], first[v + 1]):
-                t = first_departure(met, max(arrival[here], safe[there, 0] - duration))
+                t = first_free_time(met, max(arrival[here], safe[there, 0] - duration))
                 arrives = t + duration
                 on_time = t <= safe[here, 1] and safe[there, 0] <= arrives <= safe[there, 1]
                 if (
@@ -143,8 +143,8 @@ def safe_intervals(problem: TimedProblemRecord, q: ArrayLike) -> Array:
     still = Problem(task.robot, task.world.still, task.goal, task.goal, clearance=task.clearance)
     if not still.is_free(place):
         return np.empty((0, 2))
-    hulls, knots = seen_from_movers(task.robot, task.world, task.clearance)
-    return all_safe_intervals(
+    hulls, knots = relative_obstacles(task.robot, task.world, task.clearance)
+    return find_safe_intervals(
         hulls, knots, task.world.times, task.world.places, task.horizon, place[None]
     )[0]
 
@@ -189,13 +189,13 @@ def plan_in_time(
     """
     task = as_timed(problem)
     still = Problem(task.robot, task.world.still, task.start, task.goal, clearance=task.clearance)
-    sampled = free_configurations(still, whole(n, "n", least=0), None, rng)
+    sampled = free_configurations(still, integer(n, "n", least=0), None, rng)
     nodes = np.concatenate([[still.start, still.goal], sampled])
-    edges, costs = joined(KClosest(k), still, nodes)
+    edges, costs = connect_nodes(KClosest(k), still, nodes)
     apart = costs > 0.0
     graph = flat_graph(len(nodes), edges[apart], costs[apart])
-    hulls, knots = seen_from_movers(task.robot, task.world, task.clearance)
-    safe, first = all_safe_intervals(
+    hulls, knots = relative_obstacles(task.robot, task.world, task.clearance)
+    safe, first = find_safe_intervals(
         hulls, knots, task.world.times, task.world.places, task.horizon, nodes
     )
     stats = {"nodes": len(nodes), "edges": len(graph.edges), "intervals": len(safe)}

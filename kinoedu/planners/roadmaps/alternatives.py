@@ -17,7 +17,7 @@ from ...robots.trajectory import DrivenRoadmap, TrajectoryRecord
 from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import as_problem
-from ..tuning import positive, whole
+from ..tuning import integer, positive
 from .multi_query import motion_costs
 
 
@@ -60,7 +60,7 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
         raise InvalidParameter(
             f"expected a plan with a roadmap, such as prm's, got {shortened(plan)}"
         )
-    wanted, more = whole(k, "k", least=1), positive(penalty, "penalty")
+    wanted, more = integer(k, "k", least=1), positive(penalty, "penalty")
     if plan.path is None:
         return []
     roadmap, driven = plan.roadmap, isinstance(plan.roadmap, DrivenRoadmap)

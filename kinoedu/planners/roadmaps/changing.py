@@ -17,7 +17,7 @@ from ...problems import ProblemRecord, Roadmap
 from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ...worlds.terrain import TerrainRecord
-from ..tuning import whole
+from ..tuning import integer
 from .neighbours import k_closest
 
 
@@ -82,9 +82,9 @@ def changing_roadmap(
     True
     """
     check_round(problem)
-    chance, many = as_generator(rng), whole(n, "n", least=2)
+    chance, many = as_generator(rng), integer(n, "n", least=2)
     nodes = np.array([problem.sample(chance) for _ in range(many)])
-    near = k_closest(problem, nodes, whole(k, "k", least=1))
+    near = k_closest(problem, nodes, integer(k, "k", least=1))
     both = np.sort(
         np.column_stack([np.repeat(np.arange(many), near.shape[1]), near.ravel()]), axis=1
     )

@@ -1,6 +1,6 @@
 """Connection rules: which pairs of nodes a roadmap tries to join. Bullo & Smith, chapter 5.
 
-A rule is a record; `joined(rule, problem, nodes)` finds its edges. For a rule of your own, register
+A rule is a record; `connect_nodes(rule, problem, nodes)` finds its edges. For a rule of your own, register
 a function for its type.
 """
 
@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
-from ...spaces.closest import fill
+from ...spaces.closest import add_nodes
 from ...support.text import shortened
 from ..problem_input import new_tree
 from ..trees.near import near_nodes
-from ..tuning import positive, whole
+from ..tuning import integer, positive
 from .neighbours import k_closest
 
 Numbers = NDArray[np.int64]
@@ -51,7 +51,7 @@ def KClosest(k: int) -> ClosestRule:
     InvalidParameter
         Where `k` is not a positive integer.
     """
-    return ClosestRule(whole(k, "k", least=1))
+    return ClosestRule(integer(k, "k", least=1))
 
 
 def Radius(r: float) -> RadiusRule:
@@ -81,11 +81,11 @@ def ComponentKClosest(k: int = 1) -> ComponentRule:
     InvalidParameter
         Where `k` is not a positive integer.
     """
-    return ComponentRule(whole(k, "k", least=1))
+    return ComponentRule(integer(k, "k", least=1))
 
 
 @singledispatch
-def joined(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
+def connect_nodes(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     """Find the edges of a roadmap among nodes (n, d) by a rule.
 
     Returns
@@ -103,7 +103,7 @@ def joined(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     )
 
 
-@joined.register
+@connect_nodes.register
 def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     n, k = len(nodes), min(rule.k, max(len(nodes) - 1, 0))
     if n * k > MOST_PAIRS:
@@ -116,10 +116,10 @@ def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     return join_pairs(problem, nodes, k * np.arange(n + 1), k_closest(problem, nodes, k).ravel())
 
 
-@joined.register
+@connect_nodes.register
 def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     tree = new_tree(problem, max(len(nodes), 1))
-    fill(tree, nodes)
+    add_nodes(tree, nodes)
     first, to = find_within(problem, tree, rule.r, MOST_PAIRS)
     if len(to) > MOST_PAIRS:
         raise InvalidParameter(
@@ -129,7 +129,7 @@ def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     return join_pairs(problem, nodes, first, to)
 
 
-@joined.register
+@connect_nodes.register
 def _(rule: ComponentRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
     return join_components(problem, nodes, rule.k)
 
@@ -201,7 +201,7 @@ def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]
 
 
 @compiled
-def components_as_joined(n: int, edges: Numbers) -> Numbers:
+def count_components(n: int, edges: Numbers) -> Numbers:
     """The number of components of n nodes with the first k of m edges, for k = 0, ..., m."""
     root, count = np.arange(n), np.full(len(edges) + 1, n)
     for k in range(len(edges)):

@@ -14,7 +14,7 @@ from ...geometry.checks import Array
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ..exact.by_decomposition import check_edges
 from ..problem_input import as_two_way_problem
-from ..tuning import positive, whole
+from ..tuning import integer, positive
 from .prm import free_among
 
 MOST = 5_000_000  # pairs of neighbours at once
@@ -80,7 +80,7 @@ def grid_roadmap(
 
 def moves(d: int, neighbours: int | None) -> Array:
     """Half of the steps from a cell to its neighbours, (m, d): one of each two opposite steps."""
-    wanted = 2 * d if neighbours is None else whole(neighbours, "neighbours", least=1)
+    wanted = 2 * d if neighbours is None else integer(neighbours, "neighbours", least=1)
     if wanted not in (2 * d, 3**d - 1):
         raise InvalidParameter(
             f"neighbours must be {2 * d} or {3**d - 1} in {d} dimensions, got {neighbours}"

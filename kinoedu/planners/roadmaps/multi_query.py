@@ -14,8 +14,8 @@ from ...geometry.checks import Array, as_array
 from ...problems import Plan, Problem, ProblemRecord, Recorder, Roadmap
 from ...support.text import shortened
 from ..problem_input import as_two_way_problem, count_checks
-from ..tuning import whole
-from .connecting import KClosest, joined
+from ..tuning import integer
+from .connecting import KClosest, connect_nodes
 from .prm import Sampler, free_configurations, plan_by_astar
 
 
@@ -82,7 +82,7 @@ def build_roadmap(
     problem = as_two_way_problem(problem, "a roadmap")
     rule = KClosest(k) if neighbours is None else neighbours
     nodes = free_configurations(problem, n, sampler, rng)
-    edges, _ = joined(rule, problem, nodes)
+    edges, _ = connect_nodes(rule, problem, nodes)
     return Roadmap(nodes, edges)
 
 
@@ -125,7 +125,7 @@ def query(
             "expected the roadmap that build_roadmap or grid_roadmap made, got "
             f"{shortened(roadmap)}"
         )
-    problem, closest = as_two_way_problem(problem, "a roadmap"), whole(k, "k", least=1)
+    problem, closest = as_two_way_problem(problem, "a roadmap"), integer(k, "k", least=1)
     if isinstance(problem, ProblemRecord) and (start is not None or goal is not None):
         own_start = problem.start if start is None else start
         own_goal = problem.goal if goal is None else goal

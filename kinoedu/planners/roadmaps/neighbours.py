@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ...geometry.checks import Array
 from ...spaces import RealSpace, WrappingSpace
 from ...spaces.buckets import empty_tree
-from ...spaces.closest import fill, k_closest_in_buckets
+from ...spaces.closest import add_nodes, k_closest_in_buckets
 
 
 def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
@@ -30,7 +30,7 @@ def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
         return np.argsort(apart, axis=1, kind="stable")[:, :k]
     if nodes.shape[1] <= 2 or isinstance(space, WrappingSpace):
         tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
-        fill(tree, nodes)
+        add_nodes(tree, nodes)
         return k_closest_in_buckets(space, tree, k)
     from scipy.spatial import cKDTree
 

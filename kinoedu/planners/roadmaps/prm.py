@@ -28,8 +28,8 @@ from ...problems import Plan, Roadmap
 from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import as_problem, as_two_way_problem, count_checks
-from ..tuning import whole
-from .connecting import KClosest, joined
+from ..tuning import integer
+from .connecting import KClosest, connect_nodes
 
 Sampler = Callable[[int, int], ArrayLike]
 
@@ -114,7 +114,7 @@ def prm(
     before = count_checks(problem)
     sampled = free_configurations(problem, n, sampler, rng)
     nodes = np.concatenate([[problem.start, problem.goal], sampled])
-    edges, costs = joined(rule, problem, nodes)
+    edges, costs = connect_nodes(rule, problem, nodes)
     return plan_by_astar("PRM", problem, nodes, edges, costs, before)
 
 
@@ -141,7 +141,7 @@ def prm_star(
     >>> bool(17.2 < plan.cost < 18)
     True
     """
-    samples, d = whole(n, "n", least=0), len(as_problem(problem).start)
+    samples, d = integer(n, "n", least=0), len(as_problem(problem).start)
     k = math.ceil(math.e * (1.0 + 1.0 / d) * math.log(samples + 2))
     return prm(problem, n=samples, neighbours=KClosest(k), sampler=sampler, rng=rng)
 
@@ -157,7 +157,7 @@ def free_configurations(
         Where the sampler is not a function that returns n points of the unit cube, or the problem
         has no space to cover.
     """
-    samples = whole(n, "n", least=0)
+    samples = integer(n, "n", least=0)
     if sampler is None:
         return sample_free(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
     if not callable(sampler):

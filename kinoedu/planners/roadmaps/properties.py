@@ -18,7 +18,7 @@ from ...problems import ProblemRecord, Recorder, Roadmap
 from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ..problem_input import as_problem
-from ..tuning import whole
+from ..tuning import integer
 from .multi_query import motion_costs
 from .prm import sample_free
 
@@ -156,7 +156,7 @@ def survey_roadmap(
         raise InvalidParameter(
             f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}"
         )
-    problem, draws, generator = as_problem(problem), whole(n, "n", least=1), as_generator(rng)
+    problem, draws, generator = as_problem(problem), integer(n, "n", least=1), as_generator(rng)
     inner = problem.problem if isinstance(problem, Recorder) else problem
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
     places = sample_free(problem, draws, 100 * draws, generator)

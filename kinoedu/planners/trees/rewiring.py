@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan
-from ..tuning import fraction, whole
+from ..tuning import fraction, integer
 from .informed import Everywhere
 from .rrt_star import grow_rrt_star, plan_from_growth
 
@@ -62,7 +62,7 @@ def rrt_star_rewirings(
     >>> bool((plan.tree.parent[edges.node[last]] == edges.parent[last]).all())
     True
     """
-    generator, rows = as_generator(rng), EDGES_PER_NODE * whole(max_nodes, "max_nodes", least=1)
+    generator, rows = as_generator(rng), EDGES_PER_NODE * integer(max_nodes, "max_nodes", least=1)
     sampler, unused = Everywhere(fraction(goal_bias, "goal_bias")), deepcopy(generator)
     growth = grow_rrt_star(
         "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, generator, rows

@@ -26,7 +26,7 @@ from ...problems import Plan
 from ...spaces.buckets import GrowingTree, add
 from ..answers import plan_from_tree
 from ..problem_input import as_problem, as_step_size, count_checks, new_tree
-from ..tuning import fraction, iteration_limit, none_or_more, whole
+from ..tuning import fraction, integer, iteration_limit, nonnegative
 from .goal import join_goal
 from .spaced import grow_spaced
 
@@ -110,14 +110,14 @@ def rrt(
     """
     problem = as_problem(problem)
     delta = as_step_size(problem, step, "step")
-    bias, apart = fraction(goal_bias, "goal_bias"), none_or_more(spacing, "spacing")
+    bias, apart = fraction(goal_bias, "goal_bias"), nonnegative(spacing, "spacing")
     if apart >= delta:
         raise InvalidParameter(
             f"spacing must be less than the step {delta:g}, or no node can be added; got {apart:g}"
         )
-    most = whole(max_nodes, "max_nodes", least=1)
+    most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
-    in_a_row = limit if max_failures is None else whole(max_failures, "max_failures", least=1)
+    in_a_row = limit if max_failures is None else integer(max_failures, "max_failures", least=1)
     tree = new_tree(problem, most + 1)
     before, generator = count_checks(problem), as_generator(rng)
     if apart == 0.0 and in_a_row >= limit:

@@ -30,7 +30,7 @@ from ...problems import Plan, Tree
 from ...spaces.buckets import GrowingTree, add
 from ..answers import plan_along
 from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
-from ..tuning import iteration_limit, whole
+from ..tuning import integer, iteration_limit
 
 Numbers = NDArray[np.int64]
 TRAPPED = -1
@@ -153,7 +153,7 @@ def rrt_connect(
     """
     problem = as_two_way_problem(problem, "RRT-Connect")
     epsilon = as_step_size(problem, step, "step")
-    most = whole(max_nodes, "max_nodes", least=2)
+    most = integer(max_nodes, "max_nodes", least=2)
     limit = iteration_limit(max_iterations, most)
     trees, owner = (roomy_tree(problem, most), roomy_tree(problem, most)), np.empty(most, np.int64)
     before = count_checks(problem)

@@ -29,7 +29,7 @@ from ...geometry.checks import Array, as_generator
 from ...problems import Plan
 from ..answers import plan_from_tree
 from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
-from ..tuning import fraction, iteration_limit, positive, whole
+from ..tuning import fraction, integer, iteration_limit, positive
 from .cost_tree import CostTree, empty_costs, join, rewire
 from .informed import Everywhere, Informed, draw
 from .near import near_nodes
@@ -212,7 +212,7 @@ def grow_rrt_star(
     """Check the parameters and grow the tree, with a log of `rows` edges."""
     problem = as_two_way_problem(problem, planner)
     eta = as_step_size(problem, step, "step")
-    most = whole(max_nodes, "max_nodes", least=1)
+    most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
     widest = sufficient_gamma(problem) if gamma is None else positive(gamma, "gamma")
     n = np.arange(most + 2, dtype=np.float64)

@@ -22,7 +22,7 @@ from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..answers import plan_from_tree
 from ..problem_input import as_problem, as_step_size, count_checks, new_tree, world_size
-from ..tuning import fraction, iteration_limit, positive, whole
+from ..tuning import fraction, integer, iteration_limit, positive
 from .goal import join_goal
 
 Expansion = Callable[[Any, GrowingTree, np.random.Generator], tuple[int, Array]]
@@ -77,7 +77,7 @@ def tree_roadmap(
     """
     problem = as_problem(problem)
     near_goal = as_step_size(problem, reach, "reach")
-    most = whole(max_nodes, "max_nodes", least=1)
+    most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
     expansion = rrt_expansion() if expand is None else expand
     if not callable(expansion):

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ....errors import KinoeduError
+from ....messages import get_message
 from ....planners import bug2
 from ....planners.bugs import BugRobot
 from ....planners.bugs.walk import plan_walk
 from ....problems import Plan
-from ....words import say
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Together
@@ -47,11 +47,11 @@ class ExposeMendedBug(Exercise):
                 rule = "exposes"
             elif case.kind == "smallest" and count_vertices(obstacles) > FEWEST:
                 rule = "smallest"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return say(f"exposing_problem.wanted.{case.kind}")
+        return get_message(f"exposing_problem.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the world, and the walk of the program in it."""
@@ -60,7 +60,7 @@ class ExposeMendedBug(Exercise):
         fault = world_fault(*outcome.value) if isinstance(outcome, Answer) else "range"
         if not isinstance(outcome, Answer) or fault == "range":
             plane.frame([(0, 0), (1, 1)], ax)
-            plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+            plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
             return
         start, goal, obstacles = outcome.value
         plane.frame(np.vstack([start, goal, *obstacles]), ax, margin=0.15)
@@ -71,7 +71,7 @@ class ExposeMendedBug(Exercise):
             ax.plot(*walk.points.T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
         plane.dot(start, "start", ax, colour=palette.START)
         plane.dot(goal, "goal", ax, colour=palette.GOAL, marker="*")
-        plane.title(self.words("picture"), ax)
+        plane.title(self.message("picture"), ax)
 
 
 def count_vertices(obstacles: list[Any]) -> int:

@@ -12,7 +12,7 @@ import numpy as np
 
 from ....geometry import convex_hull, point_polygon_distance
 from ....geometry.checks import Array
-from ....geometry.polygons import place
+from ....geometry.polygons import locate_point
 from ....problems import Plan, Walk
 from ...exercise import CONTRACT, Case
 from .walks import Violation, WalkExercise
@@ -136,4 +136,4 @@ def is_met_squarely(hit: Array, stride: Array, obstacle: Array) -> bool:
     """
     before, ahead = hit - SHORT * stride, hit + CLEAR * stride
     steep = point_polygon_distance(before, obstacle) > SHORT / 2.0 * np.linalg.norm(stride)
-    return bool(steep and place(ahead[0], ahead[1], obstacle) > 0)
+    return bool(steep and locate_point(ahead[0], ahead[1], obstacle) > 0)

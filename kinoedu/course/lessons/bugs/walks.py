@@ -7,10 +7,10 @@ import numpy as np
 
 from ....geometry import point_segment_distance
 from ....geometry.checks import Array
-from ....geometry.leash import at_most_apart, followed
-from ....geometry.polygons import places
-from ....words import say
-from ...exercise import MAX_POINTS_SHOWN, RIGHT, Case, Exercise, Verdict, spoken
+from ....geometry.leash import count_followed_points, densify_path
+from ....geometry.polygons import locate_points
+from ....messages import get_message
+from ...exercise import MAX_POINTS_SHOWN, RIGHT, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 
@@ -51,7 +51,11 @@ class WalkExercise(Exercise):
     def value_verdict(self, case: Case, value: Array) -> Verdict:
         """Check start, step lengths, obstacles, and closeness to an exact walk."""
         violation = self.find_violation(case.given, value)
-        return RIGHT if violation is None else Verdict(0.0, violation.rule, self.wanted(case))
+        return (
+            RIGHT
+            if violation is None
+            else Verdict(0.0, violation.rule, self.describe_expected(case))
+        )
 
     def find_violation(self, given: dict[str, Any], path: Array) -> Violation | None:
         """First rule that a path breaks, and where; None where it breaks none."""
@@ -68,7 +72,8 @@ class WalkExercise(Exercise):
             return Violation("inside", inside)
         leash = self.leash * step
         reach = max(
-            followed(path, at_most_apart(walk, step), leash) for walk in self.exact_walks(given)
+            count_followed_points(path, densify_path(walk, step), leash)
+            for walk in self.exact_walks(given)
         )
         if reach < len(path):
             return Violation("unfinished" if reach == len(path) - 1 else "walk", reach)
@@ -88,7 +93,9 @@ class WalkExercise(Exercise):
         given = case.given
         walk = max(
             self.exact_walks(given),
-            key=lambda walk: followed(seen, walk, self.leash * given["step"]) if len(seen) else 0,
+            key=lambda walk: (
+                count_followed_points(seen, walk, self.leash * given["step"]) if len(seen) else 0
+            ),
         )
         plane.frame(
             np.vstack([given["start"], given["goal"], walk, *given["obstacles"]]), ax, margin=0.15
@@ -96,30 +103,34 @@ class WalkExercise(Exercise):
         for obstacle in given["obstacles"]:
             plane.polygon(obstacle, ax, numbers=False)
         broad = {"color": palette.START, "linewidth": 5.0, "alpha": 0.35, "zorder": 3}
-        ax.plot(*walk.T, "-", label=say("picture.true"), **broad)
+        ax.plot(*walk.T, "-", label=get_message("picture.true"), **broad)
         if len(seen):
             dotted = {"color": palette.GOAL, "linewidth": 1.8, "markersize": 4, "zorder": 4}
-            ax.plot(*seen.T, ".--", label=say("picture.yours_short"), **dotted)
+            ax.plot(*seen.T, ".--", label=get_message("picture.yours_short"), **dotted)
         violation = self.find_violation(given, path)
         if violation is not None and violation.at < len(seen):
-            plane.dot(seen[violation.at], say("walk.departs"), ax, colour=palette.INK, marker="X")
+            plane.dot(
+                seen[violation.at], get_message("walk.departs"), ax, colour=palette.INK, marker="X"
+            )
         plane.dot(given["start"], "start", ax, colour=palette.START)
         plane.dot(given["goal"], "goal", ax, colour=palette.GOAL, marker="*")
         ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
         shown = case.kind if violation is None else violation.rule
-        plane.title(self.words(f"pictures.{shown}"), ax)
+        plane.title(self.message(f"pictures.{shown}"), ax)
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description by the lengths of the exact walks."""
         walks = sorted(self.exact_walks(case.given), key=length_of)
         lengths = dict.fromkeys(f"{length_of(walk):.4g}" for walk in walks)
         tolerance = f"{self.leash * case.given['step']:.3g}"
-        return say("walk.wanted", lengths=say("walk.or").join(lengths), tolerance=tolerance)
+        return get_message(
+            "walk.wanted", lengths=get_message("walk.or").join(lengths), tolerance=tolerance
+        )
 
-    def answer_words(self, case: Case, value: Array) -> str:
+    def describe_answer(self, case: Case, value: Array) -> str:
         """Description of a long walk: its length, its ends, and where it leaves the exact one."""
         if len(value) <= MAX_POINTS_SHOWN or not np.isfinite(value).all():
-            return spoken(value)
+            return format_value(value)
         violation = self.find_violation(case.given, value)
         values = {
             "points": len(value),
@@ -128,10 +139,12 @@ class WalkExercise(Exercise):
             "last": round_point(value[-1]),
         }
         if violation is None:
-            return say("walk.yours", **values)
+            return get_message("walk.yours", **values)
         at = violation.at
         travelled = f"{length_of(value[: at + 1]):.4g}"
-        return say("walk.yours_departs", **values, at=round_point(value[at]), travelled=travelled)
+        return get_message(
+            "walk.yours_departs", **values, at=round_point(value[at]), travelled=travelled
+        )
 
 
 def length_of(path: Array) -> float:
@@ -141,7 +154,7 @@ def length_of(path: Array) -> float:
 
 def round_point(point: Array) -> str:
     """A point, rounded to what can be seen in a picture."""
-    return spoken(np.round(point, 3))
+    return format_value(np.round(point, 3))
 
 
 def first_inside(path: Array, obstacles: list[Array], step: float) -> int | None:
@@ -149,10 +162,10 @@ def first_inside(path: Array, obstacles: list[Array], step: float) -> int | None
 
     None where it never does.
     """
-    between = at_most_apart(path, step / 4.0)
+    between = densify_path(path, step / 4.0)
     deep = np.zeros(len(between), bool)
     for obstacle in obstacles:
-        inside = np.flatnonzero(places(between, obstacle) > 0)
+        inside = np.flatnonzero(locate_points(between, obstacle) > 0)
         deep[inside] |= rim_distances(between[inside], obstacle) > step
     if not deep.any():
         return None

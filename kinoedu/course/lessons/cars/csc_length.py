@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ....curves.dubins import every_word, shortest_forward
+from ....curves.dubins import all_dubins_curves, shortest_forward
 from ....geometry.checks import Array
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
@@ -53,7 +53,7 @@ def shortest_of(words: dict[str, Any], r: float, names: tuple[str, ...] = tuple(
 
 def csc(a: Array, b: Array, r: float) -> float:
     """Length of the shortest of LSL, RSR, LSR and RSL."""
-    return min(curve.length for curve in every_word(a, b, r) if curve.word[1] == "S")
+    return min(curve.length for curve in all_dubins_curves(a, b, r) if curve.word[1] == "S")
 
 
 class CscLength(ValueExercise):

@@ -11,7 +11,7 @@ from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.car_pictures import draw_steps
 from ..shared.driving import POSE, PoseExercise, a_pose
 from .move import drive_case
@@ -61,7 +61,7 @@ class Euler(PoseExercise):
 
     name = "euler"
     kinds = ("one", "straight", "turns", "back")
-    given = Record(pose=POSE, v=Number(), phi=Number(), t=Number(), L=Number(), n=Whole())
+    given = Record(pose=POSE, v=Number(), phi=Number(), t=Number(), L=Number(), n=Integer())
     answer = Numbers(("k", 3))
     source = staticmethod(euler_poses)
     shown = staticmethod(integrators.euler_step)

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Together
 from ..shared.car_pictures import draw_lost
-from ..shared.driving import moved
+from ..shared.driving import pose_after
 
 WHEELBASE = 20.0
 STEEPEST, LONGEST, SMALL = math.pi / 4, 1000.0, 0.1
@@ -38,11 +38,11 @@ class ExposeSmallAngles(Exercise):
         if not rule and case.kind != "valid":
             rule = "" if off_after(phi, t) > 1.0 else "exposes"
             rule = rule or ("small" if case.kind == "small" and abs(phi) > SMALL else "")
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return say(f"exposing_drive.wanted.{case.kind}")
+        return get_message(f"exposing_drive.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the car's path, and the path that the program computes."""
@@ -55,7 +55,7 @@ class ExposeSmallAngles(Exercise):
 def off_after(phi: float, t: float) -> float:
     """Distance between the program's position and the car's."""
     drive = np.zeros(3), 1.0, phi, t, WHEELBASE
-    return math.dist(moved(*drive)[:2], move_by_angle(*drive)[:2])
+    return math.dist(pose_after(*drive)[:2], move_by_angle(*drive)[:2])
 
 
 def move_by_angle(pose: Array, v: float, phi: float, t: float, L: float) -> Array:

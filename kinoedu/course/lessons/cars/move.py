@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ....curves.arcs import driven
+from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...outcomes import Answer, Outcome
@@ -17,7 +17,7 @@ from ..shared.driving import (
     Mover,
     PoseExercise,
     a_pose,
-    moved,
+    pose_after,
     with_curvature,
     without_turning,
 )
@@ -43,18 +43,18 @@ def along_heading(share: float) -> Mover:
 
 def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
     """A wrong program whose car moves where its front wheels point, along theta + phi."""
-    x, y, heading = moved(pose + np.array([0.0, 0.0, phi]), v, phi, t, wheelbase)
+    x, y, heading = pose_after(pose + np.array([0.0, 0.0, phi]), v, phi, t, wheelbase)
     return x, y, heading - phi
 
 
 def straight_if_small(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """A wrong program that ignores small turns that are not negligible."""
-    return moved(pose, v, 0.0 if abs(phi) < 0.03 else phi, t, wheelbase)
+    return pose_after(pose, v, 0.0 if abs(phi) < 0.03 else phi, t, wheelbase)
 
 
 def round_the_other_side(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """A wrong program with the opposite sign of the cosines in a turn."""
-    right = moved(pose, v, phi, t, wheelbase)
+    right = pose_after(pose, v, phi, t, wheelbase)
     if phi == 0.0:
         return right
     return np.array([right[0], 2.0 * pose[1] - right[1], right[2]])
@@ -67,8 +67,8 @@ class Move(PoseExercise):
     kinds = ("straight", "left", "right", "back", "long", "nearly")
     given = Record(pose=POSE, v=Number(), phi=Number(), t=Number(), L=Number())
     answer = POSE
-    source = staticmethod(moved)
-    shown = staticmethod(driven)
+    source = staticmethod(pose_after)
+    shown = staticmethod(drive_arc)
     slips = (
         Slip("small_angle", with_curvature(lambda phi, wheelbase: phi / wheelbase)),
         Slip("no_wheelbase", with_curvature(lambda phi, wheelbase: math.tan(phi))),
@@ -85,9 +85,12 @@ class Move(PoseExercise):
         Slip("steered", steered),
         Slip("straight_if_small", straight_if_small),
         Slip("other_side", round_the_other_side),
-        Slip("forward", lambda pose, v, phi, t, wheelbase: moved(pose, abs(v), phi, t, wheelbase)),
+        Slip(
+            "forward",
+            lambda pose, v, phi, t, wheelbase: pose_after(pose, abs(v), phi, t, wheelbase),
+        ),
     )
-    reference = staticmethod(moved)
+    reference = staticmethod(pose_after)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Integers and quarter circles first."""

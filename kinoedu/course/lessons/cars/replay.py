@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....robots.trajectory import replayed
+from ....robots.trajectory import replay_controls
 from ...exercise import Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
@@ -17,7 +17,7 @@ from ..shared.driving import (
     Mover,
     PoseExercise,
     a_pose,
-    moved,
+    pose_after,
     with_curvature,
     without_turning,
 )
@@ -25,7 +25,7 @@ from ..shared.driving import (
 
 def trajectory_poses(start: Array, controls: Array, durations: Array, wheelbase: float) -> Array:
     """Poses at the start and after each control, shape (n + 1, 3)."""
-    return replayed(
+    return replay_controls(
         np.asarray(start, float),
         np.reshape(controls, (-1, 2)),
         np.asarray(durations, float),
@@ -51,7 +51,7 @@ class Replay(PoseExercise):
     given = Record(start=POSE, controls=Numbers(("n", 2)), durations=Numbers(("n",)), L=Number())
     answer = Numbers(("k", 3))
     source = staticmethod(trajectory_poses)
-    shown = staticmethod(replayed)
+    shown = staticmethod(replay_controls)
     slips = (
         Slip("no_start", lambda *given: trajectory_poses(*given)[1:]),
         Slip("no_end", lambda *given: trajectory_poses(*given)[:-1]),
@@ -61,7 +61,7 @@ class Replay(PoseExercise):
         ),
         Slip(
             "all_from_start",
-            lambda s, u, d, w: [s, *(moved(s, v, phi, t, w) for (v, phi), t in zip(u, d))],
+            lambda s, u, d, w: [s, *(pose_after(s, v, phi, t, w) for (v, phi), t in zip(u, d))],
         ),
         Slip("clock", lambda s, u, d, w: trajectory_poses(s, u, np.diff(d, prepend=0.0), w)),
         Slip("since_start", lambda s, u, d, w: trajectory_poses(s, u, np.cumsum(d), w)),

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case, Exercise
 
 LINKS = ("link 1", "link 2")
@@ -55,13 +55,19 @@ def draw_contact(
         if link == value:
             ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.5, zorder=5)
         plane.label(
-            (ends[link - 1] + ends[link]) / 2, say("collision_picture.link", number=link), ax
+            (ends[link - 1] + ends[link]) / 2,
+            get_message("collision_picture.link", number=link),
+            ax,
         )
     for end in ends:
         plane.dot(end, "", ax)
-    words = say("picture.no_answer") if value is None else say("picture.yours", value=value)
+    words = (
+        get_message("picture.no_answer")
+        if value is None
+        else get_message("picture.yours", value=value)
+    )
     plane.corner_note(words, ax, colour=palette.GOAL)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None, ax: Any) -> None:
@@ -90,8 +96,8 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
     for place in [] if value is None else value[JOINTS]:
         plane.dot(place, "", ax, colour=palette.GOAL, marker="x")
     if value is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_samples(
@@ -117,8 +123,11 @@ def draw_samples(
         set_ticks(
             full * np.arange(5) / 4, ["0", "π/2", "π", "3π/2", "2π"], fontsize=palette.TEXT_SIZE
         )
-    ax.set_xlabel(say("collision_picture.first_angle"), fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel(say("collision_picture.second_angle"), fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel(get_message("collision_picture.first_angle"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(get_message("collision_picture.second_angle"), fontsize=palette.TEXT_SIZE)
     plane.title(
-        say("picture.no_answer") if value is None else exercise.words(f"pictures.{case.kind}"), ax
+        get_message("picture.no_answer")
+        if value is None
+        else exercise.message(f"pictures.{case.kind}"),
+        ax,
     )

@@ -74,7 +74,9 @@ class CObstacle(ValueExercise):
         """Compare the polygons; an answer that is not a convex polygon breaks the rule "order"."""
         if self.same(value, self.truth(case)):
             return RIGHT
-        return Verdict(0.0, case.kind if is_convex(value) else "order", self.wanted(case))
+        return Verdict(
+            0.0, case.kind if is_convex(value) else "order", self.describe_expected(case)
+        )
 
     def same(self, value: Any, truth: Any) -> bool:
         """Compare polygons up to the first vertex, the orientation, and vertices inside edges."""

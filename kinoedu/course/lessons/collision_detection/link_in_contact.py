@@ -10,7 +10,7 @@ from ....geometry.checks import Array
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..geometry.lines import POINT
 from .arm_pictures import draw_contact
 
@@ -54,7 +54,7 @@ class LinkInContact(ValueExercise):
     lesson = "07_collision_detection"
     kinds = ("free", "link_1", "link_2", "both", "end", "touching")
     given = Record(q=POINT, lengths=POINT, width=Number(), discs=DISCS)
-    answer = Whole()
+    answer = Integer()
     source = staticmethod(touched_link)
     slips = (
         Slip("from_x", lambda q, *others: touched_link(q - (0, q[0]), *others)),

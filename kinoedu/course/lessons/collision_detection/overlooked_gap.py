@@ -9,7 +9,7 @@ from ....errors import InvalidPoint, InvalidPolygon
 from ....geometry import convex_polygons_intersect
 from ....geometry.checks import Array
 from ....geometry.rings import as_convex_ring
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together
@@ -39,11 +39,11 @@ class OverlookedGap(Exercise):
                 rule = "meets" if convex_polygons_intersect(P1, P2) else "exposes"
             elif case.kind == "smallest" and len(P1) + len(P2) > 6:
                 rule = "smallest"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return say(f"overlooked_gap.wanted.{case.kind}")
+        return get_message(f"overlooked_gap.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw both polygons, with a separating line where there is one."""

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case, ValueExercise
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
@@ -21,8 +21,8 @@ def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) ->
     for a, b in zip(P, np.roll(P, -1, axis=0)):
         (x, y), (u, v) = b - a, q - a
         if x * v - y * u < 0:
-            plane.endless((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
-            plane.stretch(a, b, "", ax, colour=palette.START, width=4.0)
+            plane.line((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
+            plane.segment(a, b, "", ax, colour=palette.START, width=4.0)
     plane.dot(q, "q", ax)
     write_answer_and_title(exercise, case, value, ax)
 
@@ -33,8 +33,8 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
 
     p1, p2, p3, p4 = case.given.values()
     plane.frame([p1, p2, p3, p4], ax, margin=0.25)
-    plane.stretch(p1, p2, "", ax, colour=palette.OBSTACLE, width=5.0)
-    plane.stretch(p3, p4, "", ax, colour=palette.TREE, width=2.5)
+    plane.segment(p1, p2, "", ax, colour=palette.OBSTACLE, width=5.0)
+    plane.segment(p3, p4, "", ax, colour=palette.TREE, width=2.5)
     for name, end, lift in (("p1", p1, 9), ("p2", p2, 9), ("p3", p3, -19), ("p4", p4, -19)):
         plane.label(
             end, name, ax, colour=palette.OBSTACLE if lift > 0 else palette.TREE, offset=(5, lift)
@@ -45,12 +45,14 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
     for point in shown:
         plane.dot(point, "", ax, colour=palette.GOAL, marker="X")
     words = (
-        say("picture.no_answer")
+        get_message("picture.no_answer")
         if value is None
-        else say("collision_picture.points", yours=len(value), true=len(exercise.truth(case)))
+        else get_message(
+            "collision_picture.points", yours=len(value), true=len(exercise.truth(case))
+        )
     )
     plane.corner_note(words, ax, colour=palette.GOAL)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
@@ -71,8 +73,8 @@ def draw_polygons(P: Array, Q: Array, ax: Any) -> None:
         for a, b in zip(ring, np.roll(ring, -1, axis=0)):
             (x, y), way = b - a, other - a
             if (x * way[:, 1] - y * way[:, 0] < 0).all():
-                plane.endless((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
-                plane.stretch(a, b, "", ax, colour=palette.START, width=4.0)
+                plane.line((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
+                plane.segment(a, b, "", ax, colour=palette.START, width=4.0)
                 return
 
 
@@ -90,13 +92,13 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
     ax.fill(*obstacle.T, facecolor=palette.OBSTACLE, zorder=3)
     ax.fill(*robot.T, facecolor=palette.ROBOT, alpha=0.6, zorder=3)
     ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
-    plane.dot((0, 0), say("collision_picture.reference"), ax)
+    plane.dot((0, 0), get_message("collision_picture.reference"), ax)
     if len(shown):
         closed, dashed = np.vstack([shown, shown[:1]]), {"color": palette.GOAL, "linewidth": 2.2}
         ax.plot(*closed.T, "--o", zorder=5, scalex=False, scaley=False, **dashed)
     if value is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
@@ -105,10 +107,10 @@ def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     else:
         draw_polygons(value[0], value[1], ax)
-    plane.title(exercise.words("picture"), ax)
+    plane.title(exercise.message("picture"), ax)
 
 
 def write_answer_and_title(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
@@ -116,8 +118,10 @@ def write_answer_and_title(exercise: ValueExercise, case: Case, value: Any, ax: 
     from ....figures import palette, plane
 
     plane.corner_note(
-        say("picture.no_answer") if value is None else say("picture.yours", value=value),
+        get_message("picture.no_answer")
+        if value is None
+        else get_message("picture.yours", value=value),
         ax,
         colour=palette.GOAL,
     )
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....sampling import halton, sukharev_grid, uniform_random
-from ....words import say
 from ...exercise import RIGHT, Case, Slip, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
@@ -68,19 +68,21 @@ class PlotConfigurationSpace(DrawnExercise):
         if same_dots(found, truth, modulo=True):
             return RIGHT
         if len(found) != len(truth):
-            return Verdict(0.0, "count", self.wanted(case))
+            return Verdict(0.0, "count", self.describe_expected(case))
         in_place = same_dots(found[:, :2], truth[:, :2], modulo=True)
         if not in_place:
-            return Verdict(0.0, "places", self.wanted(case))
+            return Verdict(0.0, "places", self.describe_expected(case))
         return Verdict(
-            0.0, "shades" if (found[:, 2] == OTHER).any() else "colours", self.wanted(case)
+            0.0,
+            "shades" if (found[:, 2] == OTHER).any() else "colours",
+            self.describe_expected(case),
         )
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Number of dots of each colour."""
         return describe_counts(dots_of(value))
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Number of dots of each colour."""
         return describe_counts(self.truth(case))
 
@@ -132,8 +134,8 @@ def describe_counts(dots: Array) -> str:
     counts = {"all": len(dots), "blue": blue, "black": black, "red": red}
     others = len(dots) - blue - black - red
     if others:
-        return say("plot_configuration_space.counted_others", **counts, others=others)
-    return say("plot_configuration_space.counted", **counts)
+        return get_message("plot_configuration_space.counted_others", **counts, others=others)
+    return get_message("plot_configuration_space.counted", **counts)
 
 
 def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Slip, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
@@ -72,19 +72,19 @@ class PlotEnvironment(DrawnExercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Check labels, links, discs and joints."""
         rule = self.fault(value, self.truth(case))
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Number of shapes or dots of each label."""
         counts = ", ".join(
             f"{label!r}: {len(shapes)}" for label, shapes in drawn_scene(value).items()
         )
-        return say("plot_environment.answered", counts=counts)
+        return get_message("plot_environment.answered", counts=counts)
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of the right drawing."""
         elbow, tip = ends_of_links(case.given["q"], case.given["lengths"])[1:].round(3).tolist()
-        return say(
+        return get_message(
             "plot_environment.wanted",
             elbow=tuple(elbow),
             tip=tuple(tip),

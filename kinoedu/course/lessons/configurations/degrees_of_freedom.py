@@ -8,7 +8,7 @@ import numpy as np
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from .pictures import draw_mechanism
 
 Joints = list[list[int]]
@@ -25,7 +25,7 @@ class DegreesOfFreedom(ValueExercise):
     name = "degrees_of_freedom"
     lesson = "05_configuration_spaces"
     kinds = ("loose", "arm", "loop", "shared", "rigid")
-    given = Record(bodies=Whole(), joints=Listed(Listed(Whole())))
+    given = Record(bodies=Integer(), joints=Listed(Listed(Integer())))
     answer = Number()
     source = staticmethod(freedoms)
     slips = (

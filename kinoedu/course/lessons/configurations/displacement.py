@@ -56,7 +56,7 @@ class Displacement(MatrixExercise):
         """Check the last row first, which has its own rule."""
         verdict = super().value_verdict(case, value)
         if not verdict.is_right and not self.same(value[2], (0.0, 0.0, 1.0)):
-            return Verdict(0.0, "last_row", self.wanted(case))
+            return Verdict(0.0, "last_row", self.describe_expected(case))
         return verdict
 
 

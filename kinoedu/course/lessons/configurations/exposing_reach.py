@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....robots import TwoLinkArm
-from ....words import say
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together
@@ -37,11 +37,11 @@ class ExposeReach(Exercise):
         if not rule and case.kind != "valid":
             rule = "exposes" if missed_by(l1, l2, p) <= 1e-6 * (l1 + l2) else ""
             rule = rule or ("narrow" if case.kind == "narrow" and l2 > NEARLY * l1 else "")
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return say(f"exposing_reach.wanted.{case.kind}")
+        return get_message(f"exposing_reach.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the arm's reach, the target, and the arms at the program's angles."""

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....robots import TwoLinkArm
-from ....spaces.angles import short_way, wrapped
-from ....words import say
+from ....spaces.angles import angle_difference, wrap_angle
 from ...exercise import Case, ValueExercise
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
@@ -20,9 +20,9 @@ def write_both(truth: Any, value: Any, ax: Any) -> None:
     """Write both numbers into the lower left corner."""
     from ....figures import palette, plane
 
-    yours = say("configuration_picture.none") if value is None else f"{value:.4g}"
+    yours = get_message("configuration_picture.none") if value is None else f"{value:.4g}"
     plane.corner_note(
-        say("configuration_picture.both", true=f"{float(truth):.4g}", yours=yours),
+        get_message("configuration_picture.both", true=f"{float(truth):.4g}", yours=yours),
         ax,
         colour=palette.GOAL,
     )
@@ -37,7 +37,7 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
     plane.frame([(-1.5, -1.9), (middles[-1] + 1.5, 1.5)], ax, margin=0.05)
     ax.set_axis_off()
     for x, p, q in zip(middles, a, b):
-        turn = short_way(wrapped(p), wrapped(q))
+        turn = angle_difference(wrap_angle(p), wrap_angle(q))
         plane.ring((x, 0.0), 1.0, "", ax, colour=palette.OUTSIDE)
         configurations.draw_turn((x, 0), p, turn, 1.0, "", ax, colour=palette.START)
         plane.label(
@@ -53,7 +53,7 @@ def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax
             plane.dot((x + u, v), "", ax)
             plane.label((x + u, v), name, ax, offset=(gap * u, gap * v - 5), ha="center")
     write_both(exercise.truth(case), value, ax)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
@@ -68,20 +68,22 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     reach = 3.0 * size + float(np.abs(right).max())
     seen = yours if yours is not None and np.abs(yours).max() <= 2.0 * reach else None
     plane.frame(np.vstack([flag, right, right if seen is None else seen]), ax, margin=0.15)
-    draw_outline(flag, say("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-")
-    draw_outline(right, say("picture.true"), ax, colour=palette.START, style="-")
+    draw_outline(
+        flag, get_message("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-"
+    )
+    draw_outline(right, get_message("picture.true"), ax, colour=palette.START, style="-")
     if seen is not None:
-        draw_outline(seen, say("picture.yours_short"), ax, colour=palette.GOAL, style="--")
+        draw_outline(seen, get_message("picture.yours_short"), ax, colour=palette.GOAL, style="--")
     else:
         words = (
-            say("picture.no_answer")
+            get_message("picture.no_answer")
             if yours is None
-            else say("picture.outside", what=say("picture.yours_short"))
+            else get_message("picture.outside", what=get_message("picture.yours_short"))
         )
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot((0, 0), "", ax)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
@@ -108,12 +110,12 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
         configurations.draw_links(
             np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--"
         )
-        name = say("configuration_picture.your_tip")
+        name = get_message("configuration_picture.your_tip")
         plane.label(value[1], name, ax, colour=palette.GOAL, offset=(9, -18))
     else:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
-    plane.label(truth[2], say("configuration_picture.tip"), ax, colour=palette.START)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+    plane.label(truth[2], get_message("configuration_picture.tip"), ax, colour=palette.START)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
@@ -130,11 +132,13 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
     )
     if value is None or len(value) == 0:
         words = (
-            say("picture.no_answer") if value is None else say("configuration_picture.no_solution")
+            get_message("picture.no_answer")
+            if value is None
+            else get_message("configuration_picture.no_solution")
         )
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(p, "p", ax, marker="*")
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any) -> None:
@@ -143,13 +147,13 @@ def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any)
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
         return
     l1, l2, p = value
     draw_reach(l1, l2, p, ax)
     draw_students(l1, l2, answers, ax)
     plane.dot(p, "p", ax, marker="*")
-    plane.title(say("exposing_reach.picture"), ax)
+    plane.title(get_message("exposing_reach.picture"), ax)
 
 
 def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
@@ -192,7 +196,7 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
     for number, held in enumerate(joints):
         pin = 0.82 * at[held].mean(axis=0) + 0.02 * number
         for body in held:
-            plane.stretch(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
+            plane.segment(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
         white = {"color": "white", "markeredgecolor": palette.INK, "markeredgewidth": 2.0}
         ax.plot(*pin, "o", markersize=13, zorder=7, **white)
     for body, place in enumerate(at):
@@ -201,4 +205,4 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
         centred = {"ha": "center", "va": "center", "fontsize": palette.TEXT_SIZE}
         ax.text(*place, str(body), color="white", zorder=8, **centred)
     write_both(exercise.truth(case), value, ax)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)

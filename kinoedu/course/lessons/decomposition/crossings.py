@@ -10,7 +10,7 @@ from ....geometry.checks import Array
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import between_vertices, edges_round, general_world
 from .pictures import draw_crossed, set_title
@@ -24,7 +24,7 @@ class Crossings(ValueExercise):
     lesson = "03_decomposition"
     kinds = ("two", "slanted", "many", "none")
     given = Record(x=Number(), edges=Numbers(("n", 4)))
-    answer = WholeNumbers(("k",))
+    answer = Integers(("k",))
     source = staticmethod(crossed_edges)
     slips = (
         Slip("unsorted", lambda x, edges: np.sort(crossed_edges(x, edges))),

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ....decomposition import trapezoidation
 from ....errors import InvalidPoint, InvalidPolygon, InvalidWorld
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ....worlds import PolygonWorld
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
@@ -38,20 +38,20 @@ class ExposeShorterWalls(Exercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Check that the polygon is simple, that the rule is wrong, and the number of vertices."""
         if not np.isfinite(value).all() or np.abs(value).max(initial=0.0) > 1e4:
-            return Verdict(0.0, "range", self.wanted(case))
+            return Verdict(0.0, "range", self.describe_expected(case))
         try:
             wrong = misplaced(value).any()
         except REFUSALS:
-            return Verdict(0.0, "valid", self.wanted(case))
+            return Verdict(0.0, "valid", self.describe_expected(case))
         if case.kind != "valid" and not wrong:
-            return Verdict(0.0, "exposes", self.wanted(case))
+            return Verdict(0.0, "exposes", self.describe_expected(case))
         if case.kind == "smallest" and len(value) > FEWEST:
-            return Verdict(0.0, "smallest", self.wanted(case))
+            return Verdict(0.0, "smallest", self.describe_expected(case))
         return RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return say(f"exposing_world.wanted.{case.kind}")
+        return get_message(f"exposing_world.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the cells, their common walls, and the middles that are not on them."""
@@ -62,7 +62,7 @@ class ExposeShorterWalls(Exercise):
             draw_middles(*cells_in(boundary), shared_wall, middle_of_shorter_wall, ax)
         except REFUSALS:
             draw_outline(boundary, ax)
-        plane.title(self.words("picture"), ax)
+        plane.title(self.message("picture"), ax)
 
 
 def cells_in(boundary: Array) -> tuple[Array, NDArray[np.int64]]:

@@ -11,7 +11,7 @@ from ....geometry.checks import Array
 from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
@@ -35,7 +35,7 @@ class Neighbours(ValueExercise):
     lesson = "03_decomposition"
     kinds = ("side", "apart", "point", "world")
     given = Record(trapezoids=CELLS)
-    answer = WholeNumbers(("m", 2))
+    answer = Integers(("m", 2))
     source = staticmethod(neighbouring)
     shown = staticmethod(share_walls)
     slips = (
@@ -111,7 +111,7 @@ class Neighbours(ValueExercise):
             and (pairs[:, 0] < pairs[:, 1]).all()
             and len(np.unique(pairs, axis=0)) == len(pairs)
         )
-        return Verdict(0.0, case.kind if proper else "pairs", self.wanted(case))
+        return Verdict(0.0, case.kind if proper else "pairs", self.describe_expected(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the numbered trapezoids, the common walls, and the student's pairs."""

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ....decomposition.trapezoidation import corners_of
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case, Exercise
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
@@ -23,7 +23,7 @@ def draw_crossed(
     x, edges = case.given["x"], case.given["edges"]
     plane.frame(np.vstack([edges[:, :2], edges[:, 2:], [(x, edges[0, 1])]]), ax, margin=0.15)
     for number, (ax_, ay, bx, by) in enumerate(edges):
-        plane.stretch((ax_, ay), (bx, by), "", ax, colour=palette.OBSTACLE)
+        plane.segment((ax_, ay), (bx, by), "", ax, colour=palette.OBSTACLE)
         if len(edges) <= 12:
             middle = ((ax_ + bx) / 2, (ay + by) / 2)
             plane.label(middle, f"edge {number}", ax, colour=palette.OBSTACLE, offset=(6, -16))
@@ -33,10 +33,10 @@ def draw_crossed(
         ax_, ay, bx, by = edges[edge]
         yours = ", ".join(str(k) for k, other in enumerate(answered) if other == edge) or "-"
         height = ay + (x - ax_) / (bx - ax_) * (by - ay)
-        name = say("picture.place", true=place, yours=yours) if len(truth) <= 8 else ""
+        name = get_message("picture.place", true=place, yours=yours) if len(truth) <= 8 else ""
         plane.dot((x, height), name, ax, colour=palette.GOAL)
     if value is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
 
 
 def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> None:
@@ -47,18 +47,18 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
     draw_ground(case.given, ax)
     draw_sweep_line(x, ax)
     for low, high in truth:
-        plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
+        plane.segment((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
     aside = x + 0.03 * float(np.ptp(ax.get_xlim()))
     for low, high in [] if value is None else value[np.isfinite(value).all(axis=1)][:50]:
-        plane.stretch(
+        plane.segment(
             (aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0
         )
         ticks = {"color": palette.GOAL, "markersize": 12, "markeredgewidth": 3}
         ax.plot([aside, aside], [low, high], "_", zorder=5, **ticks)
     note = (
-        say("picture.no_answer")
+        get_message("picture.no_answer")
         if value is None
-        else say("picture.stretches", true=len(truth), yours=len(value))
+        else get_message("picture.stretches", true=len(truth), yours=len(value))
     )
     plane.corner_note(note, ax, colour=palette.GOAL)
 
@@ -71,7 +71,7 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
     for outline in corners_of(truth):
         ax.fill(*outline.T, facecolor=palette.CELL, edgecolor=palette.TREE, linewidth=2.0, zorder=3)
     if value is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
         return
     shown = value[np.isfinite(value).all(axis=1)][:300]
     right = np.array(
@@ -98,7 +98,7 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
             )
     plane.frame(world["boundary"], ax, margin=0.2)
     plane.corner_note(
-        say("picture.cells", true=len(truth), yours=len(value), good=int(right.sum())),
+        get_message("picture.cells", true=len(truth), yours=len(value), good=int(right.sum())),
         ax,
         colour=palette.GOAL,
     )
@@ -112,13 +112,13 @@ def draw_pairs(
 
     centres = number_cells(cells, ax)
     for i, j in truth:
-        plane.stretch(centres[i], centres[j], "", ax, colour=palette.START, width=4.0)
+        plane.segment(centres[i], centres[j], "", ax, colour=palette.START, width=4.0)
     for i, j in [] if value is None else value[(np.isin(value, np.arange(len(cells)))).all(axis=1)]:
-        plane.stretch(centres[i], centres[j], "", ax, colour=palette.GOAL, style="--")
+        plane.segment(centres[i], centres[j], "", ax, colour=palette.GOAL, style="--")
     note = (
-        say("picture.no_answer")
+        get_message("picture.no_answer")
         if value is None
-        else say("picture.pairs", true=len(truth), yours=len(value))
+        else get_message("picture.pairs", true=len(truth), yours=len(value))
     )
     plane.corner_note(note, ax, colour=palette.GOAL)
 
@@ -137,7 +137,7 @@ def draw_cell_path(
     if truth is not None:
         ax.plot(*truth.T, "-", color=palette.START, linewidth=3, zorder=5)
     if value is None:
-        plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.GOAL)
     elif len(value) and np.isfinite(value).all():
         ax.plot(
             *value.T,
@@ -152,8 +152,12 @@ def draw_cell_path(
         cells, motions = given["trapezoids"], range(len(value) - 1)
         hit = next((i for i in motions if not is_free(value[i], value[i + 1], cells)), None)
         if hit is not None:
-            plane.stretch(
-                value[hit], value[hit + 1], say("picture.contact"), ax, colour=palette.CONTACT
+            plane.segment(
+                value[hit],
+                value[hit + 1],
+                get_message("picture.contact"),
+                ax,
+                colour=palette.CONTACT,
             )
     plane.dot(given["start"], "start", ax, colour=palette.START, marker="s")
     plane.dot(given["goal"], "goal", ax, colour=palette.GOAL, marker="*")
@@ -169,7 +173,7 @@ def draw_middles(
     for i, j in pairs:
         x, low, high = shared(cells[i], cells[j])
         y = found(cells[i], cells[j])[1]
-        plane.stretch((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
+        plane.segment((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
         colour, marker = (palette.INK, "o") if low < y < high else (palette.GOAL, "X")
         plane.dot((x, y), "", ax, colour=colour, marker=marker)
 
@@ -182,14 +186,14 @@ def draw_outline(boundary: Array, ax: Any) -> None:
     plane.frame(np.vstack([shown, np.zeros((1 - min(len(shown), 1), 2))]), ax, margin=0.15)
     ax.plot(*np.vstack([shown, shown[:1]]).T, "o--", color=palette.GOAL, linewidth=2.5)
     if len(shown) == 0:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
 
 
 def set_title(exercise: Exercise, case: Case, ax: Any) -> None:
     """Set the title for this kind of input."""
     from ....figures import plane
 
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_ground(world: dict[str, Any], ax: Any) -> None:

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from ....decomposition import trapezoidation
 from ....geometry.checks import Array
 from ....graphs import Graph, bfs, bfs_path
-from ....words import say
+from ....messages import get_message
 from ....worlds import PolygonWorld
-from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
+from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Numbers, Record
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 from ..geometry.lines import POINT
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world, round_polygon
@@ -110,7 +110,7 @@ class PlanByDecomposition(Exercise):
     name = "plan_by_decomposition"
     lesson = "03_decomposition"
     kinds = ("same", "next", "turn", "far", "none")
-    given = Record(start=POINT, goal=POINT, trapezoids=CELLS, pairs=WholeNumbers(("m", 2)))
+    given = Record(start=POINT, goal=POINT, trapezoids=CELLS, pairs=Integers(("m", 2)))
     answer = Maybe(Numbers(("k", 2)))
     source = staticmethod(through_cells)
 
@@ -151,7 +151,7 @@ class PlanByDecomposition(Exercise):
 
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Check that None is answered exactly where there is no way; else that the path is free."""
-        given, wanted = case.given, self.wanted(case)
+        given, wanted = case.given, self.describe_expected(case)
         if value is None:
             return Verdict(0.0, "none", wanted) if case.kind != "none" else RIGHT
         if case.kind == "none":
@@ -170,10 +170,14 @@ class PlanByDecomposition(Exercise):
                 return Verdict(0.0, "wall" if along else "free", wanted)
         return RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description by one right path."""
         path = through_cells(*case.given.values())
-        return say(f"{self.name}.wanted", path=spoken(path)) if path is not None else "None"
+        return (
+            get_message(f"{self.name}.wanted", path=format_value(path))
+            if path is not None
+            else "None"
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the cells, a right path, and the student's path with its motion that is not free."""

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ....decomposition.cells import settle
+from ....decomposition.cells import replace_cells
 from ....geometry.checks import Array
 from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
@@ -28,7 +28,7 @@ class TrapezoidsOfWorld(ValueExercise):
     given = Record(boundary=RING, obstacles=Listed(RING))
     answer = CELLS
     source = staticmethod(cells_of)
-    shown = staticmethod(settle)
+    shown = staticmethod(replace_cells)
     slips = (
         Slip("slabs", slabs),
         Slip("hollow", lambda *world: merged(*world, hollow=True)),
@@ -77,8 +77,8 @@ class TrapezoidsOfWorld(ValueExercise):
         if len(value) and not (
             np.isfinite(value).all() and (value[:, 0] < value[:, 1]).all() and is_upright(value)
         ):
-            return Verdict(0.0, "row", self.wanted(case))
-        return Verdict(0.0, case.kind, self.wanted(case))
+            return Verdict(0.0, "row", self.describe_expected(case))
+        return Verdict(0.0, case.kind, self.describe_expected(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the true cells pale, the student's dashed."""

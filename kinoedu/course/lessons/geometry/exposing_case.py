@@ -8,7 +8,7 @@ import numpy as np
 from ....errors import InvalidPoint, InvalidPolygon
 from ....geometry import point_polygon_distance, point_segment_distance
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
@@ -36,22 +36,22 @@ class ExposeRayCounting(Exercise):
             or not np.isfinite(polygon).all()
             or max(np.abs(q).max(), np.abs(polygon).max(initial=0)) > 1e4
         ):
-            return Verdict(0.0, "range", self.wanted(case))
+            return Verdict(0.0, "range", self.describe_expected(case))
         try:
             wrong = (
                 abs(ray_counting_distance(q, polygon) - point_polygon_distance(q, polygon)) > 1e-6
             )
         except (InvalidPolygon, InvalidPoint):
-            return Verdict(0.0, "valid", self.wanted(case))
+            return Verdict(0.0, "valid", self.describe_expected(case))
         if case.kind != "valid" and not wrong:
-            return Verdict(0.0, "exposes", self.wanted(case))
+            return Verdict(0.0, "exposes", self.describe_expected(case))
         if case.kind == "smallest" and len(polygon) > 3:
-            return Verdict(0.0, "smallest", self.wanted(case))
+            return Verdict(0.0, "smallest", self.describe_expected(case))
         return RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return say(f"exposing_case.wanted.{case.kind}")
+        return get_message(f"exposing_case.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the polygon, the point and the crossings of its ray."""

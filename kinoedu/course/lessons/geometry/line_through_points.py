@@ -71,8 +71,8 @@ class LineThroughPoints(ValueExercise):
             return RIGHT
         a, b, _ = value
         if not abs(a * a + b * b - 1.0) <= self.tolerance:
-            return Verdict(0.0, "unit", self.wanted(case))
-        return Verdict(0.0, "through", self.wanted(case))
+            return Verdict(0.0, "unit", self.describe_expected(case))
+        return Verdict(0.0, "through", self.describe_expected(case))
 
     def same(self, value: Any, truth: Any) -> bool:
         """Compare lines up to the sign of (a, b, c)."""

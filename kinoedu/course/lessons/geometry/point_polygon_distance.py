@@ -7,7 +7,7 @@ import numpy as np
 
 from ....geometry import point_polygon_distance
 from ....geometry.checks import Array
-from ....geometry.polygons import distances_to_ring, place
+from ....geometry.polygons import distances_to_ring, locate_point
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
@@ -35,39 +35,47 @@ class PointPolygonDistance(ValueExercise):
         Slip(
             "open",
             lambda q, polygon: (
-                min(edge_distances(q, polygon)[:-1]) if place(*q, polygon) < 0 else 0.0
+                min(edge_distances(q, polygon)[:-1]) if locate_point(*q, polygon) < 0 else 0.0
             ),
         ),
         Slip("open", lambda q, polygon: min(edge_distances(q, polygon)[:-1])),
         Slip("rim", lambda q, polygon: min(edge_distances(q, polygon))),
         Slip(
             "lines",
-            lambda q, polygon: min(line_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0,
+            lambda q, polygon: (
+                min(line_distances(q, polygon)) if locate_point(*q, polygon) < 0 else 0.0
+            ),
         ),
         Slip("lines", lambda q, polygon: min(line_distances(q, polygon))),
         Slip(
             "first_edge",
-            lambda q, polygon: edge_distances(q, polygon)[-1] if place(*q, polygon) < 0 else 0.0,
+            lambda q, polygon: (
+                edge_distances(q, polygon)[-1] if locate_point(*q, polygon) < 0 else 0.0
+            ),
         ),
         Slip(
             "first_edge",
-            lambda q, polygon: edge_distances(q, polygon)[0] if place(*q, polygon) < 0 else 0.0,
+            lambda q, polygon: (
+                edge_distances(q, polygon)[0] if locate_point(*q, polygon) < 0 else 0.0
+            ),
         ),
         Slip(
             "farthest",
-            lambda q, polygon: max(edge_distances(q, polygon)) if place(*q, polygon) < 0 else 0.0,
+            lambda q, polygon: (
+                max(edge_distances(q, polygon)) if locate_point(*q, polygon) < 0 else 0.0
+            ),
         ),
         Slip("centre", lambda q, polygon: float(np.linalg.norm(q - polygon.mean(axis=0)))),
         Slip(
             "signed",
             lambda q, polygon: (
-                -min(edge_distances(q, polygon)) if place(*q, polygon) < 0 else np.nan
+                -min(edge_distances(q, polygon)) if locate_point(*q, polygon) < 0 else np.nan
             ),
         ),
         Slip(
             "rim",
             lambda q, polygon: (
-                -min(edge_distances(q, polygon)) if place(*q, polygon) > 0 else np.nan
+                -min(edge_distances(q, polygon)) if locate_point(*q, polygon) > 0 else np.nan
             ),
         ),
         Slip("rounded", lambda q, polygon: round(float(point_polygon_distance(q, polygon)), 2)),

@@ -59,7 +59,7 @@ class PolygonTangent(ValueExercise):
         """Check the length, then the direction."""
         verdict = super().value_verdict(case, value)
         if not verdict.is_right and not abs(float(np.dot(value, value)) - 1.0) <= self.tolerance:
-            return Verdict(0.0, "unit", self.wanted(case))
+            return Verdict(0.0, "unit", self.describe_expected(case))
         return verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:

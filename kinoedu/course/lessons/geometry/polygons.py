@@ -3,7 +3,7 @@
 import numpy as np
 
 from ....geometry.checks import Array
-from ....geometry.polygons import nearest_on_ring, place
+from ....geometry.polygons import locate_point, nearest_on_ring
 from ....geometry.segments import closest_on_segment
 from ...shapes import Numbers
 from ..shared.random_shapes import star_polygon
@@ -20,7 +20,7 @@ def kind_of(q: Array, polygon: Array) -> str:
 
     The edge from the last vertex to the first is a kind of its own.
     """
-    where = place(q[0], q[1], polygon)
+    where = locate_point(q[0], q[1], polygon)
     if where >= 0:
         return "inside" if where else "boundary"
     edge, _, _, region = nearest_on_ring(q[0], q[1], polygon)

@@ -7,19 +7,19 @@ import numpy as np
 
 from .... import graphs
 from ....graphs.search import expand
-from ....words import say
-from ...exercise import Case, Slip, spoken
+from ....messages import get_message
+from ...exercise import Case, Slip, format_value
 from ...shapes import Listed, Number, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.graph_slips import best_path, tree_path
 from ..shared.random_graphs import (
     Neighbours,
     Weights,
+    adjacency_lists,
     as_graph,
-    far_pair,
-    lists,
-    lost_pair,
     random_graphs,
+    reachable_pair,
+    unreachable_pair,
 )
 from .bfs_tree import NEIGHBOURS
 from .paths import PathExercise, convert_path
@@ -37,8 +37,8 @@ class Astar(PathExercise):
         neighbours=NEIGHBOURS,
         weights=WEIGHTS,
         estimate=Listed(Number()),
-        start=Whole(),
-        goal=Whole(),
+        start=Integer(),
+        goal=Integer(),
     )
     last_rule = "shortest"
     shown = staticmethod(expand)
@@ -96,13 +96,15 @@ class Astar(PathExercise):
             ("directed", 3, [(0, 1, 2), (1, 2, 2), (2, 0, 1)], [0, 0, 0], 1, 0),
             ("unreachable", 3, [(0, 1, 2)], [1, 1, 0], 0, 2),
         ):
-            both = lists(n, rows, directed=kind == "directed")
+            both = adjacency_lists(n, rows, directed=kind == "directed")
             yield Case(
                 kind,
                 dict(zip(self.given.fields, (*both, [float(h) for h in estimate], start, goal))),
             )
         for shape, neighbours, weights in random_graphs(rng):
-            start, goal = (lost_pair if shape == "parts" else far_pair)(neighbours, rng)
+            start, goal = (unreachable_pair if shape == "parts" else reachable_pair)(
+                neighbours, rng
+            )
             truth = find_costs_to_goal(neighbours, weights, goal)
             jumping = np.floor(truth * rng.choice([0.0, 1.0], len(truth))).tolist()
             kinds = {
@@ -126,12 +128,14 @@ class Astar(PathExercise):
         """Whether the path has the least cost."""
         return self.near(measure_cost(case, path), measure_cost(case, self.truth(case)))
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe one shortest path and its cost."""
         truth = self.truth(case)
         if truth is None or len(truth) < 2:
-            return spoken(truth)
-        return say("astar.wanted", value=spoken(truth), cost=spoken(measure_cost(case, truth)))
+            return format_value(truth)
+        return get_message(
+            "astar.wanted", value=format_value(truth), cost=format_value(measure_cost(case, truth))
+        )
 
 
 def add_estimates(neighbours: Neighbours, weights: Weights, estimate: list[float]) -> Weights:

@@ -7,13 +7,13 @@ import numpy as np
 
 from .... import graphs
 from ....graphs.bfs import breadth_first
-from ....words import say
-from ...exercise import CONTRACT, RIGHT, Case, Slip, Verdict, spoken
+from ....messages import get_message
+from ...exercise import CONTRACT, RIGHT, Case, Slip, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.graph_slips import depths, first_in, undirected
-from ..shared.random_graphs import Neighbours, as_graph, lists, random_graphs
+from ..shared.random_graphs import Neighbours, adjacency_lists, as_graph, random_graphs
 from .on_graphs import NODES, GraphExercise
 from .pictures import draw_tree_answer
 
@@ -30,7 +30,7 @@ class BfsTree(GraphExercise):
 
     name = "bfs_tree"
     kinds = ("small", "cycle", "directed", "unreachable")
-    given = Record(neighbours=NEIGHBOURS, start=Whole())
+    given = Record(neighbours=NEIGHBOURS, start=Integer())
     answer = NODES
     shown = staticmethod(breadth_first)
     variants = ("smallest", "largest")
@@ -70,7 +70,10 @@ class BfsTree(GraphExercise):
         ):
             yield Case(
                 kind,
-                {"neighbours": lists(n, edges, directed=kind == "directed")[0], "start": start},
+                {
+                    "neighbours": adjacency_lists(n, edges, directed=kind == "directed")[0],
+                    "start": start,
+                },
             )
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
@@ -86,7 +89,7 @@ class BfsTree(GraphExercise):
         rule = find_tree_fault(case.given["neighbours"], case.given["start"], value)
         if not rule and self.variant and list(value) != self.truth(case):
             rule = CONTRACT
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def truth(self, case: Case) -> Any:
         """Return one right tree: the library's, or the one that the contract names."""
@@ -95,11 +98,11 @@ class BfsTree(GraphExercise):
         choose = min if self.variant == "smallest" else max
         return choose_parents(case.given["neighbours"], case.given["start"], choose)
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe one right tree."""
         if self.variant:
-            return spoken(self.truth(case))
-        return say("bfs_tree.wanted", value=spoken(self.truth(case)))
+            return format_value(self.truth(case))
+        return get_message("bfs_tree.wanted", value=format_value(self.truth(case)))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the graph, each node's distance from the start, and the student's tree."""
@@ -110,7 +113,7 @@ class BfsTree(GraphExercise):
         wanted = self.truth(case) if self.variant else None
         draw_tree_answer(self, case, value, far, ax, wanted)
         if self.judge(case, outcome).rule == CONTRACT:
-            plane.title(self.words("pictures.contract"), ax)
+            plane.title(self.message("pictures.contract"), ax)
 
 
 def choose_parents(

@@ -5,7 +5,7 @@ from typing import ClassVar
 from .... import graphs
 from ....graphs.dfs import depth_first
 from ...exercise import Case, Slip
-from ..shared.graph_slips import entered, never_back, undirected, walked
+from ..shared.graph_slips import dfs_order, dfs_walk, never_back, undirected
 from ..shared.random_graphs import Neighbours, as_graph
 from .paths import PathExercise, convert_path, search_depth_first
 
@@ -17,8 +17,8 @@ class DfsPath(PathExercise):
     last_rule = "simple"
     shown = staticmethod(depth_first)
     slips: ClassVar[tuple[Slip, ...]] = (
-        Slip("order", entered),
-        Slip("walk", walked),
+        Slip("order", dfs_order),
+        Slip("walk", dfs_walk),
         Slip("never_back", never_back),
         Slip(
             "reversed",

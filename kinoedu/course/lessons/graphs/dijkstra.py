@@ -10,9 +10,9 @@ from ....graphs.search import expand
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
-from ...whole_shapes import Whole
-from ..shared.graph_slips import best_first, depths, in_turn, lightest_first
-from ..shared.random_graphs import Neighbours, Weights, as_graph, lists, random_graphs
+from ...whole_shapes import Integer
+from ..shared.graph_slips import best_first, depths, lightest_first, queue_costs
+from ..shared.random_graphs import Neighbours, Weights, adjacency_lists, as_graph, random_graphs
 from .bfs_tree import NEIGHBOURS
 from .pictures import draw_costs
 from .weighted import DETOUR, LATE_GAIN, WEIGHTS, make_undirected
@@ -26,7 +26,7 @@ class Dijkstra(ValueExercise):
     name = "dijkstra"
     lesson = "04_graph_search"
     kinds = ("small", "detour", "directed", "unreachable", "negative")
-    given = Record(neighbours=NEIGHBOURS, weights=WEIGHTS, start=Whole())
+    given = Record(neighbours=NEIGHBOURS, weights=WEIGHTS, start=Integer())
     answer = Numbers(("n",))
     shown = staticmethod(expand)
     slips = (
@@ -54,7 +54,7 @@ class Dijkstra(ValueExercise):
                 neighbours, weights, start, overwrites=True
             )[0],
         ),
-        Slip("in_turn", in_turn),
+        Slip("in_turn", queue_costs),
         Slip("lightest_first", lightest_first),
         Slip(
             "undirected",
@@ -106,7 +106,8 @@ class Dijkstra(ValueExercise):
         ):
             directed = kind in ("directed", "negative")
             yield Case(
-                kind, dict(zip(self.given.fields, (*lists(n, rows, directed=directed), start)))
+                kind,
+                dict(zip(self.given.fields, (*adjacency_lists(n, rows, directed=directed), start))),
             )
         for shape, neighbours, weights in random_graphs(rng):
             kind = {"tree": "small", "cycle": "detour", "parts": "unreachable"}.get(shape, shape)

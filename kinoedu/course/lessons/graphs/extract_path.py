@@ -10,7 +10,7 @@ from ....errors import InvalidGraph
 from ...exercise import Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.graph_slips import followed
 from .on_graphs import NODES, GraphExercise
 from .pictures import draw_pointers
@@ -21,7 +21,7 @@ class ExtractPath(GraphExercise):
 
     name = "extract_path"
     kinds = ("root", "tree", "forest", "circle")
-    given = Record(parent=NODES, goal=Whole())
+    given = Record(parent=NODES, goal=Integer())
     answer = Maybe(NODES)
     shown = staticmethod(graphs.extract_path)
     slips = (

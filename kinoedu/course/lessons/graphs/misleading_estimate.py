@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 
 from .... import graphs
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Record, Together
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.random_graphs import as_graph
 from .bfs_tree import NEIGHBOURS
 from .paths import convert_path
@@ -27,7 +27,7 @@ class MisleadingEstimate(Exercise):
     lesson = "04_graph_search"
     kinds = ("valid", "misleads", "smallest")
     given = Record()
-    answer = Together((NEIGHBOURS, WEIGHTS, Listed(Number()), Whole(), Whole()))
+    answer = Together((NEIGHBOURS, WEIGHTS, Listed(Number()), Integer(), Integer()))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield the same question three times; each time the answer must fulfil more."""
@@ -37,18 +37,18 @@ class MisleadingEstimate(Exercise):
         """Judge that the graph is valid, that it misleads A*, and that it has three nodes."""
         rule = find_graph_fault(*value)
         if not rule and case.kind != "valid":
-            found, best = both_costs(*value)
+            found, best = find_both_costs(*value)
             if np.isinf(best):
                 rule = "path"
             elif found <= best + 1e-6 * (1.0 + best):
                 rule = "misleads"
             elif case.kind == "smallest" and len(value[0]) > 3:
                 rule = "smallest"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"misleading_estimate.wanted.{case.kind}")
+        return get_message(f"misleading_estimate.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the graph, the path that A* returns, and a shortest path."""
@@ -92,7 +92,7 @@ def find_both_paths(
     )
 
 
-def both_costs(
+def find_both_costs(
     neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
 ) -> tuple[float, float]:
     """Return the cost of the path that A* finds with an estimate, and the least cost.

@@ -4,9 +4,9 @@ from typing import Any
 
 from ...exercise import ValueExercise
 from ...shapes import Listed
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 
-NODES = Listed(Whole())
+NODES = Listed(Integer())
 
 
 class GraphExercise(ValueExercise):

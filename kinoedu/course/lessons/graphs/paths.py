@@ -9,11 +9,18 @@ from typing import Any, ClassVar
 import numpy as np
 
 from .... import graphs
-from ...exercise import RIGHT, Case, Verdict, spoken
+from ...exercise import RIGHT, Case, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record
-from ...whole_shapes import Whole
-from ..shared.random_graphs import Neighbours, as_graph, far_pair, lists, lost_pair, random_graphs
+from ...whole_shapes import Integer
+from ..shared.random_graphs import (
+    Neighbours,
+    adjacency_lists,
+    as_graph,
+    random_graphs,
+    reachable_pair,
+    unreachable_pair,
+)
 from .bfs_tree import LINE, NEIGHBOURS, RING, ROUND_TRIP, TRIANGLE
 from .on_graphs import NODES, GraphExercise
 from .pictures import draw_path_answer
@@ -26,7 +33,7 @@ class PathExercise(GraphExercise):
     """An exercise whose answer is a path between two nodes, or None."""
 
     kinds: ClassVar[tuple[str, ...]] = KINDS
-    given: ClassVar[Record] = Record(neighbours=NEIGHBOURS, start=Whole(), goal=Whole())
+    given: ClassVar[Record] = Record(neighbours=NEIGHBOURS, start=Integer(), goal=Integer())
     answer = Maybe(NODES)
     last_rule: ClassVar[str] = ""
 
@@ -48,14 +55,16 @@ class PathExercise(GraphExercise):
             ("start_is_goal", 1, [], 0, 0),
         ):
             yield from self.make_case(
-                kind, lists(n, edges, directed=kind == "directed")[0], start, goal
+                kind, adjacency_lists(n, edges, directed=kind == "directed")[0], start, goal
             )
         # the only edge leads the other way
         yield from self.make_case("unreachable", [[], [0]], 0, 1)
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
             yield from self.make_case(
-                kind, neighbours, *(lost_pair if shape == "parts" else far_pair)(neighbours, rng)
+                kind,
+                neighbours,
+                *(unreachable_pair if shape == "parts" else reachable_pair)(neighbours, rng),
             )
             if shape == "cycle":
                 yield from self.make_case(
@@ -71,19 +80,19 @@ class PathExercise(GraphExercise):
         rule = find_path_fault(case, value, self.truth(case)) or (
             self.last_rule if value and not self.is_good(case, value) else ""
         )
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def is_good(self, case: Case, path: list[int]) -> bool:
         """Whether a path along edges from start to goal is what this exercise asks for."""
         raise NotImplementedError
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe one right path."""
         truth = self.truth(case)
         return (
-            spoken(truth)
+            format_value(truth)
             if truth is None or len(truth) < 2
-            else self.words("wanted", value=spoken(truth))
+            else self.message("wanted", value=format_value(truth))
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:

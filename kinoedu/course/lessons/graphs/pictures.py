@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ....words import say
-from ...exercise import Case, Exercise, spoken
+from ....messages import get_message
+from ...exercise import Case, Exercise, format_value
 from ..shared.random_graphs import as_graph, symmetric
 
 MOST_LABELS = 30  # nodes that get labels
@@ -37,11 +37,11 @@ def draw_tree_answer(
     places = draw_grey_graph(case, ax, highlight=[start])
     for u, d in enumerate(far):
         if u == start:
-            text = say("graph_picture.start")
+            text = get_message("graph_picture.start")
         elif d < np.inf:
-            text = say("graph_picture.far", d=f"{d:.0f}")
+            text = get_message("graph_picture.far", d=f"{d:.0f}")
         else:
-            text = say("graph_picture.unreached")
+            text = get_message("graph_picture.unreached")
         draw_label(places, u, text, ax, palette.START)
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
@@ -70,7 +70,7 @@ def draw_pointers(
         if p >= 0 and p != u:
             draw_pointer(places, p, u, ax, palette.OUTSIDE, "-", width=1.8)
         elif p == -1:
-            draw_label(places, u, say("graph_picture.root"), ax, palette.INK)
+            draw_label(places, u, get_message("graph_picture.root"), ax, palette.INK)
     draw_paths(places, truth, value, ax)
     finish_picture(exercise, case, ax)
 
@@ -89,13 +89,13 @@ def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any)
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     else:
         draw_question(
             dict(zip(("neighbours", "weights", "estimate", "start", "goal"), value)), *paths, ax
         )
     ax.set_axis_off()
-    plane.title(exercise.words("picture"), ax)
+    plane.title(exercise.message("picture"), ax)
 
 
 def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> None:
@@ -105,9 +105,11 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
     start, goal = given["start"], given["goal"]
     places = draw_grey_graph(Case("", given), ax, highlight=[start, goal])
     for u in range(len(places)):
-        text = [say(f"graph_picture.{name}") for name in ("start", "goal") if given[name] == u]
+        text = [
+            get_message(f"graph_picture.{name}") for name in ("start", "goal") if given[name] == u
+        ]
         if "estimate" in given and len(places) <= 16:
-            text.append(say("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
+            text.append(get_message("graph_picture.estimate", value=f"{given['estimate'][u]:.3g}"))
         draw_label(places, u, ", ".join(text), ax, palette.INK)
     draw_paths(places, truth, value, ax)
 
@@ -120,15 +122,19 @@ def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) 
     fits = value is not None and not isinstance(truth, ValueError) and len(value) == len(truth)
     for u in range(len(places)):
         if isinstance(truth, ValueError):
-            text = say("graph_picture.start") if u == case.given["start"] else ""
+            text = get_message("graph_picture.start") if u == case.given["start"] else ""
             draw_label(places, u, text, ax, palette.INK)
         elif fits and not (
             value[u] == truth[u] or abs(value[u] - truth[u]) <= 1e-6 * (1.0 + abs(truth[u]))
         ):
-            text = say("graph_picture.cost", value=spoken(truth[u]), yours=spoken(float(value[u])))
+            text = get_message(
+                "graph_picture.cost",
+                value=format_value(truth[u]),
+                yours=format_value(float(value[u])),
+            )
             draw_label(places, u, text, ax, palette.GOAL)
         else:
-            draw_label(places, u, spoken(truth[u]), ax, palette.START)
+            draw_label(places, u, format_value(truth[u]), ax, palette.START)
     draw_answer_note(value, ax)
     finish_picture(exercise, case, ax)
 
@@ -156,7 +162,7 @@ def draw_grey_graph(case: Case, ax: Any, *, highlight: list[int]) -> Any:
         (x, y), aside = places[v] - places[u], graphs.bend(graph, u, v) / 2
         weight = weights[u][neighbours[u].index(v)]  # the Graph refuses negative weights
         at = (places[u] + places[v]) / 2 + aside * np.array([y, -x])
-        graphs.beside(at, f"{weight:.3g}", ax, (0, -5), palette.INK, "center")
+        graphs.write_beside(at, f"{weight:.3g}", ax, (0, -5), palette.INK, "center")
     return places
 
 
@@ -170,7 +176,7 @@ def draw_paths(places: Any, truth: Any, value: Any, ax: Any) -> None:
     ):
         nodes = [u for u in (path or [])[:MOST_STEPS] if 0 <= u < len(places)]
         for u, v in zip(nodes[:-1], nodes[1:]):
-            for artist in graphs.link(
+            for artist in graphs.draw_link(
                 places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0
             ):
                 artist.set(linestyle=style, zorder=4 if style == "-" else 5)
@@ -183,7 +189,7 @@ def draw_pointer(
     """Draw an arrow from a parent to its child."""
     from ....figures import graphs
 
-    for artist in graphs.link(
+    for artist in graphs.draw_link(
         places[p], places[u], ax, colour, arrow=True, width=width, gap=12.0, bend=0.12
     ):
         artist.set(linestyle=style, zorder=4)
@@ -197,14 +203,18 @@ def draw_label(places: Any, u: int, text: str, ax: Any, colour: str) -> None:
         return
     x, y = places[u] / np.sqrt((places[u] * places[u]).sum())
     side = "left" if x > 0.3 else "right" if x < -0.3 else "center"
-    graphs.beside(places[u], text, ax, (18 * x, 24 * y - 5), colour, side)
+    graphs.write_beside(places[u], text, ax, (18 * x, 24 * y - 5), colour, side)
 
 
 def draw_answer_note(value: Any, ax: Any) -> None:
     """Write the student's answer in the corner, shortened to 60 characters."""
     from ....figures import palette, plane
 
-    text = say("picture.no_answer") if value is None else say("picture.yours", value=spoken(value))
+    text = (
+        get_message("picture.no_answer")
+        if value is None
+        else get_message("picture.yours", value=format_value(value))
+    )
     plane.corner_note(text if len(text) <= 60 else text[:57] + "...", ax, colour=palette.GOAL)
 
 
@@ -213,4 +223,4 @@ def finish_picture(exercise: Exercise, case: Case, ax: Any) -> None:
     from ....figures import plane
 
     ax.set_axis_off()
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)

@@ -8,12 +8,12 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....planners.driving.common import free_drive
-from ....spaces.angles import wrapped
-from ...drivable import DrivenTask, apart
+from ....spaces.angles import wrap_angle
+from ...drivable import DrivenTask, distance_of_poses
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record
-from ...whole_shapes import Whole, WholeNumbers
+from ...whole_shapes import Integer, Integers
 from ..shared.small_problems import box
 from .garages import POSTS, make_garage
 
@@ -160,9 +160,14 @@ class BestControl(ValueExercise):
     lesson = "13_kinodynamic_planning"
     kinds = ("open", "cut", "blocked", "beyond", "none")
     given = Record(
-        problem=DrivenTask(), q=POSE, target=POSE, controls=Numbers(("m", 2)), t=Number(), n=Whole()
+        problem=DrivenTask(),
+        q=POSE,
+        target=POSE,
+        controls=Numbers(("m", 2)),
+        t=Number(),
+        n=Integer(),
     )
-    answer = Maybe(WholeNumbers((2,)))
+    answer = Maybe(Integers((2,)))
     source = staticmethod(choose_best_control)
     shown = staticmethod(free_drive)
     reference = staticmethod(choose_best_control)
@@ -232,7 +237,7 @@ class BestControl(ValueExercise):
             return None
         t = float(rng.integers(4, 20))
         arguments = make_arguments(
-            room, q, np.array([*target[:2], wrapped(target[2])]), controls, t, n
+            room, q, np.array([*target[:2], wrap_angle(target[2])]), controls, t, n
         )
         kind = classify(arguments)
         return Case(kind, arguments) if kind else None
@@ -260,7 +265,7 @@ def classify(arguments: dict[str, Any]) -> str:
     """Return the kind of a case; "" where two answers are nearly equally good."""
     room, q, target, controls, t, n = arguments.values()
     poses = room.poses_after(q, controls, t * np.arange(1, n + 1) / n)
-    away = np.sort(apart(poses, target, room.radian), axis=1)
+    away = np.sort(distance_of_poses(poses, target, room.radian), axis=1)
     least = np.sort(away[:, 0])
     if np.diff(least).min() < 1e-3 or (n > 1 and (away[:, 1] - away[:, 0]).min() < 1e-3):
         return ""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....problems import Tree
 from ....robots.trajectory import DrivenTree
-from ....spaces.angles import short_way, wrapped
+from ....spaces.angles import angle_difference, wrap_angle
 from ...drivable import REGION
 from ...exercise import Case
 from ...outcomes import Answer, Outcome
@@ -56,7 +56,7 @@ def find_near_goal(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np
     x, y, theta = problem.goal
     off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
     askew = [
-        abs(short_way(wrapped(q[2]), theta)) <= problem.turn_tolerance * (1.0 + slack)
+        abs(angle_difference(wrap_angle(q[2]), theta)) <= problem.turn_tolerance * (1.0 + slack)
         for q in nodes
     ]
     return np.flatnonzero(np.array(off) & np.array(askew))
@@ -164,18 +164,18 @@ class DrivingPlanner(PlannerExercise):
         """Return nothing to draw: `answer_words` describes the answer."""
         return [], None
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Describe the size of the answer, where its path ends, and where its fault is."""
         tree, poses = self.nodes_of(case, value[0])
         if not len(poses):
-            return self.words("answers.nowhere", nodes=len(tree.nodes))
+            return self.message("answers.nowhere", nodes=len(tree.nodes))
         x, y, theta = poses[-1]
-        text = self.words(
+        text = self.message(
             "answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta
         )
         fault = self.fault_of_three(case, value)
         where = np.round(fault.marked, 2).tolist() if fault is not None else []
-        return f"{text}; {self.words('answers.at', marked=where)}" if where else text
+        return f"{text}; {self.message('answers.at', marked=where)}" if where else text
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the problem, the tree, the path, and a cross at the fault."""
@@ -186,5 +186,5 @@ class DrivingPlanner(PlannerExercise):
         built = None if value is None else self.nodes_of(case, value[0])
         rule = self.judge(case, outcome).rule
         draw_driven_answer(
-            case.given["problem"].problem, built, fault, self.words(f"pictures.{rule}"), ax
+            case.given["problem"].problem, built, fault, self.message(f"pictures.{rule}"), ax
         )

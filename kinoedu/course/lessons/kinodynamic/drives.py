@@ -9,7 +9,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ...shapes import Numbers
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 from ..shared.planned import Fault
 from .driven_trees import GOAL_EVERY, REGION_EVERY
 
@@ -22,7 +22,7 @@ ITERATIONS = {
     "far": 60,
     "sealed": 100,
 }
-CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), WholeNumbers(("k",))
+CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), Integers(("k",))
 
 
 def choose_target(problem: Any, turn: int, rng: np.random.Generator) -> Array:

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from .... import graphs
 from ....geometry.checks import Array
 from ....planners import dijkstra_path
-from ....planners.driving.kinodynamic_prm import searched
+from ....planners.driving.kinodynamic_prm import find_shortest_drive
 from ....planners.roadmaps.search import Search
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
+from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Numbers, Record
-from ...whole_shapes import Whole, WholeNumbers
+from ...whole_shapes import Integer, Integers
 from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import SIZES, random_rows
 
@@ -116,15 +116,15 @@ class FastestDrive(ValueExercise):
     lesson = "13_kinodynamic_planning"
     kinds = ("chain", "detour", "length", "oneway", "ends", "none", "there")
     given = Record(
-        n=Whole(),
-        edges=WholeNumbers(("m", 2)),
+        n=Integer(),
+        edges=Integers(("m", 2)),
         controls=Numbers(("m", 2)),
         durations=Numbers(("m",)),
-        ends=WholeNumbers(("k",)),
+        ends=Integers(("k",)),
     )
-    answer = Maybe(WholeNumbers(("j",)))
+    answer = Maybe(Integers(("j",)))
     source = staticmethod(find_fastest)
-    shown = staticmethod(searched)
+    shown = staticmethod(find_shortest_drive)
     reference: ClassVar[Callable[..., Any]] = staticmethod(find_fastest)
     slips = (
         Slip("undirected", make_search(weigh_by_time, directed=False)),
@@ -210,27 +210,29 @@ class FastestDrive(ValueExercise):
             return (
                 RIGHT
                 if value is truth is None
-                else Verdict(0.0, "missed" if value is None else "none", self.wanted(case))
+                else Verdict(
+                    0.0, "missed" if value is None else "none", self.describe_expected(case)
+                )
             )
         _, edges, _, durations, ends = case.given.values()
         way = value.tolist()
         if not way or way[0] != 0 or way[-1] not in ends:
-            return Verdict(0.0, "ends_of_way", self.wanted(case))
+            return Verdict(0.0, "ends_of_way", self.describe_expected(case))
         least, found = (
             measure_duration(truth, edges, durations),
             measure_duration(way, edges, durations),
         )
         rule = "edges" if found == np.inf else "" if self.near(found, least) else "slower"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe one right path and its duration."""
         truth = self.truth(case)
         if truth is None:
             return "None"
-        return self.words(
+        return self.message(
             "wanted",
-            way=spoken(truth),
+            way=format_value(truth),
             time=measure_duration(truth, case.given["edges"], case.given["durations"]),
         )
 

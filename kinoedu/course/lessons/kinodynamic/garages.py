@@ -9,15 +9,15 @@ from typing import Any
 from ....problems import Problem
 from ....robots import Car
 from ....worlds import PolygonWorld
-from ...drivable import Drivable
+from ...drivable import DrivingProblem
 from ..shared.small_problems import box
 
 CAR = Car(30, 10, 20, speeds=(-1, 0.5, 2))
 
 
-def make_garage(start: Any, goal: Any, *obstacles: Any, size: float = 200.0) -> Drivable:
+def make_garage(start: Any, goal: Any, *obstacles: Any, size: float = 200.0) -> DrivingProblem:
     """Return the problem of the car among obstacles in a square garage."""
-    return Drivable(Problem(CAR, PolygonWorld(box(0, 0, size, size), obstacles), start, goal))
+    return DrivingProblem(Problem(CAR, PolygonWorld(box(0, 0, size, size), obstacles), start, goal))
 
 
 POSTS = [box(x, y, x + 0.5, y + 0.5) for x in range(20, 200, 40) for y in range(20, 200, 40)]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
-from ....spaces.angles import short_way, wrapped
+from ....spaces.angles import angle_difference, wrap_angle
 from ....spaces.wrapping import weighted_distance
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
@@ -21,7 +21,7 @@ POSE = Numbers((3,))
 
 def measure_distance(a: Array, b: Array, radian: float) -> float:
     """Return the distance between two poses, where a radian counts as `radian` units of length."""
-    turn = radian * short_way(wrapped(a[2]), wrapped(b[2]))
+    turn = radian * angle_difference(wrap_angle(a[2]), wrap_angle(b[2]))
     return math.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + turn * turn)
 
 
@@ -32,7 +32,7 @@ def measure_with(turn: Callable[[float, float, float], float]) -> Callable[..., 
 
 def measure_short_way(a: float, b: float) -> float:
     """Return the size of the angle between two headings, the short way."""
-    return abs(short_way(wrapped(a), wrapped(b)))
+    return abs(angle_difference(wrap_angle(a), wrap_angle(b)))
 
 
 class HeadingDistance(ValueExercise):

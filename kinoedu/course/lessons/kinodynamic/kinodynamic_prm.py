@@ -16,7 +16,7 @@ from ....robots.trajectory import DrivenTree
 from ...drivable import DrivenTask
 from ...exercise import Case
 from ...shapes import Record, Together
-from ...whole_shapes import Whole, WholeNumbers
+from ...whole_shapes import Integer, Integers
 from ..shared.planned import Fault, three_times
 from .driven_trees import (
     NOWHERE,
@@ -62,8 +62,8 @@ class KinodynamicPrm(DrivingPlanner):
 
     name = "kinodynamic_prm"
     kinds = KINDS
-    given = Record(problem=DrivenTask(), k=Whole(), iterations=Whole(), rng=Whole())
-    result = Together((WholeNumbers(("n", 2)), CONTROLS, DURATIONS, ROUTE))
+    given = Record(problem=DrivenTask(), k=Integer(), iterations=Integer(), rng=Integer())
+    result = Together((Integers(("n", 2)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
     source = staticmethod(grow_roadmap)
     shown = staticmethod(drive_from_nearest)

@@ -16,7 +16,7 @@ from ....robots.trajectory import DrivenTree
 from ...drivable import DrivenTask
 from ...exercise import Case
 from ...shapes import Record, Together
-from ...whole_shapes import Whole, WholeNumbers
+from ...whole_shapes import Integer, Integers
 from ..shared.planned import Fault, three_times
 from .driven_trees import (
     NOWHERE,
@@ -61,8 +61,8 @@ class KinodynamicRrt(DrivingPlanner):
 
     name = "kinodynamic_rrt"
     kinds = KINDS
-    given = Record(problem=DrivenTask(), iterations=Whole(), rng=Whole())
-    result = Together((WholeNumbers(("n",)), CONTROLS, DURATIONS, ROUTE))
+    given = Record(problem=DrivenTask(), iterations=Integer(), rng=Integer())
+    result = Together((Integers(("n",)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow_by_driving)

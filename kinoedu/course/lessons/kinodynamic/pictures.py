@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....robots.trajectory import TrajectoryRecord
-from ....words import say
-from ...exercise import Case, ValueExercise, spoken
-from ..shared.car_pictures import arc, frame_both
+from ...exercise import Case, ValueExercise, format_value
+from ..shared.car_pictures import arc, set_axes
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
@@ -24,7 +24,7 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, text: str, ax: Any)
 
     draw_problem(problem, ax)
     if built is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     else:
         tree, poses = built
         draw_tree(tree, ax, robot=problem.robot)
@@ -67,13 +67,15 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> 
     a, b, radian = case.given.values()
     size = max(0.4 * math.dist(a[:2], b[:2]), 1.0)
     plane.frame(np.array([a[:2] - size, a[:2] + size, b[:2] - size, b[:2] + size]), ax)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
     ax.plot(*np.array([a, b])[:, :2].T, ":", color=palette.INK, linewidth=2.0)
     cars.draw_pose(a, size, "a", ax, colour=palette.START)
     cars.draw_pose(b, size, "b", ax, colour=palette.TREE, below=True)
-    yours = "-" if value is None else spoken(value)
+    yours = "-" if value is None else format_value(value)
     plane.corner_note(
-        exercise.words("picture", true=spoken(exercise.truth(case)), yours=yours, radian=radian),
+        exercise.message(
+            "picture", true=format_value(exercise.truth(case)), yours=yours, radian=radian
+        ),
         ax,
         colour=palette.GOAL,
     )
@@ -98,7 +100,7 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
         pose[:2] + 8.0 * np.array([math.cos(pose[2]), math.sin(pose[2])]) for pose in (q, target)
     ]
     around = np.vstack([*(way[:, :2] for way in ways), *outlines, *tips, target[:2]])
-    frame_both(around, None if value is None else around[:1], "", ax)
+    set_axes(around, None if value is None else around[:1], "", ax)
     limits = ax.get_xlim(), ax.get_ylim()
     draw_world(room.problem.world, ax)
     ax.set(xlim=limits[0], ylim=limits[1])
@@ -116,8 +118,8 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> Non
             way = arc(q, controls[i, 0] * t * k / n, bends[i])
             ax.plot(*way[:, :2].T, style, color=colour, linewidth=4.0, zorder=5)
     cars.draw_pose(q, 8.0, "q", ax, colour=palette.INK, below=True)
-    cars.draw_pose(target, 8.0, say("driven_picture.target"), ax, colour=palette.TREE)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    cars.draw_pose(target, 8.0, get_message("driven_picture.target"), ax, colour=palette.TREE)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def is_choice(choice: Any, controls: Array, n: int) -> bool:
@@ -147,7 +149,9 @@ def draw_fastest(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> No
         ax.plot(*places[known].T, style, color=colour, linewidth=4.0, alpha=0.7, zorder=4)
     if value is None:
         plane.corner_note(
-            say("picture.no_answer") if truth is not None else "None", ax, colour=palette.GOAL
+            get_message("picture.no_answer") if truth is not None else "None",
+            ax,
+            colour=palette.GOAL,
         )
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
     ax.set_axis_off()

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ....chances import wilson
+from ....chances import wilson_interval
 from ....collision import probability
 from ....geometry.checks import Array
 from ...exercise import Case, Slip, ValueExercise, Verdict
@@ -58,7 +58,7 @@ SMALL: tuple[tuple[str, Any, Any, Any], ...] = (
 
 def add_interval(hits: float, n: int) -> Array:
     """Return the fraction hits / n and the ends of its Wilson interval, shape (3,)."""
-    low, high = wilson(hits, n)
+    low, high = wilson_interval(hits, n)
     return np.array([hits / n, low, high])
 
 

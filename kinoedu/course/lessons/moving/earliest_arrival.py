@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from ....planners.moving.safe_intervals import search_intervals
-from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
+from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from .pictures import draw_schedule
 
 LATE = 1e-6  # tolerance of times
@@ -97,7 +97,7 @@ class EarliestArrival(Exercise):
     lesson = "14_moving_and_uncertain"
     kinds = ("go", "wait", "aside", "again", "none")
     given = Record(
-        safe=Listed(Numbers(("k", 2))), moves=Numbers(("m", 3)), start=Whole(), goal=Whole()
+        safe=Listed(Numbers(("k", 2))), moves=Numbers(("m", 3)), start=Integer(), goal=Integer()
     )
     answer = Numbers(("n", 2))
     source = staticmethod(find_schedule)
@@ -149,15 +149,15 @@ class EarliestArrival(Exercise):
             rule = "later"
         if rule in ("later", "found"):
             rule = find_misread_rule(safe, moves, start, goal, rows) or rule
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe one right answer."""
         best = find_schedule(*case.given.values())
         if not best:
-            return self.words("no_way")
-        rows = spoken([tuple(row) for row in best])
-        return self.words("wanted", time=spoken(best[-1][1]), rows=rows)
+            return self.message("no_way")
+        rows = format_value([tuple(row) for row in best])
+        return self.message("wanted", time=format_value(best[-1][1]), rows=rows)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the safe intervals of each place, a right path and the student's."""

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
@@ -45,11 +45,11 @@ class ExposeMoments(Exercise):
             if not rule and case.kind != "exposes":
                 rule = "deep" if find_least_distance(*value) > DEEP else ""
                 rule = rule or ("standing" if case.kind == "standing" and (p0 != p1).any() else "")
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"exposing_motions.wanted.{case.kind}")
+        return get_message(f"exposing_motions.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the point's motion seen from the disc, with the moments that the program samples."""

@@ -168,7 +168,7 @@ class FirstContact(ValueExercise):
         if self.same(value, self.truth(case)):
             return RIGHT
         never = math.isinf(self.truth(case)) and not 0.0 <= value <= 1.0
-        return Verdict(0.0, "outside" if never else case.kind, self.wanted(case))
+        return Verdict(0.0, "outside" if never else case.kind, self.describe_expected(case))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw both motions, and point and disc at the right and at the student's time."""

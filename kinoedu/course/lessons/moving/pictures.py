@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
-from ...exercise import Case, Exercise, ValueExercise, spoken
+from ....messages import get_message
+from ...exercise import Case, Exercise, ValueExercise, format_value
 from .scenarios import find_contacts
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
@@ -21,7 +21,7 @@ SPECK = 0.01  # a disc of a smaller radius is too small to be drawn as a ring
 
 def format_answer(value: float | None) -> str:
     """Format an answer, or say that there is none."""
-    return say("timed_picture.none") if value is None else spoken(value)
+    return get_message("timed_picture.none") if value is None else format_value(value)
 
 
 def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
@@ -43,11 +43,11 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
             marker = "o" if colour == palette.START else "X"
             plane.dot(p0 + s * (p1 - p0), "", ax, colour=colour, marker=marker)
     plane.corner_note(
-        say("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
+        get_message("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
         ax,
         colour=palette.GOAL,
     )
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None, ax: Any) -> None:
@@ -73,10 +73,12 @@ def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None
     ax.set(
         xlim=(-0.5, min(1.15 * latest, 60.0)), ylim=(-0.6, len(safe) - 0.4), yticks=range(len(safe))
     )
-    ax.set_xlabel(say("timed_picture.time"), fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel(say("timed_picture.place", start=start, goal=goal), fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel(get_message("timed_picture.time"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(
+        get_message("timed_picture.place", start=start, goal=goal), fontsize=palette.TEXT_SIZE
+    )
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
@@ -90,16 +92,16 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     striped = {"hatch": "//", "edgecolor": "white", "zorder": 3}
     ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.GOAL, **striped)
     ax.set(xticks=number)
-    ax.set_xlabel(say("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel(say("timed_picture.margin"), fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel(get_message("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(get_message("timed_picture.margin"), fontsize=palette.TEXT_SIZE)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     shown = np.concatenate([truth, yours, [0.0]])
     ax.set_ylim(shown.min(), 1.3 * shown.max())
-    text = say("timed_picture.bars") if len(yours) else say("timed_picture.none")
+    text = get_message("timed_picture.bars") if len(yours) else get_message("timed_picture.none")
     ax.annotate(
         text, (0.02, 0.92), xycoords="axes fraction", fontsize=palette.TEXT_SIZE, color=palette.INK
     )
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
@@ -125,17 +127,17 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
         plane.ring((x, y), r, "", ax, colour=palette.OBSTACLE)
     ax.plot(*path.T, "-o", color=palette.PATH, linewidth=3.0, zorder=5)
     true, yours = (
-        say("timed_picture.none")
+        get_message("timed_picture.none")
         if numbers is None
-        else spoken(tuple(round(float(number), 4) for number in numbers))
+        else format_value(tuple(round(float(number), 4) for number in numbers))
         for numbers in (exercise.truth(case), value)
     )
     ax.set_xlabel(
-        say("timed_picture.shares", true=true, yours=yours),
+        get_message("timed_picture.shares", true=true, yours=yours),
         fontsize=palette.TEXT_SIZE,
         color=palette.GOAL,
     )
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
@@ -144,7 +146,7 @@ def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
         return
     p0, p1, c0, c1 = value
     way = (p0 - c0) + np.linspace(0.0, 1.0, moments)[:, None] * ((p1 - p0) - (c1 - c0))
@@ -152,6 +154,6 @@ def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
     near = near if len(near) else way
     plane.frame(np.vstack([near, [(radius, radius), (-radius, -radius)]]), ax, margin=0.2)
     plane.ring((0, 0), radius, "", ax, colour=palette.OBSTACLE)
-    plane.corner_note(say("timed_picture.disc"), ax, colour=palette.OBSTACLE)
+    plane.corner_note(get_message("timed_picture.disc"), ax, colour=palette.OBSTACLE)
     ax.plot(*way.T, "-o", color=palette.GOAL, linewidth=1.5, markersize=6, zorder=4)
-    plane.title(say("exposing_motions.picture"), ax)
+    plane.title(get_message("exposing_motions.picture"), ax)

@@ -12,7 +12,7 @@ from ....worlds import PolygonWorld, scattered
 from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
-from ...tasks import Task
+from ...tasks import ProblemShape
 from ..shared.small_problems import SQUARE, box
 from .matrices import LESSON, MATRIX, draw_case, make_problem
 from .pictures import draw_matrix
@@ -56,7 +56,7 @@ class AdjacencyMatrix(ValueExercise):
     name = "adjacency_matrix"
     lesson = LESSON
     kinds = ("two", "wall", "turn", "many")
-    given = Record(problem=Task(), nodes=Numbers(("n", "d")))
+    given = Record(problem=ProblemShape(), nodes=Numbers(("n", "d")))
     answer = MATRIX
     source = staticmethod(find_free_motions)
     slips = (
@@ -118,11 +118,11 @@ class AdjacencyMatrix(ValueExercise):
         """Whether the entries are the same."""
         return np.array_equal(value, truth)
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe the right matrix, row by row."""
         return str(self.truth(case).tolist())
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Describe the student's matrix, row by row."""
         return str(value.tolist())
 
@@ -134,7 +134,7 @@ class AdjacencyMatrix(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the configurations, the free motions, and the entries that are wrong."""
         value = outcome.value if isinstance(outcome, Answer) else None
-        text = self.words(f"pictures.{case.kind}")
+        text = self.message(f"pictures.{case.kind}")
         draw_matrix(
             case.given["problem"].problem, case.given["nodes"], self.truth(case), value, text, ax
         )

@@ -11,8 +11,8 @@ from ....geometry import segments_intersect
 from ....geometry.checks import Array
 from ....geometry.polygons import point_in_polygon
 from ....geometry.rings import as_ring
+from ....messages import get_message
 from ....robots import Disk
-from ....words import say
 from ....worlds import PolygonWorld
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
@@ -46,11 +46,11 @@ class ExposeFourChords(Exercise):
             )
         if not rule and case.kind == "thickest" and measure_inradius(value[2]) < THICK:
             rule = "thickest"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"exposing_obstacle.wanted.{case.kind}")
+        return get_message(f"exposing_obstacle.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw what the disk sweeps, the chords and the triangle."""
@@ -59,7 +59,7 @@ class ExposeFourChords(Exercise):
             if isinstance(outcome, Answer) and not find_triangle_fault(*outcome.value)
             else None
         )
-        draw_swept(value, chords(*value[:2]) if value else [], self.words("picture"), ax)
+        draw_swept(value, find_chords(*value[:2]) if value else [], self.message("picture"), ax)
 
 
 def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
@@ -67,7 +67,7 @@ def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
 
     The program is wrong somewhere. Where?
     """
-    for p, q in chords(a, b):  # of the centre, and of four points of the rim
+    for p, q in find_chords(a, b):  # of the centre, and of four points of the rim
         if point_in_polygon(p, obstacle):
             return True
         for c, d in zip(obstacle, np.roll(obstacle, -1, axis=0)):
@@ -76,7 +76,7 @@ def chords_hit(a: Array, b: Array, obstacle: Array) -> bool:
     return False
 
 
-def chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
+def find_chords(a: Array, b: Array) -> list[tuple[Array, Array]]:
     """Return the paths of the disk's centre and of the right, top, left and bottom of its rim."""
     return [
         (a + off, b + off) for off in np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)], float)

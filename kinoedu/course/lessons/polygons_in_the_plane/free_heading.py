@@ -11,14 +11,14 @@ import numpy as np
 from ....collision import free_heading as middle_of_widest
 from ....collision import free_headings
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....problems import Problem
 from ....robots import RigidPolygon
-from ....words import say
 from ....worlds import PolygonWorld, scattered
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Record
-from ...tasks import Asked, Task
+from ...tasks import ProblemShape, StudentProblem
 from ..shared.small_problems import SQUARE
 from .pictures import draw_heading
 
@@ -35,7 +35,7 @@ class FreeHeading(Exercise):
     name = "free_heading"
     lesson = "11_polygons_in_the_plane"
     kinds = ("open", "slot", "none")
-    given = Record(problem=Task(), x=Number(), y=Number())
+    given = Record(problem=ProblemShape(), x=Number(), y=Number())
     answer = Maybe(Number())
     source = staticmethod(
         lambda problem, x, y: middle_of_widest(problem.robot, problem.world, (x, y))
@@ -67,22 +67,28 @@ class FreeHeading(Exercise):
         Any other answer must be free by the course's own collision check.
         """
         if value is None:
-            return RIGHT if case.kind == "none" else Verdict(0.0, "missed", self.wanted(case))
+            return (
+                RIGHT
+                if case.kind == "none"
+                else Verdict(0.0, "missed", self.describe_expected(case))
+            )
         if not np.isfinite(value):
-            return Verdict(0.0, "free", self.wanted(case))
+            return Verdict(0.0, "free", self.describe_expected(case))
         problem = case.given["problem"].problem
         free = problem.is_free(np.array([case.given["x"], case.given["y"], value]))
         return (
             RIGHT
             if free
-            else Verdict(0.0, "none" if case.kind == "none" else "free", self.wanted(case))
+            else Verdict(
+                0.0, "none" if case.kind == "none" else "free", self.describe_expected(case)
+            )
         )
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe the free intervals."""
         rows = self.intervals(case)
         text = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
-        return say("free_heading.wanted", intervals=text) if text else "None"
+        return get_message("free_heading.wanted", intervals=text) if text else "None"
 
     def intervals(self, case: Case) -> Array:
         """Return the free intervals of headings."""
@@ -94,7 +100,7 @@ class FreeHeading(Exercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())
         place = (case.given["x"], case.given["y"])
-        text = self.words(f"pictures.{case.kind}")
+        text = self.message(f"pictures.{case.kind}")
         draw_heading(case.given["problem"].problem, place, value, right, text, ax)
 
 
@@ -102,7 +108,7 @@ def make_case(robot: Any, world: Any, place: Any) -> Case:
     """Return a case and classify it."""
     widths = np.diff(free_headings(robot, world, place))
     kind = "none" if not len(widths) else "slot" if widths.max() < 0.8 else "open"
-    problem = Asked(Problem(robot, world, CORNER, CORNER))
+    problem = StudentProblem(Problem(robot, world, CORNER, CORNER))
     return Case(kind, {"problem": problem, "x": float(place[0]), "y": float(place[1])})
 
 

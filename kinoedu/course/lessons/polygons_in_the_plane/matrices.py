@@ -11,20 +11,20 @@ from ....robots import Disk
 from ...exercise import Case, Verdict
 from ...outcomes import Outcome
 from ...shapes import Record
-from ...tasks import Asked
-from ...whole_shapes import Whole, WholeNumbers
+from ...tasks import StudentProblem
+from ...whole_shapes import Integer, Integers
 from ..graphs.paths import PathExercise
 from ..shared.random_graphs import Neighbours, symmetric
 
 # a complete graph, and a node without edges
 CROWD = np.pad(1 - np.eye(13, dtype=np.int64), (0, 1))
 LESSON = "11_polygons_in_the_plane"
-MATRIX = WholeNumbers(("n", "n"))
+MATRIX = Integers(("n", "n"))
 
 
-def make_problem(robot: Any, world: Any, q: Any) -> Asked:
+def make_problem(robot: Any, world: Any, q: Any) -> StudentProblem:
     """Return a problem whose start and goal are the same, for its collision checks alone."""
-    return Asked(Problem(robot, world, q, q))
+    return StudentProblem(Problem(robot, world, q, q))
 
 
 def draw_case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
@@ -61,7 +61,7 @@ class MatrixExercise(PathExercise):
 
     lesson = LESSON
     kinds = ("small", "cycle", "unreachable", "start_is_goal")
-    given = Record(matrix=MATRIX, start=Whole(), goal=Whole())
+    given = Record(matrix=MATRIX, start=Integer(), goal=Integer())
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield the cases of lesson 4 whose edges lead both ways.

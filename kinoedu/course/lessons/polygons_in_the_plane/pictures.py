@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
@@ -24,11 +24,13 @@ def draw_heading(
     if right is not None:
         draw_robot(problem.robot, np.array([*place, right]), ax, palette.START)
     if value is None:
-        plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.GOAL)
     elif np.isfinite(value):
         (body,) = draw_robot(problem.robot, np.array([*place, value]), ax, palette.GOAL)
         body.set(linestyle="--")
-        plane.corner_note(say("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL)
+        plane.corner_note(
+            get_message("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL
+        )
     plane.dot(place, "", ax)
     plane.title(text, ax)
 
@@ -41,16 +43,16 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, text: str, a
     draw_world(problem.world, ax)
     fits = value is not None and value.shape == truth.shape
     for i, j in np.argwhere(np.triu(truth, 1)):
-        plane.stretch(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.START)
+        plane.segment(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.START)
     for i, j in np.argwhere((value != truth) & (value != 0)) if fits else []:
-        plane.stretch(
+        plane.segment(
             nodes[i, :2], nodes[j, :2], "", ax, colour=palette.GOAL, style="--", width=4.0
         )
     for number, q in enumerate(nodes):
         draw_robot(problem.robot, q, ax)
         plane.label(q[:2], str(number), ax, offset=(3, 3))
     if not fits:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(text, ax)
 
 
@@ -66,12 +68,12 @@ def draw_swept(value: Any, chords: Any, text: str, ax: Any) -> None:
 
     if value is None:
         plane.frame([(-1.0, -1.0), (5.0, 1.5)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     else:
         a, b, obstacle = value
         plane.frame(np.vstack([a - 1.0, a + 1.0, b - 1.0, b + 1.0, obstacle]), ax)
         draw_bar(a, b, 1.0, ax, palette.ROBOT, alpha=0.3, zorder=2)
         for p, q in chords:
-            plane.stretch(p, q, "", ax, colour=palette.TREE)
+            plane.segment(p, q, "", ax, colour=palette.TREE)
         plane.polygon(obstacle, ax, numbers=False)
     plane.title(text, ax)

@@ -9,7 +9,7 @@ from ....problems import Problem
 from ....robots import RigidPolygon
 from ....worlds import PolygonWorld
 from ...exercise import Case
-from ..shared.planned import Asked
+from ..shared.planned import StudentProblem
 from ..shared.small_problems import SQUARE, box
 from ..trees.rrt import Rrt, aim_at_goal
 
@@ -18,9 +18,9 @@ NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002
 STEP, BIAS = 2.0, 0.2
 
 
-def make_problem(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> Asked:
+def make_problem(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> StudentProblem:
     """Return the problem of a stick, or another robot, among obstacles in a room of 10 x 10."""
-    return Asked(Problem(robot, PolygonWorld(SQUARE, obstacles), start, goal))
+    return StudentProblem(Problem(robot, PolygonWorld(SQUARE, obstacles), start, goal))
 
 
 TASKS = {
@@ -52,15 +52,15 @@ class RrtForPolygon(Rrt):
         """
         for tasks in (TASKS, {**TASKS, "wall": SHEET}):
             for kind in tasks:
-                yield self.asked(kind, tasks[kind], rng)
+                yield self.make_case(kind, tasks[kind], rng)
         for kind in ("room", "sealed"):
-            yield aim_at_goal(self.asked(kind, TASKS[kind], rng))
+            yield aim_at_goal(self.make_case(kind, TASKS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""
         return case.kind != "seam" and super().uses_chance(case)
 
-    def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case, with fewer iterations where no path exists."""
         most = 300 if kind == "sealed" else 800
         given = {

@@ -8,8 +8,8 @@ import numpy as np
 from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...shapes import Record
-from ...whole_shapes import Whole
-from ..shared.planned import Task
+from ...whole_shapes import Integer
+from ..shared.planned import ProblemShape
 from .halls import WALL, draw_free_nodes, make_hall
 from .joining import allow_contact, check_samples, ignore_wrap, join_components
 from .rules import (
@@ -37,7 +37,7 @@ class ComponentNeighbours(RuleExercise):
 
     name = "component_k_closest"
     kinds = ("few", "parts", "wall", "many", "torus")
-    given = Record(problem=Task(), nodes=NODES, k=Whole())
+    given = Record(problem=ProblemShape(), nodes=NODES, k=Integer())
     reference = staticmethod(join_by_components)
     source = staticmethod(join_by_components)
     slips = (

@@ -9,10 +9,10 @@ import numpy as np
 from ....collision import is_semi_free_path
 from ....errors import InvalidPoint, InvalidPolygon, InvalidWorld
 from ....geometry.checks import Array
-from ....geometry.exact import turn
-from ....geometry.polygons import place
+from ....geometry.exact import orientation_sign
+from ....geometry.polygons import locate_point
+from ....messages import get_message
 from ....robots import Point
-from ....words import say
 from ....worlds import PolygonWorld
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
@@ -47,11 +47,11 @@ class ExposeSight(Exercise):
             rule = rule or (
                 "smallest" if case.kind == "smallest" and sum(map(len, value)) > FEWEST else ""
             )
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"exposing_sight.wanted.{case.kind}")
+        return get_message(f"exposing_sight.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the obstacles and the pairs about which the program is wrong."""
@@ -63,10 +63,10 @@ class ExposeSight(Exercise):
         for ring in shown:
             plane.polygon(ring, ax, numbers=len(shown) == 1)
         for a, b in [] if world_fault(rings) else wrong_views(rings):
-            plane.stretch(a, b, "", ax, colour=palette.GOAL, style="--")
+            plane.segment(a, b, "", ax, colour=palette.GOAL, style="--")
         if not shown:
-            plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
-        plane.title(self.words("picture"), ax)
+            plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.title(self.message("picture"), ax)
 
 
 def world_fault(obstacles: Any) -> str:
@@ -119,8 +119,13 @@ def sees(a: Array, b: Array, obstacles: list[Array]) -> bool:
     """
     for cx, cy, dx, dy in edges_round(obstacles[0], obstacles[1:]):
         # the ends of the edge are on both sides of the line of sight, a and b on both of the edge
-        across = turn(*a, *b, cx, cy) * turn(*a, *b, dx, dy) < 0
-        if across and turn(cx, cy, dx, dy, *a) * turn(cx, cy, dx, dy, *b) < 0:
+        across = orientation_sign(*a, *b, cx, cy) * orientation_sign(*a, *b, dx, dy) < 0
+        if (
+            across
+            and orientation_sign(cx, cy, dx, dy, *a) * orientation_sign(cx, cy, dx, dy, *b) < 0
+        ):
             return False
     x, y = (a + b) / 2
-    return not any(place(x, y, ring) > 0 for ring in obstacles)  # 1 is inside, 0 on the boundary
+    return not any(
+        locate_point(x, y, ring) > 0 for ring in obstacles
+    )  # 1 is inside, 0 on the boundary

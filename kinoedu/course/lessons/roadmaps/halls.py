@@ -9,7 +9,7 @@ from ....problems import Problem
 from ....robots import Point, TwoLinkArm
 from ....robots.arm import ArmRobot
 from ....worlds import PolygonWorld
-from ...tasks import Asked
+from ...tasks import StudentProblem
 from ..shared.random_shapes import star_polygon
 from ..shared.random_worlds import has_room, round_polygon
 
@@ -25,15 +25,17 @@ ASTRIDE = (5.1, 3.0), (11.37, 4.0)
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
-def make_hall(*obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL) -> Asked:
+def make_hall(
+    *obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL
+) -> StudentProblem:
     """Return a problem in the hall, or in another room, with the given obstacles."""
-    return Asked(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
+    return StudentProblem(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
 
 
-def make_arm() -> Asked:
+def make_arm() -> StudentProblem:
     """Return the problem of an arm beside a disc; its configurations are two angles."""
     room = np.array([(-6, -6), (6, -6), (6, 6), (-6, 6)], float)
-    return Asked(
+    return StudentProblem(
         Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, [((0, 2.9), 0.6)]), (0, 0), (3, 0))
     )
 

@@ -7,8 +7,8 @@ import numpy as np
 from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...shapes import Record
-from ...whole_shapes import Whole
-from ..shared.planned import Task
+from ...whole_shapes import Integer
+from ..shared.planned import ProblemShape
 from .halls import WALL, draw_free_nodes, make_hall
 from .joining import (
     allow_contact,
@@ -35,7 +35,7 @@ class KClosestNeighbours(RuleExercise):
 
     name = "k_closest"
     kinds = ("few", "one_sided", "ties", "wall", "many", "torus")
-    given = Record(problem=Task(), nodes=NODES, k=Whole())
+    given = Record(problem=ProblemShape(), nodes=NODES, k=Integer())
     reference = staticmethod(join_k_closest)
     source = staticmethod(join_k_closest)
     slips = (

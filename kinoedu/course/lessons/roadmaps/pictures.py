@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from .halls import FULL, is_arm
 
 MOST_NUMBERS = 25  # nodes that get numbers
@@ -32,9 +32,9 @@ def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> 
                 )
     number_nodes(nodes, ax)
     note = (
-        say("picture.no_answer")
+        get_message("picture.no_answer")
         if value is None
-        else say("roadmap_picture.edges", true=len(truth), yours=len(value))
+        else get_message("roadmap_picture.edges", true=len(truth), yours=len(value))
     )
     plane.corner_note(note, ax, colour=palette.GOAL)
 
@@ -101,7 +101,7 @@ def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
                     nodes[i], nodes[j], ax, False, color=colour, linestyle=style, linewidth=width
                 )
     if value is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     else:
         number_nodes(value[0], ax, first=2)  # start and goal are labelled already
     plane.dot(problem.start, "start", ax, colour=palette.START, marker="s")
@@ -125,4 +125,4 @@ def draw_shortest_path(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any
             draw_edge(nodes[i, :2], nodes[j, :2], ax, False, **look)
     number_nodes(nodes[:, :2], ax)
     if value is None:
-        plane.corner_note(say("picture.yours", value="None"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.GOAL)

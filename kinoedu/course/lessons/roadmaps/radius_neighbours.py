@@ -8,7 +8,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...shapes import Number, Record
-from ..shared.planned import Task
+from ..shared.planned import ProblemShape
 from .halls import WALL, draw_free_nodes, make_hall, measure_distances
 from .joining import allow_contact, check_samples, ignore_wrap, keep_free
 from .rules import NODES, ROUND, Pairs, RuleExercise, draw_worlds, make_case, make_pairs
@@ -26,7 +26,7 @@ class RadiusNeighbours(RuleExercise):
 
     name = "radius_neighbours"
     kinds = ("pair", "wall", "many", "torus")
-    given = Record(problem=Task(), nodes=NODES, r=Number())
+    given = Record(problem=ProblemShape(), nodes=NODES, r=Number())
     reference = staticmethod(join_by_radius)
     source = staticmethod(join_by_radius)
     slips = (

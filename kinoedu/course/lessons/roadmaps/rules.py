@@ -13,7 +13,7 @@ from ....geometry.checks import Array
 from ...exercise import RIGHT, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 from .halls import ASTRIDE, GRAZING, SHEET, WALL, draw_obstacles, make_arm, make_hall
 from .joining import are_pairs, find_closest, keep_free, remove_duplicates
 from .pictures import draw_joined
@@ -22,7 +22,7 @@ Pairs = NDArray[np.int64]
 
 
 NODES = Numbers(("n", 2))
-PAIRS = WholeNumbers(("m", 2))
+PAIRS = Integers(("m", 2))
 ROUND = 12  # number of random cases of each kind
 
 
@@ -51,7 +51,7 @@ class RuleExercise(ValueExercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Judge that the rows are pairs, that their motions are free, and that they are right."""
         problem, nodes, _ = case.given.values()
-        wanted = self.wanted(case)
+        wanted = self.describe_expected(case)
         if not are_pairs(value, len(nodes)):
             return Verdict(0.0, "pairs", wanted)
         if len(keep_free(problem, nodes, value)) < len(value):
@@ -69,7 +69,7 @@ def set_title(exercise: Any, case: Case, ax: Any) -> None:
     """Set the title of the picture of this kind of input."""
     from ....figures import plane
 
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def make_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:

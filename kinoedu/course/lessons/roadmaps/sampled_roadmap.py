@@ -9,17 +9,17 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
-from ...whole_shapes import Whole, WholeNumbers
-from ..shared.planned import Fault, PlannerExercise, Task, three_times
+from ...whole_shapes import Integer, Integers
+from ..shared.planned import Fault, PlannerExercise, ProblemShape, three_times
 from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
 from .joining import are_pairs, keep_free
 from .rules import Pairs, join_k_closest
 
-BUILT = Together((Numbers(("n", "d")), WholeNumbers(("m", 2))))
+BUILT = Together((Numbers(("n", "d")), Integers(("m", 2))))
 MANY = 160  # nodes from which their spread is tested
 SIDE = 4  # boxes along each side of the hall
 # bounds of the chi-square statistic of 16 boxes; random points leave them once in 10^8 times
@@ -42,7 +42,7 @@ class SampledRoadmap(PlannerExercise):
     name = "sampled_roadmap"
     lesson = "08_roadmaps"
     kinds = ("none", "room", "wall", "several", "many")
-    given = Record(problem=Task(), n=Whole(), k=Whole(), rng=Whole())
+    given = Record(problem=ProblemShape(), n=Integer(), k=Integer(), rng=Integer())
     result = BUILT
     answer = three_times(BUILT)
     source = staticmethod(build_roadmap)
@@ -112,17 +112,17 @@ class SampledRoadmap(PlannerExercise):
         """Return neither trees nor a path."""
         return [], None
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what is asked for."""
         _, n, k, _ = case.given.values()
-        return say(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
+        return get_message(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Describe the size of the answer and where its fault is."""
         nodes, pairs = value[0]
         fault = self.fault_of_three(case, value)
         marked = [] if fault is None else np.round(fault.marked, 3).tolist()
-        return say(
+        return get_message(
             f"{self.name}.yours",
             nodes=len(nodes),
             edges=len(pairs),
@@ -144,7 +144,7 @@ class SampledRoadmap(PlannerExercise):
             look = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
             ax.plot(*fault.marked.T, "X", markersize=14, **look)
         rule = self.judge(case, outcome).rule
-        plane.title(self.words(f"pictures.{rule}"), ax)
+        plane.title(self.message(f"pictures.{rule}"), ax)
 
 
 def measure_unevenness(points: Array, size: Array) -> float:

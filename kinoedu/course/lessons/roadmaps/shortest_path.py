@@ -8,12 +8,12 @@ from numpy.typing import NDArray
 
 from .... import graphs
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....planners import dijkstra_path
-from ....words import say
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, spoken
+from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record, Together
-from ...whole_shapes import Whole, WholeNumbers
+from ...whole_shapes import Integer, Integers
 from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import random_rows
 from .rules import set_title
@@ -78,9 +78,9 @@ class ShortestPath(ValueExercise):
     lesson = "08_roadmaps"
     kinds = ("small", "detour", "many", "space", "apart", "same")
     given = Record(
-        nodes=Numbers(("n", "d")), edges=WholeNumbers(("m", 2)), start=Whole(), goal=Whole()
+        nodes=Numbers(("n", "d")), edges=Integers(("m", 2)), start=Integer(), goal=Integer()
     )
-    answer = Together((Maybe(WholeNumbers(("k",))), Number()))
+    answer = Together((Maybe(Integers(("k",))), Number()))
     reference = staticmethod(find_shortest)
     source = staticmethod(find_shortest)
     slips = (
@@ -145,7 +145,9 @@ class ShortestPath(ValueExercise):
         if path is None or right is None:
             if path is None and right is None and far == np.inf:
                 return RIGHT
-            return Verdict(0.0, "apart" if right is None else "missed", self.wanted(case))
+            return Verdict(
+                0.0, "apart" if right is None else "missed", self.describe_expected(case)
+            )
         rule = self.fault_of(case, path)
         if not rule:
             steps = np.column_stack([path[:-1], path[1:]])
@@ -154,7 +156,7 @@ class ShortestPath(ValueExercise):
                 rule = "shortest"
             elif not self.near(far, least):
                 rule = "length"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def fault_of(self, case: Case, path: Pairs) -> str:
         """Return the rule that a path from start to goal breaks, or ""."""
@@ -168,11 +170,11 @@ class ShortestPath(ValueExercise):
             else ""
         )
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe one right path and its length."""
         path, far = self.truth(case)
         return (
-            say("shortest_path.wanted", path=spoken(path), length=spoken(far))
+            get_message("shortest_path.wanted", path=format_value(path), length=format_value(far))
             if path is not None
             else "(None, inf)"
         )

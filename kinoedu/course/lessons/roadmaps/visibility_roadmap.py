@@ -8,19 +8,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....planners import visibility_roadmap
-from ....words import say
 from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Together
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 from ..decomposition.free_intervals import RING
-from ..shared.planned import Task
+from ..shared.planned import ProblemShape
 from .halls import GOAL, START, WALL, draw_obstacles, make_hall, measure_turns
 from .joining import are_pairs, keep_free
 from .rules import set_title
 
-SEEN = Together((Numbers(("n", 2)), WholeNumbers(("m", 2))))
+SEEN = Together((Numbers(("n", 2)), Integers(("m", 2))))
 Seen = tuple[Array, NDArray[np.int64]]
 BOX = np.array([(6, 3), (10, 3), (10, 7), (6, 7)], float)
 TENT = np.array([(5, 3), (11, 3), (8, 7)], float)
@@ -89,7 +89,7 @@ class VisibleCorners(ValueExercise):
     lesson = "08_roadmaps"
     seconds = 10.0
     kinds = ("one", "bay", "straight", "several")
-    given = Record(problem=Task(), obstacles=Listed(RING))
+    given = Record(problem=ProblemShape(), obstacles=Listed(RING))
     answer = SEEN
     reference = staticmethod(build_visibility_roadmap)
     source = staticmethod(build_visibility_roadmap)
@@ -156,16 +156,16 @@ class VisibleCorners(ValueExercise):
             rule = "nodes"
         elif not are_pairs(pairs, len(found)):
             rule = "pairs"
-        return Verdict(0.0, rule, self.wanted(case))
+        return Verdict(0.0, rule, self.describe_expected(case))
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe how many nodes and edges are right."""
         nodes, edges = self.truth(case)
-        return say("visibility_roadmap.wanted", nodes=len(nodes), edges=len(edges))
+        return get_message("visibility_roadmap.wanted", nodes=len(nodes), edges=len(edges))
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Describe how many nodes and edges the student has."""
-        return say("visibility_roadmap.wanted", nodes=len(value[0]), edges=len(value[1]))
+        return get_message("visibility_roadmap.wanted", nodes=len(value[0]), edges=len(value[1]))
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the right roadmap and the student's over it."""

@@ -75,11 +75,11 @@ class DispersionBounds(Exercise):
             rule = "sup" if low <= sup <= high else "high"
         elif high - low > APART + SLACK:
             rule = "apart"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what is asked for."""
-        return self.words("wanted", truth=f"{dispersion(case.given['points']):.6f}", apart=APART)
+        return self.message("wanted", truth=f"{dispersion(case.given['points']):.6f}", apart=APART)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the points, the largest hole, and both bounds around its centre."""

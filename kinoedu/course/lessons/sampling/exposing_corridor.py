@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....sampling import sukharev_grid
-from ....words import say
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
@@ -40,18 +40,18 @@ class ExposeGrids(Exercise):
             rule = "exposes"
         if not rule and case.kind == "widest" and measure_width(value) < WIDE - SLACK:
             rule = "widest"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"exposing_corridor.wanted.{case.kind}")
+        return get_message(f"exposing_corridor.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the points of all grids, the corridor, and the points inside it."""
         draw_corridor(outcome.value if isinstance(outcome, Answer) else None, ax)
         from ....figures import plane
 
-        plane.title(self.words("picture"), ax)
+        plane.title(self.message("picture"), ax)
 
 
 def finds_corridor(corridor: Array) -> bool:

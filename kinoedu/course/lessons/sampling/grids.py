@@ -10,7 +10,7 @@ from ....sampling.grids import integer_root, lattice, points_per_side
 from ...exercise import Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from .pictures import draw_points
 
 POINTS = Numbers(("n", "d"))
@@ -46,7 +46,7 @@ class GridExercise(ValueExercise):
 
     lesson = "06_sampling"
     kinds = ("line", "plane", "space", "power")
-    given = Record(n=Whole(), d=Whole())
+    given = Record(n=Integer(), d=Integer())
     answer = POINTS
     tolerance = TOLERANCE
 
@@ -69,7 +69,7 @@ class GridExercise(ValueExercise):
     def fault_of_points(self, case: Case, value: Array) -> Verdict | None:
         """Return the verdict on points of a wrong number or outside the cube, or None."""
         rule = find_points_fault(value, case.given["n"], case.given["d"])
-        return Verdict(0.0, rule, self.wanted(case)) if rule else None
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else None
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether both are the same set of points."""

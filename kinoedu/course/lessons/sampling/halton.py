@@ -9,7 +9,7 @@ from ....sampling import halton, van_der_corput
 from ...exercise import Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from .digits import keep_order
 from .grids import POINTS, TOLERANCE, find_points_fault, sort_points
 from .pictures import draw_points
@@ -23,7 +23,7 @@ class Halton(ValueExercise):
     name = "halton"
     lesson = "06_sampling"
     kinds = ("line", "plane", "more", "others")
-    given = Record(n=Whole(), primes=Listed(Whole()))
+    given = Record(n=Integer(), primes=Listed(Integer()))
     answer = POINTS
     tolerance = TOLERANCE
     source = staticmethod(halton)
@@ -89,7 +89,11 @@ class Halton(ValueExercise):
             and super().same(sort_points(value), sort_points(self.truth(case)))
         ):
             rule = "order"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else super().value_verdict(case, value)
+        return (
+            Verdict(0.0, rule, self.describe_expected(case))
+            if rule
+            else super().value_verdict(case, value)
+        )
 
     def same(self, value: Any, truth: Any) -> bool:
         """Whether shapes and points are the same."""

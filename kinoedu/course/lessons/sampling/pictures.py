@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....sampling import largest_empty_ball, sukharev_grid, van_der_corput
-from ....words import say
 from ...exercise import Case, Exercise
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
@@ -44,8 +44,8 @@ def draw_points(
     d = next((points.shape[1] for points in (truth, found) if points is not None), 2)
     draw_square(ax, near, [(0, 0.5), (1, 0.5)] if d == 1 else CORNERS)
     for share in np.arange(1, cells) / cells if cells else ():
-        plane.stretch((share, 0), (share, 1), "", ax, colour=palette.OUTSIDE, width=0.9)
-        plane.stretch((0, share), (1, share), "", ax, colour=palette.OUTSIDE, width=0.9)
+        plane.segment((share, 0), (share, 1), "", ax, colour=palette.OUTSIDE, width=0.9)
+        plane.segment((0, share), (1, share), "", ax, colour=palette.OUTSIDE, width=0.9)
     if truth is not None:
         ring: Any = {
             "markerfacecolor": "none",
@@ -53,17 +53,17 @@ def draw_points(
             "markeredgewidth": 2.2,
             "markersize": 11,
         }
-        ax.plot(*project_points(truth).T, "o", label=say("picture.true"), zorder=5, **ring)
+        ax.plot(*project_points(truth).T, "o", label=get_message("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
         look = {"color": palette.GOAL, "markeredgewidth": 2.2, "zorder": 6}
-        ax.plot(*near.T, "x", markersize=size, label=say("picture.yours_short"), **look)
+        ax.plot(*near.T, "x", markersize=size, label=get_message("picture.yours_short"), **look)
     else:
-        text = say("picture.no_answer" if found is None else "samples.elsewhere")
+        text = get_message("picture.no_answer" if found is None else "samples.elsewhere")
         draw_label(text, 0.05, ax, colour=palette.GOAL)
     if truth is not None or len(near):
         ax.legend(fontsize=palette.TEXT_SIZE, loc="upper right", framealpha=1.0)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def project_points(points: Array) -> Array:
@@ -101,31 +101,31 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
     i, base = case.given.values()
     truth = float(van_der_corput(1, base, start=i)[0])
     plane.frame([(0, -0.3), (1, 0.3)], ax, margin=0.06)
-    plane.stretch((0, 0), (1, 0), "", ax, colour=palette.OBSTACLE)
+    plane.segment((0, 0), (1, 0), "", ax, colour=palette.OBSTACLE)
     if len(digits_of(i, base)) <= 24:
         both = {"digits": digits_of(i, base), "mirrored": mirrored_digits(i, base)}
-        text = say("samples.mirrored", i=i, base=base, **both)
+        text = get_message("samples.mirrored", i=i, base=base, **both)
         ax.text(
             0.5, 0.27, fill(text, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
         )
     plane.dot((truth, 0), "", ax, colour=palette.START)
-    text = say("picture.should_be", value=f"{truth:.6g}")
+    text = get_message("picture.should_be", value=f"{truth:.6g}")
     plane.label((truth, 0), text, ax, colour=palette.START, offset=(9, 14))
     if found is not None and -0.1 <= found <= 1.1:
         plane.dot((found, 0), "", ax, colour=palette.GOAL, marker="X")
-        text = say("picture.yours", value=f"{found:.6g}")
+        text = get_message("picture.yours", value=f"{found:.6g}")
         plane.label((found, 0), text, ax, colour=palette.GOAL, offset=(9, -32))
     else:
         text = (
-            say("picture.no_answer")
+            get_message("picture.no_answer")
             if found is None
-            else say("picture.yours", value=f"{found:.6g}")
+            else get_message("picture.yours", value=f"{found:.6g}")
         )
         plane.corner_note(text, ax, colour=palette.GOAL)
     ax.set_yticks([])
     ax.set_ylabel("")
     ax.set_xlabel("")
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> None:
@@ -148,13 +148,15 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
     ax.plot(*points.T, "o", color=palette.TREE, markersize=7, zorder=5)
     plane.dot(ball.centre, "", ax, colour=palette.START, marker="X")
     text = (
-        say("picture.no_answer")
+        get_message("picture.no_answer")
         if found is None
-        else say("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
+        else get_message("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
     )
     draw_label(text, 0.05, ax, colour=palette.GOAL)
-    draw_label(say("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    draw_label(
+        get_message("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START
+    )
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_corridor(corridor: Array | None, ax: Any) -> None:
@@ -165,7 +167,7 @@ def draw_corridor(corridor: Array | None, ax: Any) -> None:
     points = np.vstack([sukharev_grid(k * k) for k in (1, 2, 4, 8, 16)])
     ax.plot(*points.T, "o", color=palette.TREE, markersize=4, zorder=4)
     if corridor is None or not (np.abs(corridor) <= FAR).all():
-        text = say("picture.no_answer" if corridor is None else "samples.elsewhere")
+        text = get_message("picture.no_answer" if corridor is None else "samples.elsewhere")
         draw_label(text, 0.05, ax, colour=palette.GOAL)
         return
     x0, y0, x1, y1 = corridor

@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 
 from ....sampling import van_der_corput
-from ....sampling.halton import mirrored
+from ....sampling.halton import reverse_digits
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from .digits import find_digits, keep_order
 from .grids import TOLERANCE
 from .pictures import draw_mirrored
@@ -46,11 +46,11 @@ class RadicalInverse(ValueExercise):
     name = "radical_inverse"
     lesson = "06_sampling"
     kinds = ("one_digit", "binary", "other", "long")
-    given = Record(i=Whole(), base=Whole())
+    given = Record(i=Integer(), base=Integer())
     answer = Number()
     tolerance = TOLERANCE
     source = staticmethod(van_der_corput)
-    shown = staticmethod(mirrored)
+    shown = staticmethod(reverse_digits)
     slips = (
         Slip("forward", lambda i, base: keep_order(i, base)),
         Slip("left", lambda i, base: base * find_inverse(i, base)),

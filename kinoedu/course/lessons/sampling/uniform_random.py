@@ -7,10 +7,10 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....sampling import uniform_random
-from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
+from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
 
@@ -26,7 +26,7 @@ class UniformRandom(Exercise):
     name = "uniform_random"
     lesson = "06_sampling"
     kinds = ("few", "line", "plane", "space")
-    given = Record(n=Whole(), d=Whole(), rng=Whole())
+    given = Record(n=Integer(), d=Integer(), rng=Integer())
     answer = Together((POINTS, POINTS, POINTS))
     source = staticmethod(uniform_random)
 
@@ -66,21 +66,23 @@ class UniformRandom(Exercise):
         rule = rule or find_randomness_fault(first)
         if not rule and share_points(first, other):
             rule = "shared"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what is asked for."""
         n, d, _ = case.given.values()
-        return self.words("wanted", n=n, d=d)
+        return self.message("wanted", n=n, d=d)
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Describe the first of the three answers, or the two that are compared."""
         first, again, other = value
         rule = self.value_verdict(case, value).rule
         second = {"again": again, "another": other, "shared": other}.get(rule)
         if second is None:
-            return spoken(first)
-        return self.words(f"answers.{rule}", first=spoken(first[:3]), second=spoken(second[:3]))
+            return format_value(first)
+        return self.message(
+            f"answers.{rule}", first=format_value(first[:3]), second=format_value(second[:3])
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the student's points."""

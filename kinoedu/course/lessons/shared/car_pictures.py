@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from ....curves import dubins
-from ....curves.arcs import driven
+from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case, ValueExercise
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
@@ -18,12 +18,10 @@ def arc(pose: Array, distance: float, curvature: float) -> Array:
     """Poses along an arc, shape (k, 3)."""
     k = 2 + int(min(40.0 * abs(distance * curvature), 2000.0))
     fractions = np.linspace(0.0, 1.0, k)
-    return np.array([driven(*pose, part * distance, curvature) for part in fractions])
+    return np.array([drive_arc(*pose, part * distance, curvature) for part in fractions])
 
 
-def frame_both(
-    truth: Array, value: Array | None, words: str, ax: Any
-) -> tuple[float, Array | None]:
+def set_axes(truth: Array, value: Array | None, words: str, ax: Any) -> tuple[float, Array | None]:
     """Set the axes around the true poses, and around the student's where they are near enough.
 
     Returns
@@ -36,11 +34,13 @@ def frame_both(
     shown = None if value is None or not len(value) or not np.isfinite(value).all() else value
     if shown is not None and np.abs(shown[:, :2] - truth[0, :2]).max() > 4.0 * size:
         plane.corner_note(
-            say("picture.outside", what=say("picture.yours_short")), ax, colour=palette.GOAL
+            get_message("picture.outside", what=get_message("picture.yours_short")),
+            ax,
+            colour=palette.GOAL,
         )
         shown = None
     elif shown is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     plane.frame((truth if shown is None else np.vstack([truth, shown]))[:, :2], ax, margin=0.2)
     plane.title(words, ax)
     return 0.18 * size, shown
@@ -52,15 +52,15 @@ def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
     pose, v, phi, t, wheelbase = case.given.values()
     way = arc(pose, v * t, math.tan(phi) / wheelbase)
-    size, shown = frame_both(
-        way, None if value is None else value[None], exercise.words(f"pictures.{case.kind}"), ax
+    size, shown = set_axes(
+        way, None if value is None else value[None], exercise.message(f"pictures.{case.kind}"), ax
     )
     ax.plot(*way[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
-    cars.draw_pose(pose, size, say("car_picture.start"), ax, colour=palette.INK, below=True)
-    cars.draw_pose(way[-1], size, say("picture.true"), ax, colour=palette.START)
+    cars.draw_pose(pose, size, get_message("car_picture.start"), ax, colour=palette.INK, below=True)
+    cars.draw_pose(way[-1], size, get_message("picture.true"), ax, colour=palette.START)
     if shown is not None:
         cars.draw_pose(
-            shown[0], size, say("picture.yours_short"), ax, colour=palette.GOAL, below=True
+            shown[0], size, get_message("picture.yours_short"), ax, colour=palette.GOAL, below=True
         )
 
 
@@ -72,7 +72,7 @@ def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: An
     truth, ways = exercise.truth(case), [start[None]]
     for pose, (v, phi), t in zip(truth, controls, durations):
         ways.append(arc(pose, v * t, math.tan(phi) / wheelbase))
-    size, shown = frame_both(np.vstack(ways), value, exercise.words(f"pictures.{case.kind}"), ax)
+    size, shown = set_axes(np.vstack(ways), value, exercise.message(f"pictures.{case.kind}"), ax)
     ax.plot(*np.vstack(ways)[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
     for number, pose in enumerate(truth):
         cars.draw_pose(pose, 0.7 * size, str(number), ax, colour=palette.START)
@@ -86,14 +86,14 @@ def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
 
     pose, v, phi, t, wheelbase, _ = case.given.values()
     truth = exercise.truth(case)
-    size, shown = frame_both(truth, value, exercise.words(f"pictures.{case.kind}"), ax)
+    size, shown = set_axes(truth, value, exercise.message(f"pictures.{case.kind}"), ax)
     exact = arc(pose, v * t, math.tan(phi) / wheelbase)
     ax.plot(*exact[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
     solid = {"color": palette.START, "linewidth": 2.6, "markersize": 6, "zorder": 4}
-    ax.plot(*truth[:, :2].T, "-o", label=say("picture.true"), **solid)
+    ax.plot(*truth[:, :2].T, "-o", label=get_message("picture.true"), **solid)
     if shown is not None:
         dashed = {"color": palette.GOAL, "linewidth": 2.2, "markersize": 6, "zorder": 5}
-        ax.plot(*shown[:, :2].T, "--s", label=say("picture.yours_short"), **dashed)
+        ax.plot(*shown[:, :2].T, "--s", label=get_message("picture.yours_short"), **dashed)
     cars.draw_pose(pose, size, "", ax, colour=palette.INK)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
 
@@ -107,16 +107,18 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: An
     truth = exercise.truth(case)
     for k, order in enumerate(truth):
         yours = (
-            f"{value[k]:.3g}" if value is not None and k < len(value) else say("car_picture.none")
+            f"{value[k]:.3g}"
+            if value is not None and k < len(value)
+            else get_message("car_picture.none")
         )
         at = math.sqrt(h[k] * h[k + 1]), math.sqrt(errors[k] * errors[k + 1])
-        name = say("car_picture.order", true=f"{order:.3g}", yours=yours)
+        name = get_message("car_picture.order", true=f"{order:.3g}", yours=yours)
         plane.label(at, name, ax, colour=palette.GOAL, offset=(9, -16))
     ax.margins(x=0.35, y=0.2)
-    ax.set_xlabel(say("car_picture.step"), fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel(say("car_picture.error"), fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel(get_message("car_picture.step"), fontsize=palette.TEXT_SIZE)
+    ax.set_ylabel(get_message("car_picture.error"), fontsize=palette.TEXT_SIZE)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1, which="both")
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
@@ -125,7 +127,7 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
 
     a, b, r = case.given.values()
     curve = min(
-        (one for one in dubins.every_word(a, b, r) if one.word[1] == "S"),
+        (one for one in dubins.all_dubins_curves(a, b, r) if one.word[1] == "S"),
         key=lambda one: one.length,
     )
     centres = [
@@ -143,10 +145,12 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
     cars.draw_curve(curve, ax, colour=palette.START)
     cars.draw_pose(a, r, "a", ax, colour=palette.INK, below=True)
     cars.draw_pose(b, r, "b", ax, colour=palette.INK, below=True)
-    yours = say("car_picture.none") if value is None else f"{value:.4g}"
-    words = say("car_picture.lengths", word=curve.word, true=f"{curve.length:.4g}", yours=yours)
+    yours = get_message("car_picture.none") if value is None else f"{value:.4g}"
+    words = get_message(
+        "car_picture.lengths", word=curve.word, true=f"{curve.length:.4g}", yours=yours
+    )
     plane.corner_note(words, ax, colour=palette.GOAL)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> None:
@@ -155,7 +159,7 @@ def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> N
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
         return
     (phi, t), start = value, np.zeros(3)
     true, believed = arc(start, t, math.tan(phi) / wheelbase), arc(start, t, phi / wheelbase)
@@ -166,6 +170,6 @@ def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> N
         (believed, palette.GOAL, "--", "program"),
     ):
         ax.plot(*way[:, :2].T, style, color=colour, linewidth=2.4, zorder=3)
-        name, below = say(f"car_picture.{words}"), colour == palette.GOAL
+        name, below = get_message(f"car_picture.{words}"), colour == palette.GOAL
         cars.draw_pose(way[-1], size, name, ax, colour=colour, below=below)
-    plane.title(say("exposing_drive.picture"), ax)
+    plane.title(get_message("exposing_drive.picture"), ax)

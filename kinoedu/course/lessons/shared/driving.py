@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from ....curves.arcs import driven
+from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
-from ....spaces.angles import short_way, wrapped
+from ....spaces.angles import angle_difference, wrap_angle
 from ...exercise import ValueExercise
 from ...shapes import Numbers
 
@@ -16,9 +16,9 @@ POSE = Numbers((3,))
 Mover = Callable[[Array, float, float, float, float], Any]
 
 
-def moved(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
+def pose_after(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """Pose after a control was held for a time t, shape (3,)."""
-    return np.array(driven(pose[0], pose[1], pose[2], v * t, math.tan(phi) / wheelbase))
+    return np.array(drive_arc(pose[0], pose[1], pose[2], v * t, math.tan(phi) / wheelbase))
 
 
 class PoseExercise(ValueExercise):
@@ -32,19 +32,19 @@ class PoseExercise(ValueExercise):
         if not np.isfinite(found).all() or not super().same(found[:, :2], wanted[:, :2]):
             return False
         return all(
-            abs(short_way(wrapped(a), wrapped(b))) <= self.tolerance
+            abs(angle_difference(wrap_angle(a), wrap_angle(b))) <= self.tolerance
             for a, b in zip(found[:, 2], wanted[:, 2])
         )
 
 
 def with_curvature(bend: Callable[[float, float], float]) -> Mover:
     """A program that drives a curvature other than tan(phi) / L."""
-    return lambda pose, v, phi, t, wheelbase: driven(*pose, v * t, bend(phi, wheelbase))
+    return lambda pose, v, phi, t, wheelbase: drive_arc(*pose, v * t, bend(phi, wheelbase))
 
 
 def without_turning(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """A program whose position is right and whose heading does not change."""
-    return np.array([*moved(pose, v, phi, t, wheelbase)[:2], pose[2]])
+    return np.array([*pose_after(pose, v, phi, t, wheelbase)[:2], pose[2]])
 
 
 def a_pose(rng: np.random.Generator) -> Array:

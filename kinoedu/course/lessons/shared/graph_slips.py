@@ -76,7 +76,7 @@ def depths(neighbours: Neighbours, start: int) -> list[int]:
     ]
 
 
-def entered(neighbours: Neighbours, start: int, goal: int) -> list[int]:
+def dfs_order(neighbours: Neighbours, start: int, goal: int) -> list[int]:
     """Nodes in the order in which a depth-first search enters them, dead ends included."""
     order: list[int] = []
 
@@ -88,7 +88,7 @@ def entered(neighbours: Neighbours, start: int, goal: int) -> list[int]:
     return order
 
 
-def walked(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
+def dfs_walk(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
     """Walk of a depth-first search that steps back out of dead ends."""
     walk, seen = [], set()
 
@@ -206,7 +206,7 @@ def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list
     return cost
 
 
-def in_turn(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
+def queue_costs(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
     """Costs where nodes leave a queue in the order of arrival, each once."""
     cost, order = [inf] * len(neighbours), first_in(neighbours, start)[1]
     cost[start] = 0.0

@@ -7,7 +7,7 @@ import numpy as np
 from ....geometry import closest_point_on_segment, line_through_points
 from ....geometry.checks import Array
 from ....geometry.polygons import nearest_on_ring
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case, ValueExercise
 from ...outcomes import Answer
 
@@ -21,25 +21,27 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any)
     p1, p2 = case.given["p1"], case.given["p2"]
     plane.frame([p1, p2], ax, margin=0.6)
     if (p1 != p2).any():
-        plane.endless(line_through_points(p1, p2), say("picture.true"), ax, colour=palette.START)
+        plane.line(
+            line_through_points(p1, p2), get_message("picture.true"), ax, colour=palette.START
+        )
     if value is not None:
         numbers = ", ".join(f"{number if abs(number) > 1e-12 else 0.0:.3g}" for number in value)
-        plane.endless(
-            value, say("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--"
+        plane.line(
+            value, get_message("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--"
         )
     if ax.lines:
         ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax)
     plane.dot(p2, "p2" if (p1 != p2).any() else "", ax)
     if value is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(title_words(exercise, case, value), ax)
 
 
 def title_words(exercise: ValueExercise, case: Case, value: Array | None) -> str:
     """Title of the picture: about the length where that is wrong, else about the kind of input."""
     wrong_length = value is not None and exercise.judge(case, Answer(value)).rule == "unit"
-    return exercise.words(f"pictures.{'unit' if wrong_length else case.kind}")
+    return exercise.message(f"pictures.{'unit' if wrong_length else case.kind}")
 
 
 def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
@@ -55,19 +57,19 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
     draw_target(exercise, target, ax)
     if nearest is not None:
         plane.ring(q, truth, "", ax, colour=palette.START)
-        words = say("picture.should_be", value=f"{truth:.4g}")
+        words = get_message("picture.should_be", value=f"{truth:.4g}")
         if truth > 0:
-            plane.stretch(q, nearest, words, ax, colour=palette.START)
+            plane.segment(q, nearest, words, ax, colour=palette.START)
     if value is not None and np.isfinite(value) and value > 0:
-        name = say("picture.yours", value=f"{value:.4g}")
+        name = get_message("picture.yours", value=f"{value:.4g}")
         plane.ring(q, value, name, ax, colour=palette.GOAL, style="--")
     else:
-        words = say("picture.no_answer")
+        words = get_message("picture.no_answer")
         if value is not None:
-            words = say("picture.yours", value=f"{value:.4g}")
+            words = get_message("picture.yours", value=f"{value:.4g}")
         plane.corner_note(words, ax, colour=palette.GOAL)
     plane.dot(q, "q", ax)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
@@ -79,8 +81,8 @@ def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
         return
     p1, p2 = target
     if exercise.name == "point_line_distance" and (p1 != p2).any():
-        plane.endless(line_through_points(p1, p2), "", ax, colour=palette.OBSTACLE)
-    plane.stretch(p1, p2, "", ax, colour=palette.OBSTACLE, width=4.0)
+        plane.line(line_through_points(p1, p2), "", ax, colour=palette.OBSTACLE)
+    plane.segment(p1, p2, "", ax, colour=palette.OBSTACLE, width=4.0)
     plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax, colour=palette.OBSTACLE)
     plane.dot(p2, "p2" if (p1 != p2).any() else "", ax, colour=palette.OBSTACLE)
 
@@ -113,16 +115,16 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
         ends.append(q + reach * seen)
     plane.frame(np.vstack([q, polygon, *ends]), ax, margin=0.15)
     plane.polygon(polygon, ax)
-    plane.stretch(q, (x, y), "", ax, style=":")
+    plane.segment(q, (x, y), "", ax, style=":")
     if region != 0:
         plane.ring(
             (x, y), float(np.hypot(*(q - (x, y)))), "", ax, colour=palette.OUTSIDE, style=":"
         )
-    plane.arrow(q, reach * truth, say("picture.true"), ax, colour=palette.START)
+    plane.arrow(q, reach * truth, get_message("picture.true"), ax, colour=palette.START)
     if seen is not None and np.isfinite(seen).all() and seen.any():
-        words = say("picture.yours_short")
+        words = get_message("picture.yours_short")
         if abs(size - 1.0) >= 1e-6:
-            words = say("picture.yours_long", length=f"{size:.3g}")
+            words = get_message("picture.yours_long", length=f"{size:.3g}")
         plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
     plane.dot(q, "q", ax)
     plane.title(title_words(exercise, case, value), ax)
@@ -135,13 +137,13 @@ def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:
     q, polygon = value if value is not None else (np.zeros(2), np.empty((0, 2)))
     if value is None or not np.isfinite(np.vstack([q, polygon])).all():
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
         return
     plane.frame(np.vstack([q, polygon]), ax, margin=0.3)
     if len(polygon) > 1:
         plane.polygon(polygon, ax)
     far = max(ax.get_xlim()[1], q[0])
-    plane.stretch(q, (far, q[1]), "", ax, colour=palette.GOAL, style="--")
+    plane.segment(q, (far, q[1]), "", ax, colour=palette.GOAL, style="--")
     crossed: dict[float, int] = {}
     for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
         if a[1] != b[1] and min(a[1], b[1]) <= q[1] <= max(a[1], b[1]):
@@ -151,4 +153,4 @@ def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:
     for x, times in crossed.items():
         plane.dot((x, q[1]), f"{times}x" if times > 1 else "", ax, colour=palette.GOAL, marker="X")
     plane.dot(q, "q", ax)
-    plane.title(say("exposing_case.picture"), ax)
+    plane.title(get_message("exposing_case.picture"), ax)

@@ -3,7 +3,7 @@
 A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=Task()` and ends with
 `rng=Whole()`, a seed; `result` is the shape of one answer. The planner is called three times, twice
 with the same seed and once with another, each time with a new problem that records its calls.
-`fault` finds what is wrong with one answer, by `why_not_a_path` and `why_not_a_tree`; these check
+`fault` finds what is wrong with one answer, by `find_path_fault` and `find_tree_fault`; these check
 every motion again with the course's own collision code. Whether all randomness comes from `rng` is
 judged here.
 
@@ -21,29 +21,29 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....problems import Tree
-from ...exercise import RIGHT, Case, Exercise, Verdict, spoken
+from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Shape, Together, Truth
-from ...tasks import Asked, Task, problem_of
+from ...tasks import ProblemShape, StudentProblem, problem_of
 from .small_problems import TRAPS
 
 __all__ = [
     "NODES",
     "PATH",
     "TRAPS",
-    "Asked",
     "Fault",
     "PlannerExercise",
-    "Task",
+    "ProblemShape",
+    "StudentProblem",
     "empty_boxes",
+    "find_motion_off_tree",
+    "find_node_off_nearest",
+    "find_path_fault",
+    "find_tree_fault",
     "first_not_free",
-    "not_along_tree",
-    "not_to_nearest",
     "problem_of",
-    "same",
+    "same_configuration",
     "three_times",
-    "why_not_a_path",
-    "why_not_a_tree",
 ]
 
 NODES, PATH = Numbers(("n", "d")), Numbers(("k", "d"))
@@ -60,7 +60,7 @@ class Fault(NamedTuple):
     marked: Array
 
 
-def why_not_a_path(problem: Any, path: Array) -> Fault | None:
+def find_path_fault(problem: Any, path: Array) -> Fault | None:
     """First reason why a path is not a free path from start to goal.
 
     Returns
@@ -72,12 +72,12 @@ def why_not_a_path(problem: Any, path: Array) -> Fault | None:
     if fault is not None or len(path) == 0:
         return fault or Fault("start", np.empty((0, len(problem.start))))
     for rule, row, end in (("start", path[0], problem.start), ("goal", path[-1], problem.goal)):
-        if not same(problem, row, end):
+        if not same_configuration(problem, row, end):
             return Fault(rule, row[None])
     return first_not_free(problem, path[:-1], path[1:])
 
 
-def why_not_a_tree(
+def find_tree_fault(
     problem: Any, nodes: Array, parent: NDArray[np.int64], step: float, root: Array | None = None
 ) -> Fault | None:
     """First reason why nodes and parents are not a tree of free steps from its root.
@@ -97,7 +97,9 @@ def why_not_a_tree(
         return fault
     if len(nodes) == 0 or len(parent) != len(nodes):
         return Fault("parents", nodes[:0])
-    if parent[0] != -1 or not same(problem, nodes[0], problem.start if root is None else root):
+    if parent[0] != -1 or not same_configuration(
+        problem, nodes[0], problem.start if root is None else root
+    ):
         return Fault("root", nodes[:1])
     for i in range(1, len(nodes)):
         if not 0 <= parent[i] < i:
@@ -109,7 +111,7 @@ def why_not_a_tree(
     return first_not_free(problem, before, after)
 
 
-def not_to_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
+def find_node_off_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
     """First node that is not connected to its nearest earlier node, the goal excepted.
 
     A new node lies on the straight way from its nearest node to the sample. By the triangle
@@ -120,7 +122,7 @@ def not_to_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fau
     Fault or None
     """
     for i in range(1, len(nodes)):
-        if same(problem, nodes[i], problem.goal):
+        if same_configuration(problem, nodes[i], problem.goal):
             continue
         length = problem.distance(nodes[parent[i]], nodes[i])
         nearest = min(problem.distance(node, nodes[i]) for node in nodes[:i])
@@ -129,7 +131,7 @@ def not_to_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fau
     return None
 
 
-def not_along_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
+def find_motion_off_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
     """First motion of a path that does not lead from a node of the tree to a child.
 
     Returns
@@ -150,7 +152,7 @@ def not_configurations(problem: Any, q: Array) -> Fault | None:
     return None
 
 
-def same(problem: Any, a: Array, b: Array) -> bool:
+def same_configuration(problem: Any, a: Array, b: Array) -> bool:
     """Whether two configurations are equal up to rounding."""
     return bool(problem.distance(a, b) <= ROUNDING * (1.0 + np.abs(b).max()))
 
@@ -205,7 +207,7 @@ class PlannerExercise(Exercise):
         before = random.getstate(), np.random.get_state()
         answers = []
         for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            arguments = {**given, "problem": given["problem"].anew(), "rng": rng}
+            arguments = {**given, "problem": given["problem"].fresh_copy(), "rng": rng}
             answers.append(function(*arguments.values()))
         after = random.getstate(), np.random.get_state()
         random.setstate(before[0])
@@ -235,23 +237,23 @@ class PlannerExercise(Exercise):
     def value_verdict(self, case: Case, value: Any) -> Verdict:
         """Right where none of the three answers has a fault."""
         fault = self.fault_of_three(case, value)
-        return RIGHT if fault is None else Verdict(0.0, fault.rule, self.wanted(case))
+        return RIGHT if fault is None else Verdict(0.0, fault.rule, self.describe_expected(case))
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Description of what the case asks for."""
-        return self.words(f"wanted.{case.kind}")
+        return self.message(f"wanted.{case.kind}")
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Description of what was built, and of the configurations at fault."""
         trees, path = self.drawn(value[0])
-        parts = [self.words("answers.tree", nodes=len(tree.nodes)) for tree in trees]
+        parts = [self.message("answers.tree", nodes=len(tree.nodes)) for tree in trees]
         if path is None:
-            parts.append(self.words("answers.no_path"))
+            parts.append(self.message("answers.no_path"))
         else:
-            parts.append(self.words("answers.path", rows=len(path)))
+            parts.append(self.message("answers.path", rows=len(path)))
         fault = self.fault_of_three(case, value)
         if fault is not None and len(fault.marked):
-            parts.append(self.words("answers.at", marked=spoken(np.round(fault.marked, 3))))
+            parts.append(self.message("answers.at", marked=format_value(np.round(fault.marked, 3))))
         return "; ".join(parts)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
@@ -261,7 +263,7 @@ class PlannerExercise(Exercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         fault = None if value is None else self.fault_of_three(case, value)
         trees, path = ([], None) if value is None else self.drawn(value[0])
-        title = self.words(f"pictures.{self.judge(case, outcome).rule}")
+        title = self.message(f"pictures.{self.judge(case, outcome).rule}")
         draw_answer(case.given["problem"].problem, trees, path, fault, title, ax)
 
 

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
+from ....messages import get_message
 from ....problems import ProblemRecord, Tree
-from ....words import say
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
@@ -33,7 +33,7 @@ def draw_answer(
         cross = {"color": palette.GOAL, "markersize": 13, "markeredgecolor": "white", "zorder": 9}
         ax.plot(*marks[-1], "X", **cross)
     if not trees and path is None:
-        plane.corner_note(say("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(words, ax)
 
 

@@ -12,12 +12,14 @@ Weights = list[list[float]]
 SIZES = (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)  # nodes of the random cases
 
 
-def lists(n: int, rows: Iterable[Any], *, directed: bool = False) -> tuple[Neighbours, Weights]:
+def adjacency_lists(
+    n: int, rows: Iterable[Any], *, directed: bool = False
+) -> tuple[Neighbours, Weights]:
     """Adjacency lists in increasing order, and the weights beside them.
 
     Rows are (u, v) or (u, v, weight). For repeated edges the last weight counts.
 
-    >>> lists(3, [(0, 2, 5), (0, 1)])
+    >>> adjacency_lists(3, [(0, 2, 5), (0, 1)])
     ([[1, 2], [0], [0]], [[1.0, 5.0], [1.0], [5.0]])
     """
     leads: list[dict[int, float]] = [{} for _ in range(n)]
@@ -86,10 +88,13 @@ def random_graphs(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours, W
     """Yield one graph of each size for each kind of `random_rows`."""
     for n in SIZES:
         for kind in ("tree", "cycle", "directed", "parts"):
-            yield (kind, *lists(n, random_rows(kind, n, rng), directed=kind == "directed"))
+            yield (
+                kind,
+                *adjacency_lists(n, random_rows(kind, n, rng), directed=kind == "directed"),
+            )
 
 
-def far_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
+def reachable_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
     """A start and a goal that is reachable, at least two edges away where possible."""
     from ....graphs import bfs
 
@@ -103,7 +108,7 @@ def far_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int
     return 0, 0
 
 
-def lost_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
+def unreachable_pair(neighbours: Neighbours, rng: np.random.Generator) -> tuple[int, int]:
     """A start and a goal that is not reachable; the graph must have such a pair."""
     from ....graphs import bfs
 

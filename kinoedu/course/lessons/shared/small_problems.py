@@ -5,14 +5,14 @@ from typing import Any
 from ....problems import Problem
 from ....robots import Point
 from ....worlds import PolygonWorld
-from ...tasks import Asked
+from ...tasks import StudentProblem
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 
 
-def in_room(start: Any, goal: Any, *obstacles: Any) -> Asked:
+def in_room(start: Any, goal: Any, *obstacles: Any) -> StudentProblem:
     """Problem of a point among obstacles, in a room of 10 x 10."""
-    return Asked(Problem(Point(), PolygonWorld(SQUARE, obstacles), start, goal))
+    return StudentProblem(Problem(Point(), PolygonWorld(SQUARE, obstacles), start, goal))
 
 
 def box(x0: float, y0: float, x1: float, y1: float) -> list[tuple[float, float]]:

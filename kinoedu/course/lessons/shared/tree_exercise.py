@@ -9,11 +9,11 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ...exercise import Case
-from ...whole_shapes import WholeNumbers
-from .planned import TRAPS, Asked, Fault, PlannerExercise, why_not_a_path
+from ...whole_shapes import Integers
+from .planned import TRAPS, Fault, PlannerExercise, StudentProblem, find_path_fault
 from .small_problems import box, in_room
 
-PARENTS = WholeNumbers(("n",))
+PARENTS = Integers(("n",))
 STEP, BIAS = 1.0, 0.1
 
 # iterations; each of 2,000 seeds needed fewer
@@ -21,7 +21,7 @@ ENOUGH = {"same": 10, "room": 200, "sealed": 300, "wall": 1200, "passage": 1200,
 KINDS = tuple(ENOUGH)
 
 
-def room_by_chance(rng: np.random.Generator) -> Asked:
+def room_by_chance(rng: np.random.Generator) -> StudentProblem:
     """Problem with start and goal on two sides of a wall that has one gap, at a random place."""
     low = round(float(rng.uniform(1.0, 7.0)), 1)
     x = round(float(rng.uniform(3.5, 6.0)), 1)
@@ -41,11 +41,11 @@ class TreeExercise(PlannerExercise):
         """Every trap twice, then walls with a random gap."""
         for _ in range(2):
             for kind in KINDS:
-                yield self.asked(kind, TRAPS[kind], rng)
+                yield self.make_case(kind, TRAPS[kind], rng)
         for _ in range(2):
-            yield self.asked("wall", room_by_chance(rng), rng)
+            yield self.make_case("wall", room_by_chance(rng), rng)
 
-    def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Case of a problem, with a random seed."""
         raise NotImplementedError
 
@@ -54,4 +54,4 @@ class TreeExercise(PlannerExercise):
         nowhere = np.empty((0, len(case.given["problem"].start)))
         if path is None:
             return Fault("missed", nowhere) if case.kind != "sealed" else None
-        return why_not_a_path(case.given["problem"], path)
+        return find_path_fault(case.given["problem"], path)

@@ -9,7 +9,7 @@ from ....geometry.checks import Array
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Text
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 
 QUARTERS = (0.25, 0.5, 0.75)
 
@@ -24,7 +24,7 @@ class ComparePlanners(ValueExercise):
     lesson = "10_terrains"
     kinds = ("all_found", "other_seeds", "some_fail", "none_found", "outlier")
     given = Record(
-        lengths=Numbers(("planners", "seeds")), planners=Listed(Text(40)), seeds=Listed(Whole())
+        lengths=Numbers(("planners", "seeds")), planners=Listed(Text(40)), seeds=Listed(Integer())
     )
     answer = Numbers(("n", 4))
     slips = (

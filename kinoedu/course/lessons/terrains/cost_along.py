@@ -7,7 +7,7 @@ import numpy as np
 
 from ....collision.costs import cost_on_terrain, integral
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
@@ -77,7 +77,13 @@ class CostAlong(ValueExercise):
         from .pictures import draw_costs
 
         found = outcome.value if isinstance(outcome, Answer) else None
-        draw_costs(self, case, found, say("picture.should_be", value=self.wanted(case)), ax)
+        draw_costs(
+            self,
+            case,
+            found,
+            get_message("picture.should_be", value=self.describe_expected(case)),
+            ax,
+        )
 
 
 def draw_case(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:

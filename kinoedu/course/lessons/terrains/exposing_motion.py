@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
 from ..geometry.lines import POINT
-from .motions import find_crossed_cells, find_cuts, find_motion_fault, measure_length, samples_along
+from .motions import find_crossed_cells, find_cuts, find_motion_fault, measure_length, sample_motion
 
 DEEP = 0.49  # least length in the rock; samples are 0.5 apart
 
@@ -36,18 +36,18 @@ class ExposeSampling(Exercise):
             rule = find_exposing_fault(*value)
         if not rule and case.kind == "deepest" and measure_deepest(*value) < DEEP:
             rule = "deepest"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"exposing_motion.wanted.{case.kind}")
+        return get_message(f"exposing_motion.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the cells, the motion and its samples."""
         from .pictures import draw_samples_on
 
         draw_samples_on(
-            outcome.value if isinstance(outcome, Answer) else None, self.words("picture"), ax
+            outcome.value if isinstance(outcome, Answer) else None, self.message("picture"), ax
         )
 
 
@@ -56,7 +56,7 @@ def is_free_by_samples(free: Array, a: Array, b: Array) -> bool:
 
     The program accepts motions that go through rocks. Which?
     """
-    return all(free[int(y), int(x)] for x, y in samples_along(a, b))
+    return all(free[int(y), int(x)] for x, y in sample_motion(a, b))
 
 
 def find_exposing_fault(free: Array, a: Array, b: Array) -> str:

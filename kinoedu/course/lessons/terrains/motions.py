@@ -31,7 +31,7 @@ def find_crossed_cells(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]
     return [(int(x), int(y)) for x, y in middles]
 
 
-def samples_along(a: Array, b: Array) -> Array:
+def sample_motion(a: Array, b: Array) -> Array:
     """Return points half a cell apart along a motion from a, and b itself, (n, 2)."""
     shares = np.append(
         np.arange(0.0, measure_length(a, b), 0.5) / (measure_length(a, b) or 1.0), 1.0

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ....words import say
-from ...exercise import Case, Exercise, spoken
-from .motions import find_cuts, find_motion_fault, samples_along
+from ....messages import get_message
+from ...exercise import Case, Exercise, format_value
+from .motions import find_cuts, find_motion_fault, sample_motion
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
@@ -39,8 +39,12 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
     set_cell_axes(ax, columns, rows)
     plane.dot(a, "a", ax, colour=palette.START)
     plane.dot(b, "b", ax, colour=palette.GOAL)
-    yours = say("picture.no_answer") if found is None else say("picture.yours", value=spoken(found))
-    plane.title(f"{exercise.words(f'pictures.{case.kind}')}\n{truth}; {yours}", ax)
+    yours = (
+        get_message("picture.no_answer")
+        if found is None
+        else get_message("picture.yours", value=format_value(found))
+    )
+    plane.title(f"{exercise.message(f'pictures.{case.kind}')}\n{truth}; {yours}", ax)
 
 
 def set_cell_axes(ax: Any, columns: int, rows: int) -> None:
@@ -78,8 +82,8 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
         ax.text(-0.5, row, f"{row}", fontsize=size, color=palette.OBSTACLE, va="center")
     for c in range(m):
         look = {"fontsize": size, "color": palette.OBSTACLE, "va": "center"}
-        ax.text(c, -0.8, say("repeated_rows.column", number=c), **look)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+        ax.text(c, -0.8, get_message("repeated_rows.column", number=c), **look)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Any) -> None:
@@ -103,9 +107,9 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
             ax.plot(median, i + below, "D", markersize=9, **look)
     ax.set_yticks(range(len(planners)), planners, fontsize=palette.TEXT_SIZE)
     ax.set_ylim(len(planners) - 0.4, -0.5)
-    ax.set_xlabel(say("comparisons.cost"), fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel(get_message("comparisons.cost"), fontsize=palette.TEXT_SIZE)
     ax.tick_params(labelsize=palette.TEXT_SIZE)
-    plane.title(exercise.words(f"pictures.{case.kind}"), ax)
+    plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
 def draw_samples_on(value: Any, text: str, ax: Any) -> None:
@@ -114,7 +118,7 @@ def draw_samples_on(value: Any, text: str, ax: Any) -> None:
 
     if value is None or find_motion_fault(*value):
         plane.frame([(0, 0), (3, 2)], ax)
-        note = say("picture.no_answer" if value is None else "exposing_motion.outside")
+        note = get_message("picture.no_answer" if value is None else "exposing_motion.outside")
         plane.corner_note(note, ax, colour=palette.GOAL)
     else:
         free, a, b = value
@@ -130,6 +134,6 @@ def draw_samples_on(value: Any, text: str, ax: Any) -> None:
         )
         ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
         look = {"color": palette.TREE, "markeredgecolor": "white", "zorder": 5}
-        ax.plot(*samples_along(a, b).T, "o", markersize=8, **look)
+        ax.plot(*sample_motion(a, b).T, "o", markersize=8, **look)
         set_cell_axes(ax, columns, rows)
     plane.title(text, ax)

@@ -10,8 +10,16 @@ from ....planners.roadmaps.prm import prm
 from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Record, Together
-from ...whole_shapes import Whole, WholeNumbers
-from ..shared.planned import NODES, PATH, Asked, Fault, Task, empty_boxes, three_times
+from ...whole_shapes import Integer, Integers
+from ..shared.planned import (
+    NODES,
+    PATH,
+    Fault,
+    ProblemShape,
+    StudentProblem,
+    empty_boxes,
+    three_times,
+)
 from .rrt_on_terrain import TerrainPlanner
 
 
@@ -49,13 +57,13 @@ class PrmOnTerrain(TerrainPlanner):
     """Build a roadmap of n free samples and all free pairs, and find a shortest path."""
 
     name = "prm_on_terrain"
-    given = Record(problem=Task(), n=Whole(), rng=Whole())
-    result = Together((NODES, WholeNumbers(("m", 2)), Maybe(PATH)))
+    given = Record(problem=ProblemShape(), n=Integer(), rng=Integer())
+    result = Together((NODES, Integers(("m", 2)), Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(build_roadmap)
     shown = staticmethod(prm)
 
-    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case with enough samples for every trap."""
         return Case(kind, {"problem": problem, "n": 8 if kind == "same" else 40, "rng": rng})
 

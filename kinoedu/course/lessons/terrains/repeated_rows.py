@@ -9,7 +9,7 @@ from ....geometry.checks import Array
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
-from ...whole_shapes import WholeNumbers
+from ...whole_shapes import Integers
 
 # path length and seconds of RRT on six terrains, then of PRM on the same terrains: P. A. Maniar,
 # "AI path prediction and planning for autonomous vehicles", section 6
@@ -36,7 +36,7 @@ class RepeatedRows(ValueExercise):
     lesson = "10_terrains"
     kinds = ("none", "one_column", "whole_rows", "far_apart", "three_alike", "missing")
     given = Record(table=Numbers(("n", "m")))
-    answer = WholeNumbers(("k", 3))
+    answer = Integers(("k", 3))
     slips = (
         Slip("neighbours", lambda table: [r for r in find_repeats(table) if r[1] == r[0] + 1]),
         Slip(

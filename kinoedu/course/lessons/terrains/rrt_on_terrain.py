@@ -13,19 +13,19 @@ from ....robots import Point
 from ....worlds import Terrain
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together
-from ...whole_shapes import Whole, WholeNumbers
+from ...whole_shapes import Integer, Integers
 from ..shared.planned import (
     NODES,
     PATH,
-    Asked,
     Fault,
     PlannerExercise,
-    Task,
-    not_along_tree,
-    not_to_nearest,
+    ProblemShape,
+    StudentProblem,
+    find_motion_off_tree,
+    find_node_off_nearest,
+    find_path_fault,
+    find_tree_fault,
     three_times,
-    why_not_a_path,
-    why_not_a_tree,
 )
 
 STEP, SPACING, FAILURES = 6.0, 3.0, 400
@@ -34,12 +34,12 @@ LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 
 SMALL = 40  # cells along each side
 
 
-def make_terrain_problem(blocked: Any, start: Any, goal: Any) -> Asked:
+def make_terrain_problem(blocked: Any, start: Any, goal: Any) -> StudentProblem:
     """Return a point's problem on 40 x 40 cells with blocked boxes (x0, y0, x1, y1)."""
     free = np.ones((SMALL, SMALL), np.bool_)
     for x0, y0, x1, y1 in blocked:
         free[y0:y1, x0:x1] = False
-    return Asked(Problem(Point(), Terrain(free), start, goal))
+    return StudentProblem(Problem(Point(), Terrain(free), start, goal))
 
 
 TERRAINS = {
@@ -75,7 +75,7 @@ class TerrainPlanner(PlannerExercise):
                 int(rng.integers(1000)),
             )
 
-    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return the case of a problem with a seed."""
         raise NotImplementedError
 
@@ -83,7 +83,7 @@ class TerrainPlanner(PlannerExercise):
         """Judge the path, or that none is returned only where none exists."""
         if path is None:
             return None if case.kind == "sealed" else Fault("missed", np.empty((0, 2)))
-        return why_not_a_path(case.given["problem"], path)
+        return find_path_fault(case.given["problem"], path)
 
 
 def grow_tree(
@@ -117,14 +117,14 @@ class RrtOnTerrain(TerrainPlanner):
 
     name = "rrt_on_terrain"
     given = Record(
-        problem=Task(),
+        problem=ProblemShape(),
         step=Number(),
         spacing=Number(),
         goal_bias=Number(),
-        failures=Whole(),
-        rng=Whole(),
+        failures=Integer(),
+        rng=Integer(),
     )
-    result = Together((NODES, WholeNumbers(("n",)), Maybe(PATH)))
+    result = Together((NODES, Integers(("n",)), Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow_spaced)
@@ -135,7 +135,7 @@ class RrtOnTerrain(TerrainPlanner):
         always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
 
-    def make_case(self, kind: str, problem: Asked, rng: int) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case, with fewer failures where no path exists, to end the tree's growth."""
         failures = 80 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
@@ -155,8 +155,8 @@ class RrtOnTerrain(TerrainPlanner):
         fault = None if path is None else self.fault_of_end(case, path)
         fault = (
             fault
-            or why_not_a_tree(problem, nodes, parent, case.given["step"])
-            or not_to_nearest(problem, nodes, parent)
+            or find_tree_fault(problem, nodes, parent, case.given["step"])
+            or find_node_off_nearest(problem, nodes, parent)
         )
         fault = (
             fault
@@ -167,7 +167,7 @@ class RrtOnTerrain(TerrainPlanner):
             find_stray_node(problem, nodes) if case.given["goal_bias"] == 1.0 else None
         )
         if fault is None and path is not None:
-            fault = not_along_tree(path, nodes, parent)
+            fault = find_motion_off_tree(path, nodes, parent)
         if fault is None and case.kind == "sealed" and len(nodes) < LEAST:
             fault = Fault("gave_up", nodes[:0])
         return fault or self.fault_of_end(case, path)

@@ -7,12 +7,12 @@ import numpy as np
 
 from ....errors import KinoeduError
 from ....geometry.checks import Array
-from ....words import say
+from ....messages import get_message
 from ...exercise import RIGHT, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together
-from ...tasks import Asked
-from ..shared.planned import why_not_a_path
+from ...tasks import StudentProblem
+from ..shared.planned import find_path_fault
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import SQUARE, in_room
 
@@ -43,26 +43,26 @@ class ExposeHastyGoal(Exercise):
             path = hasty_rrt(problem, 1.0, 0.05, 500, 0)
             if path is None:
                 rule = "none"
-            elif why_not_a_path(problem, path) is None:
+            elif find_path_fault(problem, path) is None:
                 rule = "exposes"
             if not rule and case.kind == "no_way" and is_connected(*value):
                 rule = "no_way"
-        return Verdict(0.0, rule, self.wanted(case)) if rule else RIGHT
+        return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what the answer to a case must be."""
-        return say(f"exposing_room.wanted.{case.kind}")
+        return get_message(f"exposing_room.wanted.{case.kind}")
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the room and the path that the program returns."""
         problem = make_problem(*outcome.value) if isinstance(outcome, Answer) else None
         path = None if problem is None else hasty_rrt(problem, 1.0, 0.05, 500, 0)
         shown = (problem or in_room((1, 1), (9, 9))).problem
-        fault = None if problem is None or path is None else why_not_a_path(problem, path)
-        draw_answer(shown, [], path, fault, say("exposing_room.picture"), ax)
+        fault = None if problem is None or path is None else find_path_fault(problem, path)
+        draw_answer(shown, [], path, fault, get_message("exposing_room.picture"), ax)
 
 
-def make_problem(start: Array, goal: Array, triangle: Array) -> Asked | None:
+def make_problem(start: Array, goal: Array, triangle: Array) -> StudentProblem | None:
     """Return the problem, or None where it is not valid."""
     if not all((np.abs(points) <= 100.0).all() for points in (start, goal, triangle)):
         return None

@@ -13,8 +13,8 @@ from ....planners import receding_horizon
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
-from ...tasks import Asked
-from ..shared.planned import PATH, Fault, Task
+from ...tasks import StudentProblem
+from ..shared.planned import PATH, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 
@@ -88,7 +88,7 @@ class Follow(ValueExercise):
     name = "follow"
     lesson = "09_trees"
     kinds = ("straight", "corners", "whole", "blocked")
-    given = Record(problem=Task(), path=PATH, horizon=Number())
+    given = Record(problem=ProblemShape(), path=PATH, horizon=Number())
     answer = PATH
     source = staticmethod(follow_path)
     shown = staticmethod(receding_horizon)
@@ -163,11 +163,11 @@ class Follow(ValueExercise):
         if len(value) and value.shape[1] == 2 and np.isfinite(value).all():
             fault = Fault("", value)
         draw_answer(
-            problem.problem, [], self.truth(case), fault, self.words(f"pictures.{case.kind}"), ax
+            problem.problem, [], self.truth(case), fault, self.message(f"pictures.{case.kind}"), ax
         )
         ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
 
 
-def make_case(kind: str, problem: Asked, path: Any, horizon: float) -> Case:
+def make_case(kind: str, problem: StudentProblem, path: Any, horizon: float) -> Case:
     """Return a case."""
     return Case(kind, {"problem": problem, "path": np.array(path, float), "horizon": horizon})

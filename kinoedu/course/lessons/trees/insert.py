@@ -15,14 +15,14 @@ from ....problems import Tree
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together
-from ...tasks import Asked
-from ...whole_shapes import WholeNumbers
-from ..shared.planned import NODES, Fault, Task
+from ...tasks import StudentProblem
+from ...whole_shapes import Integers
+from ..shared.planned import NODES, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 from .rrt import grow_tree
 
-LISTS = WholeNumbers(("n",)), Numbers(("n",))
+LISTS = Integers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
 WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
 Parents = NDArray[np.int64]
@@ -39,7 +39,7 @@ class WithoutObstacles(NamedTuple):
         return True
 
 
-def inserted(
+def insert_node(
     problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
 ) -> Insertion:
     """Insert a node into a tree as RRT* does.
@@ -123,7 +123,7 @@ def insert_without_descendants(*given: Any) -> Insertion:
 
 def insert_unchecked(problem: Any, *given: Any) -> Insertion:
     """Insert a node as if every motion were free."""
-    return inserted(WithoutObstacles(problem.distance), *given)
+    return insert_node(WithoutObstacles(problem.distance), *given)
 
 
 def find_ancestors(node: int, parent: list[int]) -> list[int]:
@@ -142,7 +142,7 @@ class Insert(ValueExercise):
     lesson = "09_trees"
     kinds = ("parent", "rewire", "below", "blocked", "grown")
     given = Record(
-        problem=Task(),
+        problem=ProblemShape(),
         nodes=NODES,
         parent=LISTS[0],
         cost=LISTS[1],
@@ -150,7 +150,7 @@ class Insert(ValueExercise):
         radius=Number(),
     )
     answer = Together(LISTS)
-    source = staticmethod(inserted)
+    source = staticmethod(insert_node)
     shown = staticmethod(grow_shortest)
     slips = (
         Slip("nearest", insert_at_nearest),
@@ -159,26 +159,26 @@ class Insert(ValueExercise):
         Slip("unchecked", insert_unchecked),
     )
 
-    reference = staticmethod(inserted)
+    reference = staticmethod(insert_node)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases that can be done on paper, then random ones of each kind."""
-        yield by_hand("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
-        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
+        yield make_case("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
+        yield make_case("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
         # the root is exactly at the radius
-        yield by_hand("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
-        yield by_hand("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
-        yield by_hand(
+        yield make_case("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
+        yield make_case("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
+        yield make_case(
             "rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5
         )
-        yield by_hand("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5)], [-1, 0, 1, 2], (3, 3), 3.0)
-        yield by_hand(
+        yield make_case("below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5)], [-1, 0, 1, 2], (3, 3), 3.0)
+        yield make_case(
             "below", OPEN, [(1, 1), (9, 9), (9, 5), (5, 5), (1, 5)], [-1, 2, 3, 4, 0], (3, 3), 3.0
         )
-        yield by_hand(
+        yield make_case(
             "below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5), (9, 9)], [-1, 0, 1, 2, 3], (3, 3), 3.0
         )
-        yield by_hand(
+        yield make_case(
             "blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0
         )
         left = dict.fromkeys(self.kinds, 12)
@@ -212,7 +212,7 @@ class Insert(ValueExercise):
             wrong = (i for i in range(len(nodes)) if differs(outcome.value, parent, cost, i))
             first = next(wrong, None)
             fault = None if first is None else Fault("", nodes[first : first + 1])
-        draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
+        draw_answer(problem.problem, trees, None, fault, self.message(f"pictures.{case.kind}"), ax)
         plane.ring(
             case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":"
         )
@@ -232,7 +232,9 @@ def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
     )
 
 
-def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radius: float) -> Case:
+def make_case(
+    kind: str, problem: StudentProblem, nodes: Any, parent: Any, q_new: Any, radius: float
+) -> Case:
     """Return a case with the costs that belong to its tree."""
     places, above = np.array(nodes, float), np.array(parent)
     cost = np.zeros(len(places))
@@ -243,7 +245,7 @@ def by_hand(kind: str, problem: Asked, nodes: Any, parent: Any, q_new: Any, radi
     return Case(kind, {**tree, "q_new": np.array(q_new, float), "radius": radius})
 
 
-def draw_case(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
+def draw_case(rng: np.random.Generator, problem: StudentProblem, n: int) -> Case | None:
     """Draw a small free tree and a new node, and classify the case.
 
     Returns
@@ -254,11 +256,11 @@ def draw_case(rng: np.random.Generator, problem: Asked, n: int) -> Case | None:
     nodes[0] = problem.start
     parent = [-1, *(int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n))]
     q_new = np.round(rng.uniform(1.0, 9.0, 2), 1)
-    case = by_hand("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
+    case = make_case("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
     return case._replace(kind=classify(case.given)) if is_fair(case.given) else None
 
 
-def grow_case(rng: np.random.Generator, problem: Asked) -> Case:
+def grow_case(rng: np.random.Generator, problem: StudentProblem) -> Case:
     """Draw a tree of an RRT with two nodes inserted, and a new node near it."""
     nodes, parent, _ = grow_tree(
         problem, 1.0, 0.0, int(rng.integers(20, 80)), int(rng.integers(10**6))
@@ -266,11 +268,11 @@ def grow_case(rng: np.random.Generator, problem: Asked) -> Case:
     for left in (2, 1, 0):
         while True:
             q_new = nodes[int(rng.integers(len(nodes)))] + np.round(rng.uniform(-0.6, 0.6, 2), 2)
-            case = by_hand("grown", problem, nodes, parent, q_new, 1.5)
+            case = make_case("grown", problem, nodes, parent, q_new, 1.5)
             if is_fair(case.given):
                 break
         if left:
-            nodes, parent = [*nodes, q_new], inserted(*case.given.values())[0]
+            nodes, parent = [*nodes, q_new], insert_node(*case.given.values())[0]
     return case
 
 
@@ -298,7 +300,7 @@ def is_fair(given: dict[str, Any]) -> bool:
 
 def classify(given: dict[str, Any]) -> str:
     """Return which part of the insertion the case needs."""
-    truth = inserted(*given.values())
+    truth = insert_node(*given.values())
     if insert_unchecked(*given.values()) != truth:
         return "blocked"
     if insert_without_descendants(*given.values()) != truth:

@@ -11,20 +11,20 @@ from ....planners.trees.rrt import grow
 from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.planned import (
     NODES,
     PATH,
     TRAPS,
-    Asked,
     Fault,
-    Task,
+    ProblemShape,
+    StudentProblem,
     empty_boxes,
-    not_along_tree,
-    not_to_nearest,
-    same,
+    find_motion_off_tree,
+    find_node_off_nearest,
+    find_tree_fault,
+    same_configuration,
     three_times,
-    why_not_a_tree,
 )
 from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 
@@ -61,14 +61,18 @@ class Rrt(TreeExercise):
 
     name = "rrt"
     given = Record(
-        problem=Task(), step=Number(), goal_bias=Number(), iterations=Whole(), rng=Whole()
+        problem=ProblemShape(),
+        step=Number(),
+        goal_bias=Number(),
+        iterations=Integer(),
+        rng=Integer(),
     )
     result = Together((NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow)
 
-    def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
         given = {
             "problem": problem,
@@ -83,16 +87,18 @@ class Rrt(TreeExercise):
         """Yield traps with a goal bias, then goal bias 1 with and without a free straight path."""
         yield from super().cases(rng)
         for kind in ("room", "sealed"):
-            yield aim_at_goal(self.asked(kind, TRAPS[kind], rng))
+            yield aim_at_goal(self.make_case(kind, TRAPS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer: not with goal bias 1."""
         return case.given["goal_bias"] < 1.0 and super().uses_chance(case)
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe what is asked for."""
         return (
-            super().wanted(case) if case.given["goal_bias"] < 1.0 else self.words("wanted.straight")
+            super().describe_expected(case)
+            if case.given["goal_bias"] < 1.0
+            else self.message("wanted.straight")
         )
 
     def fault(self, case: Case, answer: Any) -> Fault | None:
@@ -107,13 +113,15 @@ class Rrt(TreeExercise):
         fault = None if path is None else self.fault_of_end(case, path)
         fault = (
             fault
-            or why_not_a_tree(problem, nodes, parent, step)
-            or not_to_nearest(problem, nodes, parent)
+            or find_tree_fault(problem, nodes, parent, step)
+            or find_node_off_nearest(problem, nodes, parent)
         )
         if fault is None and len(nodes) > case.given["iterations"] + 2:
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
-            fault = not_along_tree(path, nodes, parent) or find_missed_goal(problem, nodes, step)
+            fault = find_motion_off_tree(path, nodes, parent) or find_missed_goal(
+                problem, nodes, step
+            )
         if (
             fault is None
             and must_cover_room(case)
@@ -140,7 +148,7 @@ def has_same_nodes(case: Case, nodes: Array) -> bool:
     """
     own = grow_tree(*case.given.values())[0]
     return nodes.shape == (len(own), len(own[0])) and all(
-        same(case.given["problem"], a, b) for a, b in zip(nodes, own)
+        same_configuration(case.given["problem"], a, b) for a, b in zip(nodes, own)
     )
 
 

@@ -10,17 +10,17 @@ from ....planners.trees.rrt_connect import grow_both
 from ....problems import Tree
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together
-from ...whole_shapes import Whole
+from ...whole_shapes import Integer
 from ..shared.planned import (
     NODES,
     PATH,
-    Asked,
     Fault,
-    Task,
-    not_along_tree,
-    not_to_nearest,
+    ProblemShape,
+    StudentProblem,
+    find_motion_off_tree,
+    find_node_off_nearest,
+    find_tree_fault,
     three_times,
-    why_not_a_tree,
 )
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
@@ -59,13 +59,13 @@ class RrtConnect(TreeExercise):
     """Grow two trees."""
 
     name = "rrt_connect"
-    given = Record(problem=Task(), step=Number(), iterations=Whole(), rng=Whole())
+    given = Record(problem=ProblemShape(), step=Number(), iterations=Integer(), rng=Integer())
     result = Together((NODES, PARENTS, NODES, PARENTS, Maybe(PATH)))
     answer = three_times(result)
     source = staticmethod(grow_two_trees)
     shown = staticmethod(grow_both)
 
-    def asked(self, kind: str, problem: Asked, rng: np.random.Generator) -> Case:
+    def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
         question = {"problem": problem, "step": STEP, "iterations": ENOUGH[kind]}
         return Case(kind, {**question, "rng": int(rng.integers(1000))})
@@ -81,8 +81,8 @@ class RrtConnect(TreeExercise):
         for nodes, parent, root in ((*both[:2], problem.start), (*both[2:], problem.goal)):
             fault = (
                 fault
-                or why_not_a_tree(problem, nodes, parent, step, root)
-                or not_to_nearest(problem, nodes, parent)
+                or find_tree_fault(problem, nodes, parent, step, root)
+                or find_node_off_nearest(problem, nodes, parent)
             )
         if fault is None and path is not None:
             fault = find_path_fault(path, *both)
@@ -111,10 +111,10 @@ def find_path_fault(
     It must go down the start's tree and then up the goal's tree.
     """
     for a, b in zip(path[:-1], path[1:]):
-        down = not_along_tree(np.array([a, b]), nodes, parent)
+        down = find_motion_off_tree(np.array([a, b]), nodes, parent)
         if (
             down is not None
-            and not_along_tree(np.array([b, a]), goal_nodes, goal_parent) is not None
+            and find_motion_off_tree(np.array([b, a]), goal_nodes, goal_parent) is not None
         ):
             return down
     return None

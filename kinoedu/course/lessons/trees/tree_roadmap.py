@@ -13,8 +13,8 @@ from ...exercise import Case, Slip, ValueExercise
 from ...expansions import EXPANSIONS, Rule
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together
-from ...whole_shapes import Whole, WholeNumbers
-from ..shared.planned import NODES, TRAPS, Fault, Task, why_not_a_tree
+from ...whole_shapes import Integer, Integers
+from ..shared.planned import NODES, TRAPS, Fault, ProblemShape, find_tree_fault
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 
@@ -71,8 +71,8 @@ class TreeRoadmap(ValueExercise):
     name = "tree_roadmap"
     lesson = "09_trees"
     kinds = ("few", "room", "pillars")
-    given = Record(problem=Task(), expand=Rule(), iterations=Whole(), rng=Whole())
-    answer = Together((NODES, WholeNumbers(("n",))))
+    given = Record(problem=ProblemShape(), expand=Rule(), iterations=Integer(), rng=Integer())
+    answer = Together((NODES, Integers(("n",))))
     source = staticmethod(grow_free_tree)
     shown = staticmethod(planners.tree_roadmap)
     slips = (
@@ -105,21 +105,21 @@ class TreeRoadmap(ValueExercise):
             for a, b in zip(value, truth)
         )
 
-    def wanted(self, case: Case) -> str:
+    def describe_expected(self, case: Case) -> str:
         """Describe the size of the right tree."""
         nodes, _ = self.truth(case)
-        return self.words("wanted", nodes=len(nodes), iterations=case.given["iterations"])
+        return self.message("wanted", nodes=len(nodes), iterations=case.given["iterations"])
 
-    def answer_words(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Any) -> str:
         """Describe the size of the student's tree and its first wrong node."""
         at = find_first_difference(value, self.truth(case))
-        return self.words("answered", nodes=len(value[0]), node=at)
+        return self.message("answered", nodes=len(value[0]), node=at)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw the student's tree and its first fault."""
         problem = case.given["problem"]
         trees = [Tree(*outcome.value)] if isinstance(outcome, Answer) else []
-        fault = why_not_a_tree(problem, *trees[0], step=np.inf) if trees else None
+        fault = find_tree_fault(problem, *trees[0], step=np.inf) if trees else None
         at = (
             find_first_difference(outcome.value, self.truth(case))
             if isinstance(outcome, Answer)
@@ -128,7 +128,7 @@ class TreeRoadmap(ValueExercise):
         if fault is None and trees and at < len(trees[0].nodes):
             fault = Fault("other", trees[0].nodes[at : at + 1])
         fault = None if fault is None or fault.marked.shape[1] != len(problem.start) else fault
-        draw_answer(problem.problem, trees, None, fault, self.words(f"pictures.{case.kind}"), ax)
+        draw_answer(problem.problem, trees, None, fault, self.message(f"pictures.{case.kind}"), ax)
 
 
 def find_first_difference(value: Any, truth: Any) -> int:

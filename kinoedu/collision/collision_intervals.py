@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
-from ..geometry.grown import grown, summed
+from ..geometry.grown import grow_piece, hull_of_sums
 from ..geometry.parts import Parts, make_parts
 from ..robots.round import RoundRobot
 from ..worlds.moving import MovingWorldRecord, position_at
@@ -22,7 +22,7 @@ from ..worlds.moving import MovingWorldRecord, position_at
 PAUSE = 1e-9  # of the horizon: intervals of contact are extended by this at both ends
 
 
-def seen_from_movers(
+def relative_obstacles(
     robot: Any, world: MovingWorldRecord, clearance: float
 ) -> tuple[Parts, NDArray[np.int64]]:
     """The C-obstacles of the robot in the frame of each moving piece.
@@ -44,7 +44,9 @@ def seen_from_movers(
         piece = shapes.points[shapes.first[i] : shapes.first[i + 1]]
         for body_piece in bodies:
             pieces.append(
-                grown(sum_pieces(piece, -body_piece), float(shapes.radius[i]) + more + clearance)
+                grow_piece(
+                    sum_pieces(piece, -body_piece), float(shapes.radius[i]) + more + clearance
+                )
             )
             own.append(i)
     return make_parts(pieces, [0.0] * len(pieces)), world.knots[own].reshape(-1, 2)
@@ -54,11 +56,11 @@ def sum_pieces(piece: Array, other: Array) -> Array:
     """The convex hull of the sums of two convex pieces; a single point is a translation."""
     if len(other) == 1:
         return piece + other[0]
-    return other + piece[0] if len(piece) == 1 else summed(piece, other)
+    return other + piece[0] if len(piece) == 1 else hull_of_sums(piece, other)
 
 
 @compiled
-def met_departures(
+def collision_intervals(
     hulls: Parts, knots: NDArray[np.int64], times: Array, places: Array, horizon: float,
     a: Array, vx: float, vy: float, duration: float,
 ) -> Array:  # fmt: skip
@@ -170,7 +172,7 @@ def clip_by_half_plane(region: Array, size: int, c: float, a: float, b: float) -
 
 
 @compiled
-def first_departure(met: Array, t: float) -> float:
+def first_free_time(met: Array, t: float) -> float:
     """The first time from t on that lies in none of the closed intervals (k, 2)."""
     waiting = True
     while waiting:
@@ -199,7 +201,7 @@ def complement_intervals(met: Array, horizon: float) -> Array:
 
 
 @algorithm
-def all_safe_intervals(
+def find_safe_intervals(
     hulls: Parts,
     knots: NDArray[np.int64],
     times: Array,
@@ -211,7 +213,7 @@ def all_safe_intervals(
     safe = np.empty((len(nodes) * (stretches(knots) + 1), 2))
     first = np.zeros(len(nodes) + 1, np.int64)
     for i in range(len(nodes)):
-        met = met_departures(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0)
+        met = collision_intervals(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0)
         own = complement_intervals(met, horizon)
         safe[first[i] : first[i] + len(own)] = own
         first[i + 1] = first[i] + len(own)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import length, turn
+from ..geometry.exact import length, orientation_sign
 from ..geometry.parts import Parts
 from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins
 
@@ -28,7 +28,7 @@ MOST = 16  # the largest reach that is stored
 PIECES = 4  # a motion is divided into so many stretches, each looked up by itself
 
 
-class KnownCells(NamedTuple):
+class Occupancy(NamedTuple):
     """The occupancy cells of a world: cell (i, j) covers (x, y) + (i, j) * side.
 
     per_unit is 1 / side. reach[j, i] is the state of the whole cell: SOLID; or FREE and its reach:
@@ -44,32 +44,32 @@ class KnownCells(NamedTuple):
     reach: NDArray[np.int8]
 
 
-def known_cells(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> KnownCells:
+def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> Occupancy:
     """Build the occupancy cells of a world by subdividing the cells of its index.
 
     A cell is tested with a margin around it, so that rounding cannot assign a point to the wrong
     cell. Worlds without room for margins have no cells.
     """
     if not has_margins(lo, hi):
-        return nothing_known()
+        return no_occupancy()
     fine = FINE
     while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:
         fine //= 2
     reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
-    known = KnownCells(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
-    fill_known_cells(known, fine, hull, parts, cells)
+    known = Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
+    fill_occupancy(known, fine, hull, parts, cells)
     measure_reach(known.reach)
     return known
 
 
-def nothing_known() -> KnownCells:
+def no_occupancy() -> Occupancy:
     """Occupancy cells of a world about which nothing is known: none."""
-    return KnownCells(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
+    return Occupancy(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
 @algorithm
-def fill_known_cells(
-    known: KnownCells, fine: int, hull: Array, parts: Parts, cells: PartsIndex
+def fill_occupancy(
+    known: Occupancy, fine: int, hull: Array, parts: Parts, cells: PartsIndex
 ) -> None:
     """Classify the cells of the index, then recursively their quarters where they are mixed."""
     size = fine
@@ -89,7 +89,7 @@ def classify_block(
     i: int,
     j: int,
     size: int,
-    known: KnownCells,
+    known: Occupancy,
     cell: int,
     hull: Array,
     parts: Parts,
@@ -164,16 +164,16 @@ def box_in_polygon(
         qx, qy = points[k, 0], points[k, 1]
         left_x, right_x = (x0, x1) if qy > py else (x1, x0)
         left_y, right_y = (y1, y0) if qx > px else (y0, y1)
-        if turn(px, py, qx, qy, left_x, left_y) < 0:
+        if orientation_sign(px, py, qx, qy, left_x, left_y) < 0:
             return FREE
-        if found == SOLID and turn(px, py, qx, qy, right_x, right_y) <= 0:
+        if found == SOLID and orientation_sign(px, py, qx, qy, right_x, right_y) <= 0:
             found = MIXED
         px, py = qx, qy
     return found
 
 
 @inlined
-def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
+def occupancy_at(x: float, y: float, radius: float, known: Occupancy) -> int:
     """FREE where a disc is known to be free, SOLID where its centre is not; else RIM or MIXED.
 
     The centre must lie in the world's bounding box.
@@ -189,8 +189,8 @@ def known_at(x: float, y: float, radius: float, known: KnownCells) -> int:
 
 
 @inlined
-def known_between(
-    ax: float, ay: float, bx: float, by: float, radius: float, known: KnownCells
+def occupancy_between(
+    ax: float, ay: float, bx: float, by: float, radius: float, known: Occupancy
 ) -> int:
     """The same for a disc that moves along a-b.
 
@@ -221,6 +221,6 @@ def known_between(
 
 
 @inlined
-def cells_in(radius: float, known: KnownCells) -> int:
+def cells_in(radius: float, known: Occupancy) -> int:
     """The number of cells by which a disc may extend beyond the cell of its centre."""
     return int(min(np.ceil(radius * known.per_unit), float(MOST))) if radius > 0.0 else 0

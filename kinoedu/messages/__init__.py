@@ -15,7 +15,7 @@ HERE = Path(__file__).parent
 LESSONS = HERE.parent / "course" / "lessons"
 
 
-def say(key: str, /, **values: Any) -> str:
+def get_message(key: str, /, **values: Any) -> str:
     """The message under a dotted key, with `{name}` filled in.
 
     Raises
@@ -25,14 +25,14 @@ def say(key: str, /, **values: Any) -> str:
 
     Examples
     --------
-    >>> say("picture.should_be", value=4)
+    >>> get_message("picture.should_be", value=4)
     'should be 4'
     """
-    return words_for(key, os.environ.get("KINOEDU_LANGUAGE", "en")).format(**values)
+    return get_template(key, os.environ.get("KINOEDU_LANGUAGE", "en")).format(**values)
 
 
 @cache
-def words_for(key: str, language: str) -> str:
+def get_template(key: str, language: str) -> str:
     """The message under a dotted key, before values are filled in.
 
     A message that the language lacks is taken from English.
@@ -49,7 +49,7 @@ def words_for(key: str, language: str) -> str:
     raise KeyError(f"no words for {key!r} in {HERE / 'en'} and {LESSONS}")
 
 
-def has_words(key: str) -> bool:
+def has_message(key: str) -> bool:
     """Whether the English catalogue has a message under a key."""
     return look_up(catalogue("en"), key) is not None
 
