@@ -15,6 +15,7 @@ from sphinx import addnodes
 from kinoedu.messages import get_message
 
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
+HEADING = re.compile(r"(\w+)\n-+\n")
 NAMED = re.compile(r"(?m)^(\w[\w\\, ()]*) : (.*)")
 FIGURE = re.compile(r"<Figure size (\d+)")
 # in pixels; what is wider cannot be read in the width of a telephone, and is scrolled there
@@ -61,13 +62,15 @@ def mark_up(app, what, name, thing, options, lines):
 
 def marked(paragraph):
     """A paragraph as reStructuredText."""
+    if heading := HEADING.match(paragraph):
+        rest = paragraph[heading.end() :]
+        return marked(rest) if heading[1] == "Parameters" else f"**{heading[1]}**\n\n{marked(rest)}"
     if paragraph.startswith(">>>"):
         return paragraph
     if paragraph.startswith(" "):
         return f"::\n\n{paragraph}"
-    text = paragraph.removeprefix("Parameters\n----------\n")
     text = CODE_OR_MARKUP.sub(
-        lambda found: f"`{found[0]}`" if found[0][0] == "`" else f"\\{found[0]}", text
+        lambda found: f"`{found[0]}`" if found[0][0] == "`" else f"\\{found[0]}", paragraph
     )
     if all(line.startswith(" ") or NAMED.match(line) for line in text.splitlines()):
         return NAMED.sub(r"**\1**\n    \2", text)
@@ -85,8 +88,9 @@ def as_written(app, what, name, thing, options, arguments, returned):
             for part in definition.body
             if isinstance(part, ast.AnnAssign) and "ClassVar" not in ast.unparse(part)
         ]
+        makes = {"__init__", "__new__"}
         definition = next(
-            (part for part in definition.body if getattr(part, "name", "") == "__init__"), None
+            (part for part in definition.body if getattr(part, "name", "") in makes), None
         )
         if definition is None:
             return f"({', '.join(map(ast.unparse, fields))})" if fields else "", None
@@ -130,10 +134,14 @@ def tell_pictures(app, doctree):
             for image in output.findall(nodes.image):
                 told = kinds["text/plain"].astext()
                 figure = FIGURE.match(told)
-                image["alt"] = get_message("site.figure", section=section_of(output)) if figure else told
+                image["alt"] = (
+                    get_message("site.figure", section=section_of(output)) if figure else told
+                )
                 image["classes"] += ["wide"] if figure and int(figure[1]) > WIDE else []
             if BOARD in kinds:
-                kinds["image/png"] += nodes.paragraph("", get_message("site.still"), classes=["still"])
+                kinds["image/png"] += nodes.paragraph(
+                    "", get_message("site.still"), classes=["still"]
+                )
 
 
 def section_of(node):

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm, inlined
 from ..errors import InvalidPolygon
+from ..support.constructors import Constructor
 from .checks import Array, as_array
 from .convex import has_separating_edge
 from .exact import orientation_sign
@@ -24,7 +25,7 @@ class ConvexPolygonsRecord(NamedTuple):
     boxes: Array
 
 
-def ConvexPolygons(vertices: ArrayLike) -> ConvexPolygonsRecord:
+class ConvexPolygons(ConvexPolygonsRecord, metaclass=Constructor):
     """Convex polygons of n vertices each, checked once for many intersection tests.
 
     The check is exact and O(n) for each polygon.
@@ -45,7 +46,9 @@ def ConvexPolygons(vertices: ArrayLike) -> ConvexPolygonsRecord:
     >>> ConvexPolygons([[(0, 0), (2, 0), (0, 2)]]).boxes
     array([[0., 0., 2., 2.]])
     """
-    return as_convex_polygons(vertices, "vertices")
+
+    def __new__(cls, vertices: ArrayLike) -> ConvexPolygonsRecord:  # type: ignore[misc]  # returns the record
+        return as_convex_polygons(vertices, "vertices")
 
 
 def convex_pairs_intersect(

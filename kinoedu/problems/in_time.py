@@ -13,6 +13,7 @@ from ..collision import in_time, is_free, is_free_path
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
 from ..geometry.checks import Array, nonnegative, positive
+from ..support.constructors import Constructor
 from ..support.text import shortened
 from ..worlds.moving import MovingWorldRecord
 from .configurations import as_configuration, space_of
@@ -52,16 +53,7 @@ class TimedProblemRecord(NamedTuple):
         )
 
 
-def TimedProblem(
-    robot: Any,
-    world: MovingWorldRecord,
-    start: ArrayLike,
-    goal: ArrayLike,
-    *,
-    speed: float = 1.0,
-    horizon: float | None = None,
-    clearance: float = 0.0,
-) -> TimedProblemRecord:
+class TimedProblem(TimedProblemRecord, metaclass=Constructor):
     """Define a problem among moving obstacles: from start at time 0 to goal, within the horizon.
 
     Parameters
@@ -96,31 +88,43 @@ def TimedProblem(
     >>> problem.is_free(np.array([1.0, 3.0, 0.0])), problem.is_free(np.array([1.0, 3.0, 7.0]))
     (True, False)
     """
-    if not isinstance(world, MovingWorldRecord):
-        raise InvalidParameter(
-            f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; use "
-            "Problem for worlds without moving obstacles"
-        )
-    space, margin = space_of(robot, world.still), nonnegative(clearance, "clearance")
-    fastest = positive(speed, "speed")
-    if len(space.lo) != 2:
-        raise InvalidParameter(
-            "among moving obstacles the robot must not rotate; expected Point(), Disk(radius) or "
-            f"TranslatingPolygon(vertices), got {shortened(robot)}"
-        )
-    begin, end = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
-    rest = max(float(world.times.max()), 0.0) if len(world.times) else 0.0
-    last = rest + 4.0 * float(np.sqrt(np.square(world.hi - world.lo).sum())) / fastest
-    latest = last if horizon is None else positive(horizon, "horizon")
-    problem = TimedProblemRecord(robot, world, begin, end, fastest, latest, margin)
-    if not problem.is_free(np.append(begin, 0.0)):
-        raise InvalidStart(
-            f"the start {tuple(begin.tolist())} is not free at time 0: the robot touches an "
-            "obstacle or the boundary there"
-        )
-    if not is_free(robot, world.still, end, margin):
-        raise InvalidGoal(
-            f"the goal {tuple(end.tolist())} is not free: the robot touches a fixed obstacle or "
-            "the boundary there"
-        )
-    return problem
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls,
+        robot: Any,
+        world: MovingWorldRecord,
+        start: ArrayLike,
+        goal: ArrayLike,
+        *,
+        speed: float = 1.0,
+        horizon: float | None = None,
+        clearance: float = 0.0,
+    ) -> TimedProblemRecord:
+        if not isinstance(world, MovingWorldRecord):
+            raise InvalidParameter(
+                f"expected a MovingWorld(PolygonWorld(...), movers), got {shortened(world)}; use "
+                "Problem for worlds without moving obstacles"
+            )
+        space, margin = space_of(robot, world.still), nonnegative(clearance, "clearance")
+        fastest = positive(speed, "speed")
+        if len(space.lo) != 2:
+            raise InvalidParameter(
+                "among moving obstacles the robot must not rotate; expected Point(), Disk(radius) or "
+                f"TranslatingPolygon(vertices), got {shortened(robot)}"
+            )
+        begin, end = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
+        rest = max(float(world.times.max()), 0.0) if len(world.times) else 0.0
+        last = rest + 4.0 * float(np.sqrt(np.square(world.hi - world.lo).sum())) / fastest
+        latest = last if horizon is None else positive(horizon, "horizon")
+        problem = TimedProblemRecord(robot, world, begin, end, fastest, latest, margin)
+        if not problem.is_free(np.append(begin, 0.0)):
+            raise InvalidStart(
+                f"the start {tuple(begin.tolist())} is not free at time 0: the robot touches an "
+                "obstacle or the boundary there"
+            )
+        if not is_free(robot, world.still, end, margin):
+            raise InvalidGoal(
+                f"the goal {tuple(end.tolist())} is not free: the robot touches a fixed obstacle or "
+                "the boundary there"
+            )
+        return problem

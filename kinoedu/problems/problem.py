@@ -26,6 +26,7 @@ from ..errors import InvalidGoal, InvalidStart
 from ..geometry.checks import Array, nonnegative
 from ..robots.controls import control, curvature, drive
 from ..spaces import distance, interpolate, nearest, sample
+from ..support.constructors import Constructor
 from ..worlds.checks import check_world
 from .configurations import as_configuration, explain_not_free, space_of
 
@@ -105,9 +106,7 @@ class ProblemRecord(NamedTuple):
         )
 
 
-def Problem(
-    robot: Any, world: Any, start: ArrayLike, goal: ArrayLike, *, clearance: float = 0.0
-) -> ProblemRecord:
+class Problem(ProblemRecord, metaclass=Constructor):
     """Define a planning problem: a robot, a world, a start and a goal.
 
     Parameters
@@ -143,17 +142,30 @@ def Problem(
     >>> problem.distance(problem.start, problem.goal)
     8.0
     """
-    margin = nonnegative(clearance, "clearance")
-    check_world(world)
-    space = space_of(robot, world)
-    check_cost(robot, world)
-    q_start, q_goal = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
-    problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
-    for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
-        if not problem.is_free(q):
-            raise error(
-                f"the {name} {tuple(q.tolist())} is not free: "
-                f"{explain_not_free(robot, world, q, margin)}"
-            )
-    problem.query_counts[:] = 0
-    return problem
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls,
+        robot: Any,
+        world: Any,
+        start: ArrayLike,
+        goal: ArrayLike,
+        *,
+        clearance: float = 0.0,
+    ) -> ProblemRecord:
+        margin = nonnegative(clearance, "clearance")
+        check_world(world)
+        space = space_of(robot, world)
+        check_cost(robot, world)
+        q_start, q_goal = (
+            as_configuration(start, space, "start"),
+            as_configuration(goal, space, "goal"),
+        )
+        problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
+        for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
+            if not problem.is_free(q):
+                raise error(
+                    f"the {name} {tuple(q.tolist())} is not free: "
+                    f"{explain_not_free(robot, world, q, margin)}"
+                )
+        problem.query_counts[:] = 0
+        return problem

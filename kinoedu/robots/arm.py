@@ -12,6 +12,7 @@ from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
 from ..geometry.parts import Parts, make_parts
 from ..spaces.angles import wrap_angle
+from ..support.constructors import Constructor
 from ..support.text import shortened
 
 RIM = 1e-12  # of the arm's length: a target so near to the rim of the reachable ring is on it
@@ -112,7 +113,7 @@ class ArmRobot(NamedTuple):
         ]
 
 
-def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:
+class TwoLinkArm(ArmRobot, metaclass=Constructor):
     """An arm of two links, with configuration q = (angle of link 1, angle of link 2 from link 1).
 
     Parameters
@@ -138,12 +139,21 @@ def TwoLinkArm(l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.
     >>> TwoLinkArm(1.5, 1.2, 0.2).shape.radius
     array([0.1, 0.1])
     """
-    if any(isinstance(size, bool | np.bool_) for size in (l1, l2, width)):
-        raise InvalidRobot(f"an arm's sizes must be numbers, got {l1!r}, {l2!r} and {width!r}")
-    return ArmChain([l1, l2], width, base=base)
+
+    @classmethod
+    def _makes(cls, thing: ArmRobot) -> bool:
+        """Whether a record could come from here."""
+        return len(thing.lengths) == 2
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls, l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.0)
+    ) -> ArmRobot:
+        if any(isinstance(size, bool | np.bool_) for size in (l1, l2, width)):
+            raise InvalidRobot(f"an arm's sizes must be numbers, got {l1!r}, {l2!r} and {width!r}")
+        return ArmChain([l1, l2], width, base=base)
 
 
-def ArmChain(lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:
+class ArmChain(ArmRobot, metaclass=Constructor):
     """An arm with any number of links; otherwise as `TwoLinkArm`.
 
     Parameters
@@ -160,15 +170,20 @@ def ArmChain(lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) 
     InvalidRobot, InvalidPoint
         As for `TwoLinkArm`.
     """
-    sizes, across = as_array(lengths, "the links' lengths"), as_array(width, "width")
-    if sizes.ndim != 1 or len(sizes) == 0 or (sizes <= 0.0).any():
-        raise InvalidRobot(f"an arm's links must have positive lengths, got {shortened(lengths)}")
-    if across.ndim or across < 0.0:
-        raise InvalidRobot(f"an arm's width must be one length, zero or more, got {width!r}")
-    links = make_parts(
-        [np.array([(0.0, 0.0), (size, 0.0)]) for size in sizes], [float(across) / 2.0] * len(sizes)
-    )
-    return ArmRobot(sizes, as_point(base, "base"), links)
+
+    def __new__(cls, lengths: ArrayLike, width: float, *, base: ArrayLike = (0.0, 0.0)) -> ArmRobot:  # type: ignore[misc]  # returns the record
+        sizes, across = as_array(lengths, "the links' lengths"), as_array(width, "width")
+        if sizes.ndim != 1 or len(sizes) == 0 or (sizes <= 0.0).any():
+            raise InvalidRobot(
+                f"an arm's links must have positive lengths, got {shortened(lengths)}"
+            )
+        if across.ndim or across < 0.0:
+            raise InvalidRobot(f"an arm's width must be one length, zero or more, got {width!r}")
+        links = make_parts(
+            [np.array([(0.0, 0.0), (size, 0.0)]) for size in sizes],
+            [float(across) / 2.0] * len(sizes),
+        )
+        return ArmRobot(sizes, as_point(base, "base"), links)
 
 
 def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:

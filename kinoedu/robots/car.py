@@ -16,6 +16,7 @@ from ..curves.curve import as_pose
 from ..errors import InvalidParameter, InvalidRobot
 from ..geometry.checks import Array, as_array
 from ..geometry.parts import Parts
+from ..support.constructors import Constructor
 from ..support.text import shortened
 from .polygon import shape_of
 
@@ -162,15 +163,7 @@ class CarRobot(NamedTuple):
         return left, right
 
 
-def Car(
-    length: float,
-    width: float,
-    wheelbase: float,
-    *,
-    rear_overhang: float | None = None,
-    max_steering: float = math.pi / 4,
-    speeds: ArrayLike = (-1.0, 1.0),
-) -> CarRobot:
+class Car(CarRobot, metaclass=Constructor):
     """A car with a rectangular body.
 
     Parameters
@@ -201,37 +194,50 @@ def Car(
     >>> car.radius, car.outline[0]
     (20.000000000000004, array([-5., -5.]))
     """
-    size, across, base = (
-        as_size(value, name)
-        for value, name in ((length, "length"), (width, "width"), (wheelbase, "wheelbase"))
-    )
-    behind = (
-        0.5 * (size - base) if rear_overhang is None else as_number(rear_overhang, "rear_overhang")
-    )
-    if not 0.0 <= behind <= size - base:
-        raise InvalidRobot(
-            f"both axles must be under the body: {behind:g} behind, a wheelbase of {base:g}, "
-            f"{size:g} in all"
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls,
+        length: float,
+        width: float,
+        wheelbase: float,
+        *,
+        rear_overhang: float | None = None,
+        max_steering: float = math.pi / 4,
+        speeds: ArrayLike = (-1.0, 1.0),
+    ) -> CarRobot:
+        size, across, base = (
+            as_size(value, name)
+            for value, name in ((length, "length"), (width, "width"), (wheelbase, "wheelbase"))
         )
-    most = as_number(max_steering, "max_steering")
-    if not 0.0 < most < 0.5 * math.pi:
-        raise InvalidRobot(f"max_steering must be between 0 and pi / 2 radians, got {most:g}")
-    chosen = np.atleast_1d(as_array(speeds, "speeds"))
-    if chosen.ndim != 1 or not len(chosen) or (chosen == 0.0).any():
-        raise InvalidRobot(
-            f"speeds must be one or more numbers, none of them zero, got {shortened(speeds)}"
+        behind = (
+            0.5 * (size - base)
+            if rear_overhang is None
+            else as_number(rear_overhang, "rear_overhang")
         )
-    front, half = size - behind, 0.5 * across
-    outline = np.array([(-behind, -half), (front, -half), (front, half), (-behind, half)])
-    return CarRobot(
-        outline,
-        shape_of(outline),
-        base,
-        most,
-        base / math.tan(most),
-        chosen,
-        bool((chosen < 0.0).any()),
-    )
+        if not 0.0 <= behind <= size - base:
+            raise InvalidRobot(
+                f"both axles must be under the body: {behind:g} behind, a wheelbase of {base:g}, "
+                f"{size:g} in all"
+            )
+        most = as_number(max_steering, "max_steering")
+        if not 0.0 < most < 0.5 * math.pi:
+            raise InvalidRobot(f"max_steering must be between 0 and pi / 2 radians, got {most:g}")
+        chosen = np.atleast_1d(as_array(speeds, "speeds"))
+        if chosen.ndim != 1 or not len(chosen) or (chosen == 0.0).any():
+            raise InvalidRobot(
+                f"speeds must be one or more numbers, none of them zero, got {shortened(speeds)}"
+            )
+        front, half = size - behind, 0.5 * across
+        outline = np.array([(-behind, -half), (front, -half), (front, half), (-behind, half)])
+        return CarRobot(
+            outline,
+            shape_of(outline),
+            base,
+            most,
+            base / math.tan(most),
+            chosen,
+            bool((chosen < 0.0).any()),
+        )
 
 
 def as_number(value: float, name: str) -> float:

@@ -13,6 +13,7 @@ from ..geometry.checks import Array, as_array
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
+from ..support.constructors import Constructor
 
 
 class TranslatingPolygonRobot(NamedTuple):
@@ -36,7 +37,7 @@ class RigidPolygonRobot(NamedTuple):
     turn_weight: float
 
 
-def TranslatingPolygon(vertices: ArrayLike) -> TranslatingPolygonRobot:
+class TranslatingPolygon(TranslatingPolygonRobot, metaclass=Constructor):
     """A polygon robot that does not rotate; its configuration (x, y) is its reference point.
 
     Parameters
@@ -58,11 +59,13 @@ def TranslatingPolygon(vertices: ArrayLike) -> TranslatingPolygonRobot:
     >>> robot.shape.first
     array([0, 3])
     """
-    outline = as_ring(vertices, "the robot")
-    return TranslatingPolygonRobot(outline, shape_of(outline))
+
+    def __new__(cls, vertices: ArrayLike) -> TranslatingPolygonRobot:  # type: ignore[misc]  # returns the record
+        outline = as_ring(vertices, "the robot")
+        return TranslatingPolygonRobot(outline, shape_of(outline))
 
 
-def RigidPolygon(vertices: ArrayLike, *, turn_weight: float | None = None) -> RigidPolygonRobot:
+class RigidPolygon(RigidPolygonRobot, metaclass=Constructor):
     """A polygon robot that translates and rotates; its configuration is (x, y, theta).
 
     (x, y) is the reference point and theta the heading in radians.
@@ -91,16 +94,18 @@ def RigidPolygon(vertices: ArrayLike, *, turn_weight: float | None = None) -> Ri
     >>> RigidPolygon([(-1, -1), (3, -1), (3, 1), (-1, 1)]).turn_weight ** 2
     10.000000000000002
     """
-    outline = as_ring(vertices, "the robot")
-    if turn_weight is None:
-        weight = np.hypot(*outline.T).max()
-    else:
-        weight = as_array(turn_weight, "turn_weight")
-        if weight.ndim or weight <= 0.0:
-            raise InvalidRobot(
-                f"turn_weight must be one positive length for each radian, got {turn_weight!r}"
-            )
-    return RigidPolygonRobot(outline, shape_of(outline), float(weight))
+
+    def __new__(cls, vertices: ArrayLike, *, turn_weight: float | None = None) -> RigidPolygonRobot:  # type: ignore[misc]  # returns the record
+        outline = as_ring(vertices, "the robot")
+        if turn_weight is None:
+            weight = np.hypot(*outline.T).max()
+        else:
+            weight = as_array(turn_weight, "turn_weight")
+            if weight.ndim or weight <= 0.0:
+                raise InvalidRobot(
+                    f"turn_weight must be one positive length for each radian, got {turn_weight!r}"
+                )
+        return RigidPolygonRobot(outline, shape_of(outline), float(weight))
 
 
 def shape_of(outline: Array) -> Parts:

@@ -7,6 +7,7 @@ import numpy as np
 from ..errors import InvalidRobot
 from ..geometry.checks import as_array
 from ..geometry.parts import Parts, make_parts
+from ..support.constructors import Constructor
 
 
 class RoundRobot(NamedTuple):
@@ -20,7 +21,7 @@ class RoundRobot(NamedTuple):
         return make_parts([np.zeros((1, 2))], [self.radius])
 
 
-def Point() -> RoundRobot:
+class Point(RoundRobot, metaclass=Constructor):
     """A robot without size.
 
     Collision tests of its motions are exact; on a terrain they are exact where positions in units
@@ -30,10 +31,17 @@ def Point() -> RoundRobot:
     -------
     RoundRobot, with radius 0.
     """
-    return RoundRobot(0.0)
+
+    @classmethod
+    def _makes(cls, thing: RoundRobot) -> bool:
+        """Whether a record could come from here."""
+        return thing.radius == 0.0
+
+    def __new__(cls) -> RoundRobot:  # type: ignore[misc]  # returns the record
+        return RoundRobot(0.0)
 
 
-def Disk(radius: float) -> RoundRobot:
+class Disk(RoundRobot, metaclass=Constructor):
     """A disk with a radius in the world's unit of length.
 
     Returns
@@ -50,10 +58,17 @@ def Disk(radius: float) -> RoundRobot:
     >>> Disk(0.5).body.radius
     array([0.5])
     """
-    size = as_array(radius, "radius")
-    if size.ndim or size <= 0.0:
-        raise InvalidRobot(
-            f"a disk's radius must be one positive length, got {radius!r}; a robot without size "
-            "is Point()"
-        )
-    return RoundRobot(float(size))
+
+    @classmethod
+    def _makes(cls, thing: RoundRobot) -> bool:
+        """Whether a record could come from here."""
+        return thing.radius > 0.0
+
+    def __new__(cls, radius: float) -> RoundRobot:  # type: ignore[misc]  # returns the record
+        size = as_array(radius, "radius")
+        if size.ndim or size <= 0.0:
+            raise InvalidRobot(
+                f"a disk's radius must be one positive length, got {radius!r}; a robot without size "
+                "is Point()"
+            )
+        return RoundRobot(float(size))

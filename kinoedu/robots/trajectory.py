@@ -11,6 +11,7 @@ from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array
+from ..support.constructors import Constructor
 from .car import CarRobot
 
 
@@ -106,9 +107,7 @@ class DrivenRoadmap(NamedTuple):
     goals: NDArray[np.int64]
 
 
-def Trajectory(
-    car: CarRobot, start: ArrayLike, controls: ArrayLike, durations: ArrayLike
-) -> TrajectoryRecord:
+class Trajectory(TrajectoryRecord, metaclass=Constructor):
     """A drive of a car from a pose by controls that are held one after another.
 
     Parameters
@@ -139,24 +138,32 @@ def Trajectory(
     >>> there.at(25), bool(80 < there.length < 82)
     (array([25.,  0.,  0.]), True)
     """
-    if not isinstance(car, CarRobot):
-        raise InvalidParameter(f"a trajectory is driven by a Car, got a {type(car).__name__}")
-    rows, times = as_array(controls, "controls"), as_array(durations, "durations")
-    if rows.size == 0:
-        rows = rows.reshape(0, 2)
-    if rows.ndim != 2 or rows.shape[1] != 2 or times.shape != (len(rows),):
-        raise InvalidParameter(
-            f"controls must have shape (n, 2) and durations (n,), got {rows.shape} and "
-            f"{times.shape}"
-        )
-    if (times < 0.0).any():
-        raise InvalidParameter(
-            f"durations must be zero or more, got {times.min():g}; to drive backwards give a "
-            "negative speed"
-        )
-    for phi in rows[:, 1]:
-        car.curvature(phi)
-    return TrajectoryRecord(as_pose(start, "start"), rows, times, car.wheelbase)
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls,
+        car: CarRobot,
+        start: ArrayLike,
+        controls: ArrayLike,
+        durations: ArrayLike,
+    ) -> TrajectoryRecord:
+        if not isinstance(car, CarRobot):
+            raise InvalidParameter(f"a trajectory is driven by a Car, got a {type(car).__name__}")
+        rows, times = as_array(controls, "controls"), as_array(durations, "durations")
+        if rows.size == 0:
+            rows = rows.reshape(0, 2)
+        if rows.ndim != 2 or rows.shape[1] != 2 or times.shape != (len(rows),):
+            raise InvalidParameter(
+                f"controls must have shape (n, 2) and durations (n,), got {rows.shape} and "
+                f"{times.shape}"
+            )
+        if (times < 0.0).any():
+            raise InvalidParameter(
+                f"durations must be zero or more, got {times.min():g}; to drive backwards give a "
+                "negative speed"
+            )
+        for phi in rows[:, 1]:
+            car.curvature(phi)
+        return TrajectoryRecord(as_pose(start, "start"), rows, times, car.wheelbase)
 
 
 @compiled

@@ -12,6 +12,7 @@ from ..geometry.checks import Array, as_array, as_list
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
+from ..support.constructors import Constructor
 from ..support.text import shortened
 from .polygon_world import PolygonWorldRecord, as_disc
 
@@ -55,7 +56,7 @@ class MovingWorldRecord(NamedTuple):
     hi: Array
 
 
-def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
+class Moving(Mover, metaclass=Constructor):
     """An obstacle that moves along straight lines from place to place, without rotating.
 
     Before the first time it stands at the first place, after the last time at the last.
@@ -81,24 +82,26 @@ def Moving(shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:
     >>> Moving(0.5, [0, 4], [(0, 0), (8, 0)]).at(1.0)
     array([2., 0.])
     """
-    moments, where = as_array(times, "times"), as_array(places, "places")
-    if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
-        raise InvalidWorld(
-            f"times (k,) and places (k, 2) must have the same k >= 1, got shapes {moments.shape} "
-            f"and {where.shape}"
-        )
-    if not (np.diff(moments) > 0.0).all():
-        raise InvalidWorld(
-            f"times must increase from one place to the next, got {shortened(moments.tolist())}; "
-            "sort them"
-        )
-    if np.ndim(shape) == 0:
-        disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]
-        return Mover(np.zeros((1, 2)), float(disc[2]), moments, where)
-    return Mover(as_ring(shape, "a moving obstacle"), 0.0, moments, where)
+
+    def __new__(cls, shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:  # type: ignore[misc]  # returns the record
+        moments, where = as_array(times, "times"), as_array(places, "places")
+        if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
+            raise InvalidWorld(
+                f"times (k,) and places (k, 2) must have the same k >= 1, got shapes {moments.shape} "
+                f"and {where.shape}"
+            )
+        if not (np.diff(moments) > 0.0).all():
+            raise InvalidWorld(
+                f"times must increase from one place to the next, got {shortened(moments.tolist())}; "
+                "sort them"
+            )
+        if np.ndim(shape) == 0:
+            disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]
+            return Mover(np.zeros((1, 2)), float(disc[2]), moments, where)
+        return Mover(as_ring(shape, "a moving obstacle"), 0.0, moments, where)
 
 
-def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorldRecord:
+class MovingWorld(MovingWorldRecord, metaclass=Constructor):
     """A PolygonWorld with moving obstacles; they may overlap fixed obstacles and each other.
 
     Parameters
@@ -123,31 +126,36 @@ def MovingWorld(still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorld
     >>> world.knots
     array([[0, 2]])
     """
-    if not isinstance(still, PolygonWorldRecord):
-        raise InvalidWorld(f"the fixed obstacles must be a PolygonWorld, got {shortened(still)}")
-    given = as_list(movers, "movers")
-    for mover in given:
-        if not isinstance(mover, Mover):
+
+    def __new__(cls, still: PolygonWorldRecord, movers: Iterable[Any]) -> MovingWorldRecord:  # type: ignore[misc]  # returns the record
+        if not isinstance(still, PolygonWorldRecord):
             raise InvalidWorld(
-                f"expected movers Moving(shape, times, places), got {shortened(mover)}"
+                f"the fixed obstacles must be a PolygonWorld, got {shortened(still)}"
             )
-    pieces = [
-        [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline) for mover in given
-    ]
-    owner = np.repeat(np.arange(len(given)), [len(own) for own in pieces])
-    ends = np.cumsum([0, *(len(mover.times) for mover in given)])
-    radii = [mover.radius for mover in given]
-    return MovingWorldRecord(
-        still,
-        make_parts([piece for own in pieces for piece in own], [radii[k] for k in owner]),
-        np.concatenate([np.empty(0), *(mover.times for mover in given)]),
-        np.concatenate([np.empty((0, 2)), *(mover.places for mover in given)]),
-        np.column_stack([ends[:-1], ends[1:]])[owner].reshape(-1, 2),
-        make_parts([mover.outline for mover in given], radii),
-        owner,
-        still.lo,
-        still.hi,
-    )
+        given = as_list(movers, "movers")
+        for mover in given:
+            if not isinstance(mover, Mover):
+                raise InvalidWorld(
+                    f"expected movers Moving(shape, times, places), got {shortened(mover)}"
+                )
+        pieces = [
+            [mover.outline] if mover.radius > 0.0 else convex_parts(mover.outline)
+            for mover in given
+        ]
+        owner = np.repeat(np.arange(len(given)), [len(own) for own in pieces])
+        ends = np.cumsum([0, *(len(mover.times) for mover in given)])
+        radii = [mover.radius for mover in given]
+        return MovingWorldRecord(
+            still,
+            make_parts([piece for own in pieces for piece in own], [radii[k] for k in owner]),
+            np.concatenate([np.empty(0), *(mover.times for mover in given)]),
+            np.concatenate([np.empty((0, 2)), *(mover.places for mover in given)]),
+            np.column_stack([ends[:-1], ends[1:]])[owner].reshape(-1, 2),
+            make_parts([mover.outline for mover in given], radii),
+            owner,
+            still.lo,
+            still.hi,
+        )
 
 
 def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:

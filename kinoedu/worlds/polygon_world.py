@@ -12,6 +12,7 @@ from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.polygons import locate_points
 from ..geometry.rings import as_ring
+from ..support.constructors import Constructor
 from .occupancy import Occupancy, make_occupancy, no_occupancy
 from .parts_index import PartsIndex, index_parts
 
@@ -39,7 +40,7 @@ class PolygonWorldRecord(NamedTuple):
     hi: Array
 
 
-def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonWorldRecord:
+class PolygonWorld(PolygonWorldRecord, metaclass=Constructor):
     """A workspace bounded by a simple polygon, with obstacles.
 
     Parameters
@@ -67,29 +68,31 @@ def PolygonWorld(boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonW
     >>> len(world.obstacles.radius)
     2
     """
-    outline = as_ring(boundary, "boundary")
-    hull = convex_hull(outline)
-    solids, pieces, discs = [[outline[::-1]]], pockets(outline, hull), []
-    for number, obstacle in enumerate(as_list(obstacles, "obstacles")):
-        name = f"obstacle {number}"
-        if is_pair_with_radius(obstacle):
-            discs.append(as_disc(obstacle[0], obstacle[1], name))
-        else:
-            ring, rooms = as_polygon_with_rooms(obstacle, name)
-            try:
-                pieces += convex_parts(ring, rooms)
-            except InvalidPolygon as error:
-                raise InvalidPolygon(f"{name}: {error}") from error
-            solids.append([ring, *(room[::-1] for room in rooms)])
-    centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
-    edges = np.concatenate(
-        [edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings]
-    )
-    parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
-    lo, hi = hull.min(axis=0), hull.max(axis=0)
-    cells = index_parts(parts, lo, hi)
-    occupancy = make_occupancy(hull, parts, cells, lo, hi)
-    return PolygonWorldRecord(edges, hull, parts, cells, occupancy, lo, hi)
+
+    def __new__(cls, boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonWorldRecord:  # type: ignore[misc]  # returns the record
+        outline = as_ring(boundary, "boundary")
+        hull = convex_hull(outline)
+        solids, pieces, discs = [[outline[::-1]]], pockets(outline, hull), []
+        for number, obstacle in enumerate(as_list(obstacles, "obstacles")):
+            name = f"obstacle {number}"
+            if is_pair_with_radius(obstacle):
+                discs.append(as_disc(obstacle[0], obstacle[1], name))
+            else:
+                ring, rooms = as_polygon_with_rooms(obstacle, name)
+                try:
+                    pieces += convex_parts(ring, rooms)
+                except InvalidPolygon as error:
+                    raise InvalidPolygon(f"{name}: {error}") from error
+                solids.append([ring, *(room[::-1] for room in rooms)])
+        centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
+        edges = np.concatenate(
+            [edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings]
+        )
+        parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
+        lo, hi = hull.min(axis=0), hull.max(axis=0)
+        cells = index_parts(parts, lo, hi)
+        occupancy = make_occupancy(hull, parts, cells, lo, hi)
+        return PolygonWorldRecord(edges, hull, parts, cells, occupancy, lo, hi)
 
 
 def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidWorld
 from ..geometry.checks import LIMIT, Array, as_array, as_point
+from ..support.constructors import Constructor
 
 MOST_COST = 1e9
 
@@ -28,13 +29,7 @@ class TerrainRecord(NamedTuple):
     cost: Array
 
 
-def Terrain(
-    free: ArrayLike,
-    *,
-    cost: ArrayLike | None = None,
-    resolution: float = 1.0,
-    origin: ArrayLike = (0.0, 0.0),
-) -> TerrainRecord:
+class Terrain(TerrainRecord, metaclass=Constructor):
     """A world of square cells.
 
     Blocked cells are closed: their edges and corners are not free. The border of the terrain is not
@@ -68,34 +63,48 @@ def Terrain(
     >>> Terrain([[True, False], [True, True]]).hi
     array([2., 2.])
     """
-    try:
-        cells = np.array(free)
-    except ValueError as error:
-        raise InvalidWorld(
-            "a terrain needs a bitmap of shape (rows, columns), got rows of different lengths"
-        ) from error
-    if cells.ndim != 2 or cells.size == 0:
-        raise InvalidWorld(
-            f"a terrain needs a bitmap of shape (rows, columns), got shape {cells.shape}"
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls,
+        free: ArrayLike,
+        *,
+        cost: ArrayLike | None = None,
+        resolution: float = 1.0,
+        origin: ArrayLike = (0.0, 0.0),
+    ) -> TerrainRecord:
+        try:
+            cells = np.array(free)
+        except ValueError as error:
+            raise InvalidWorld(
+                "a terrain needs a bitmap of shape (rows, columns), got rows of different lengths"
+            ) from error
+        if cells.ndim != 2 or cells.size == 0:
+            raise InvalidWorld(
+                f"a terrain needs a bitmap of shape (rows, columns), got shape {cells.shape}"
+            )
+        if cells.dtype != np.bool_ and not np.isin(cells, (0, 1)).all():
+            raise InvalidWorld(
+                f"a terrain's cells must be true (free) or false, got values of type {cells.dtype}"
+            )
+        side = as_array(resolution, "resolution")
+        if side.ndim or side <= 0.0:
+            raise InvalidWorld(
+                f"a terrain's resolution must be one positive length, got {resolution}"
+            )
+        corner = as_point(origin, "origin")
+        extent = float(side) * np.array(cells.shape[::-1], np.float64)
+        if (
+            not (corner + float(side) > corner).all()
+            or not (np.abs(corner + extent) <= LIMIT).all()
+        ):
+            raise InvalidWorld(
+                f"cells of {float(side):g} are lost in rounding at {tuple(corner.tolist())}, or extend "
+                "beyond 1e150"
+            )
+        open_cells = np.ascontiguousarray(cells, np.bool_)
+        return TerrainRecord(
+            open_cells, float(side), corner, corner, corner + extent, cell_costs(cost, open_cells)
         )
-    if cells.dtype != np.bool_ and not np.isin(cells, (0, 1)).all():
-        raise InvalidWorld(
-            f"a terrain's cells must be true (free) or false, got values of type {cells.dtype}"
-        )
-    side = as_array(resolution, "resolution")
-    if side.ndim or side <= 0.0:
-        raise InvalidWorld(f"a terrain's resolution must be one positive length, got {resolution}")
-    corner = as_point(origin, "origin")
-    extent = float(side) * np.array(cells.shape[::-1], np.float64)
-    if not (corner + float(side) > corner).all() or not (np.abs(corner + extent) <= LIMIT).all():
-        raise InvalidWorld(
-            f"cells of {float(side):g} are lost in rounding at {tuple(corner.tolist())}, or extend "
-            "beyond 1e150"
-        )
-    open_cells = np.ascontiguousarray(cells, np.bool_)
-    return TerrainRecord(
-        open_cells, float(side), corner, corner, corner + extent, cell_costs(cost, open_cells)
-    )
 
 
 def cell_costs(cost: ArrayLike | None, free: NDArray[np.bool_]) -> Array:

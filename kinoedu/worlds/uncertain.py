@@ -13,6 +13,7 @@ from ..geometry.convex import convex_parts
 from ..geometry.grown import grow_piece
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
+from ..support.constructors import Constructor
 from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_with_radius
 
 
@@ -31,9 +32,7 @@ class UncertainWorldRecord(NamedTuple):
     sigma: Array
 
 
-def UncertainWorld(
-    boundary: ArrayLike, obstacles: Iterable[Any], sigma: ArrayLike
-) -> UncertainWorldRecord:
+class UncertainWorld(UncertainWorldRecord, metaclass=Constructor):
     """A workspace whose obstacles have uncertain positions. Its boundary is certain.
 
     Parameters
@@ -60,22 +59,29 @@ def UncertainWorld(
     >>> world.sigma, world.owner
     (array([0.2, 0.2]), array([0, 1]))
     """
-    given = list(obstacles)
-    pieces = [
-        convex_pieces(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)
-    ]
-    spread = as_array(sigma, "sigma")
-    if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
-        raise InvalidWorld(
-            f"sigma must be zero or more, one number or one for each of {len(given)} obstacles, "
-            f"got {sigma!r}"
-        )
-    owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
-    radii = [radius for own, radius in pieces for _ in own]
-    parts = make_parts([piece for own, _ in pieces for piece in own], radii)
-    expected, empty = PolygonWorld(boundary, given), PolygonWorld(boundary)
-    each = np.broadcast_to(spread, (len(given),)).copy()
-    return UncertainWorldRecord(expected, empty, parts, owner, each)
+
+    def __new__(  # type: ignore[misc]  # returns the record
+        cls,
+        boundary: ArrayLike,
+        obstacles: Iterable[Any],
+        sigma: ArrayLike,
+    ) -> UncertainWorldRecord:
+        given = list(obstacles)
+        pieces = [
+            convex_pieces(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)
+        ]
+        spread = as_array(sigma, "sigma")
+        if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
+            raise InvalidWorld(
+                f"sigma must be zero or more, one number or one for each of {len(given)} obstacles, "
+                f"got {sigma!r}"
+            )
+        owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
+        radii = [radius for own, radius in pieces for _ in own]
+        parts = make_parts([piece for own, _ in pieces for piece in own], radii)
+        expected, empty = PolygonWorld(boundary, given), PolygonWorld(boundary)
+        each = np.broadcast_to(spread, (len(given),)).copy()
+        return UncertainWorldRecord(expected, empty, parts, owner, each)
 
 
 def convex_pieces(obstacle: Any, name: str) -> tuple[list[Array], float]:
