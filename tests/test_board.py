@@ -205,7 +205,7 @@ def test_a_front_cannot_write_nonsense_into_the_state(scene):
     made = board(walled())
     before = made.canvas.scene
     made.canvas.set_state({"scene": scene, "words": {}, "home": {}})
-    assert made.canvas.scene == before and made.canvas.description and made.canvas.home == before
+    assert made.canvas.scene == before and made.canvas.words and made.canvas.home == before
     good = move_parts(before, [("handle", 1, [9, 9])])
     made.canvas.set_state({"scene": {**good, "lo": "nonsense"}})
     assert made.canvas.scene == good and made.plan.path[-1].tolist() == [9, 9]

@@ -345,7 +345,7 @@ def test_a_pair_is_implemented_once() -> None:
 
 def test_a_robot_that_no_world_knows_is_a_type_error() -> None:
     """The default of a collision query raises an error."""
-    with pytest.raises(TypeError, match="cannot be moved"):
+    with pytest.raises(TypeError, match="no motions are defined"):
         is_free_path(
             Cat(1.0), problems()["point among polygons"].world, np.zeros(2), np.ones(2), 0.0
         )
@@ -496,9 +496,9 @@ ORIENT = """
 import json, sys
 from kinoedu.compiled import requests, store
 from kinoedu.geometry import orientation
-from kinoedu.geometry.exact import turn
+from kinoedu.geometry.exact import orientation_sign
 found = orientation((0, 0), (1, 0), (0, 1))
-loaded = any(call.is_loaded for call in turn.specializations.values())
+loaded = any(call.is_loaded for call in orientation_sign.specializations.values())
 has_started, folder = requests.started != {}, str(store.folder())
 print(json.dumps([found, loaded, has_started, folder, "numba" in sys.modules]))
 """
@@ -544,11 +544,11 @@ def test_an_expensive_call_is_compiled_by_another_process(tmp_path: Path) -> Non
 import json, time, kinoedu.compiled.tiers as t
 t.BUDGET, t.IMPORTING, t.LOOK_AGAIN = 0.0, 0.0, 0.0
 from kinoedu.geometry import orientation
-from kinoedu.geometry.exact import turn
+from kinoedu.geometry.exact import orientation_sign
 answers, last = set(), time.monotonic() + 250
 while True:
     answers.add(orientation((0, 0), (1, 0), (0, 1)))
-    (call,) = turn.specializations.values()
+    (call,) = orientation_sign.specializations.values()
     if call.is_loaded or time.monotonic() > last:
         break
     time.sleep(0.05)

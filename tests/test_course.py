@@ -682,7 +682,7 @@ def test_every_word_is_there_and_used():
 
 def test_a_translation_replaces_words_and_falls_back(monkeypatch, tmp_path):
     """KINOEDU_LANGUAGE selects another catalogue, with English where a message is missing."""
-    shutil.copytree(HOUSE / "kinoedu" / "words" / "en", tmp_path / "en")
+    shutil.copytree(HOUSE / "kinoedu" / "messages" / "en", tmp_path / "en")
     (tmp_path / "xx").mkdir()
     (tmp_path / "xx" / "some.toml").write_text('[check]\nhint = "Wink"\n')
     monkeypatch.setattr(messages, "HERE", tmp_path)

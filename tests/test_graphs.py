@@ -644,7 +644,7 @@ def test_a_graph_in_no_space_knows_no_distances():
         lambda g: g.nodes,
         lambda g: g.add_node((0, 0)),
     ):
-        with pytest.raises(InvalidGraph, match="no space"):
+        with pytest.raises(InvalidGraph, match="position"):
             ask(Graph(2))
     embedded = Graph(nodes=[(0, 0)])
     for ask in (

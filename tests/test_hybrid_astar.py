@@ -192,7 +192,7 @@ def test_a_pose_at_the_very_end_of_a_trajectory_is_its_last(
     """However the durations' sum is rounded, no control is looked for after the last one;
     interpreted code would notice.
     """
-    monkeypatch.setattr(trajectories, "on_the_way", trajectories.poses_between.py_func)
+    monkeypatch.setattr(trajectories, "poses_between", trajectories.poses_between.py_func)
     rng = np.random.default_rng(0)
     for _ in range(300):
         durations = rng.random(rng.integers(1, 40)) * 10.0 ** rng.integers(-6, 3)

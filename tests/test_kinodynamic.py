@@ -359,5 +359,5 @@ def test_nonsense_is_refused_by_name() -> None:
     for plan in (ke.rrt(PROBLEM, rng=0), None):
         with pytest.raises(InvalidParameter, match="roadmap"):
             ke.alternative_routes(plan)
-    with pytest.raises(InvalidParameter, match="cut short"):
+    with pytest.raises(InvalidParameter, match="cannot be shortened"):
         ke.shortcut(ke.kinodynamic_rrt(EASY, rng=0), rng=0)

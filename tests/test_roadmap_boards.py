@@ -269,11 +269,11 @@ def test_a_log_without_room_is_kept_once_more():
     from kinoedu.planners.trees import rewiring
 
     _, whole = rrt_star_rewirings(problem_of(), max_nodes=200, rng=1)
-    usual, rewiring.USUAL = rewiring.USUAL, 1
+    usual, rewiring.EDGES_PER_NODE = rewiring.EDGES_PER_NODE, 1
     try:
         _, again = rrt_star_rewirings(problem_of(), max_nodes=200, rng=np.random.default_rng(1))
     finally:
-        rewiring.USUAL = usual
+        rewiring.EDGES_PER_NODE = usual
     assert all(np.array_equal(a, b) for a, b in zip(whole, again, strict=True))
     assert len(whole.node) > 200
 

@@ -54,12 +54,7 @@ def test_a_page_moves_the_plane_and_the_point_and_nothing_else():
     """Angles beyond the solid are clamped; invalid places are ignored."""
     board = turning_board(ROBOT, OBSTACLE, place=(1, 1))
     board.set_state({"theta": 99.0, "place": [2, 3], "words": {}, "section": {}})
-    assert (
-        board.theta == np.pi
-        and board.place == [2, 3]
-        and board.description
-        and board.section["text"]
-    )
+    assert board.theta == np.pi and board.place == [2, 3] and board.words and board.section["text"]
     for wrong in (
         {"theta": float("nan")},
         {"place": ["x", 1]},

@@ -330,10 +330,11 @@ def test_a_lesson_shows_the_same_in_a_browsers_python(lesson):
 def test_work_is_done_where_there_are_no_threads():
     """A student's function, and what it raises: in a browser nothing bounds its time."""
     code = (
-        "import like_pyodide as p; from kinoedu.support.time_limit import within, "
-        "within_processor_time; "
+        "import like_pyodide as p; from kinoedu.support.time_limit import run_within, "
+        "run_within_processor_time; "
     )
-    code += "p.refuse_processes_and_threads(); print(within(1.0, lambda: 42), within_processor_time(1.0, lambda: 43))"
+    code += "p.refuse_processes_and_threads(); print(run_within(1.0, lambda: 42), "
+    code += "run_within_processor_time(1.0, lambda: 43))"
     run = subprocess.run(
         [sys.executable, "-c", code],
         cwd=HOUSE / "tests",

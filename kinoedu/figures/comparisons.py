@@ -55,6 +55,7 @@ def draw_medians(
 
     Examples
     --------
+    >>> from matplotlib import pyplot as plt
     >>> lengths = {"RRT": [12.0, 14.0, np.inf], "PRM": [11.0, 11.5, 12.0]}
     >>> artists = draw_medians(lengths, label="length")
     >>> plt.close()
@@ -117,6 +118,7 @@ def draw_ecdf(
 
     Examples
     --------
+    >>> from matplotlib import pyplot as plt
     >>> lengths = {"RRT": [12.0, 14.0, np.inf], "PRM": [11.0, 11.5, 12.0]}
     >>> artists = draw_ecdf(lengths, label="length")
     >>> plt.close()
@@ -171,6 +173,7 @@ def draw_convergence(
 
     Examples
     --------
+    >>> from matplotlib import pyplot as plt
     >>> costs = [[14.0, 13.0, np.inf], [13.0, 12.5, 12.8]]
     >>> artists = draw_convergence({"RRT*": ([100, 200], costs)}, label="length")
     >>> plt.close()

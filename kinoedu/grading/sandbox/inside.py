@@ -173,7 +173,7 @@ def asked(question: dict[str, Any]) -> Asked:
     way to call.
     """
     known: dict[str, Any] = {}
-    planned = ("tasks", "drivable", "expansions") if "Task()" in question["given"] else ()
+    planned = ("tasks", "drivable", "expansions") if "ProblemShape()" in question["given"] else ()
     for name in ("shapes", "whole_shapes", "drawn", *planned):
         known |= vars(importlib.import_module(f"kinoedu.course.{name}"))
     given, wanted = (eval(question[part], known) for part in ("given", "answer"))

@@ -1,6 +1,6 @@
 """Base class and judges for all exercises that ask for a planner.
 
-A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=Task()` and ends with
+A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=ProblemShape()` and ends with
 `rng=Whole()`, a seed; `result` is the shape of one answer. The planner is called three times, twice
 with the same seed and once with another, each time with a new problem that records its calls.
 `fault` finds what is wrong with one answer, by `find_path_fault` and `find_tree_fault`; these check
