@@ -137,6 +137,25 @@ def test_readme_names_files_that_exist():
             )
 
 
+def test_lines_beside_the_book_are_those_of_the_files():
+    """docs/contributing.md quotes our lines without their comments, in order, and counts them."""
+    import re
+
+    def code(text):
+        return [line.split("  #")[0].rstrip() for line in text.splitlines() if line.strip()]
+
+    page = (HOUSE / "docs" / "contributing.md").read_text(encoding="utf-8")
+    part = page.partition("## Beside the book")[2].partition("\n## ")[0]
+    for section in part.split("\n### ")[1:]:
+        steps, lines = map(int, re.findall(r"\d+(?= steps| lines)", section.splitlines()[0]))
+        file = re.findall(r"`\w+`[^`]* in\s+\[[^]]*\]\(([^)]+)\)", section)[0]
+        source = "\n".join(code((HOUSE / "docs" / file).read_text(encoding="utf-8")))
+        quoted = [code(block) for block in re.findall(r"```python\n(.*?)```", section, re.DOTALL)]
+        assert all("\n".join(block) in source for block in quoted), file
+        assert sum(map(len, quoted)) == lines
+        assert len(re.findall(r"^\d  ", section, re.MULTILINE)) == steps
+
+
 def test_index_of_algorithms_names_every_planner():
     """And nothing that is not there."""
     import operator
