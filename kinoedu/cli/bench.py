@@ -100,10 +100,10 @@ def run_bench(arguments: argparse.Namespace) -> int:
         print_rows(rows)
         return 0
     if arguments.repeats is not None and arguments.repeats < 1:
-        raise InvalidParameter(f"--repeats is a number from 1, got {arguments.repeats}")
+        raise InvalidParameter(f"--repeats must be at least 1, got {arguments.repeats}")
     if arguments.pythonrobotics is not None and not arguments.pythonrobotics.is_dir():
         raise InvalidParameter(
-            f"--pythonrobotics {arguments.pythonrobotics}: is no folder; give a checkout of "
+            f"--pythonrobotics {arguments.pythonrobotics} is not a folder; give a checkout of "
             "PythonRobotics"
         )
     if arguments.peers:

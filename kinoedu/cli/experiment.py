@@ -65,7 +65,7 @@ def run_experiment(arguments: argparse.Namespace) -> int:
     """Run what is missing, write the results, and print their summary."""
     folder = Path(arguments.file.stem) if arguments.out is None else arguments.out
     if arguments.file.suffix.lower() != ".toml":
-        raise InvalidParameter(f"{arguments.file}: an experiment ends in .toml")
+        raise InvalidParameter(f"{arguments.file}: the file of an experiment ends in .toml")
     # imported here so that --help is quick
     from ..experiments import as_text, read_experiment, run, summary
     from ..support.whole_files import written_whole

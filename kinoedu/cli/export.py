@@ -97,7 +97,7 @@ def run_export(arguments: argparse.Namespace) -> int:
     if arguments.gradescope_autograder is not None:
         return pack_for_gradescope(arguments)
     if arguments.grades is None:
-        raise InvalidParameter("say whose grades: the folder that kinoedu grade made")
+        raise InvalidParameter("name the folder of grades that kinoedu grade made")
     of = read_class(arguments.grades)
     if arguments.from_nbgrader is not None:
         return read_back_from_nbgrader(of, arguments.from_nbgrader)
@@ -190,7 +190,7 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
 
     if not (folder / "gradebook.db").exists():
         raise InvalidParameter(
-            f"{folder} holds no gradebook.db; it should be what kinoedu export --to nbgrader made"
+            f"{folder} has no gradebook.db; name the folder that kinoedu export --to nbgrader made"
         )
     with show_stage("reading the gradebook"):
         count = scores_from_nbgrader(of, folder)

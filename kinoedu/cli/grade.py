@@ -180,7 +180,7 @@ def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, wri
     from ..grading.judge.running import dask, local
 
     if arguments.workers is not None and arguments.workers < 1:
-        raise InvalidParameter(f"--workers is a number from 1, got {arguments.workers}")
+        raise InvalidParameter(f"--workers must be at least 1, got {arguments.workers}")
     if arguments.trust:
         print(TRUSTED, file=sys.stderr)
     place = dask(arguments.dask) if arguments.dask is not None else local(arguments.workers)

@@ -58,7 +58,7 @@ def run_similar(arguments: argparse.Namespace) -> int:
     from ..grading.report.similar_page import write_similar
 
     if arguments.most < 1:
-        raise InvalidParameter(f"--most is a number from 1, got {arguments.most}")
+        raise InvalidParameter(f"--most must be at least 1, got {arguments.most}")
     submissions = [
         one for one in collect(arguments.submissions, arguments.assignment) if one.assignment
     ]
