@@ -43,7 +43,7 @@ def travelled(exercise, function, sent):
 
 @pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
 def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
-    """Every program fails and a named misconception is recognised; the first case of each is drawn."""
+    """Every program fails, its misconception is recognised, and the first failing case is drawn."""
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
     monkeypatch.setattr(type(exercise), "seconds", 4.0)

@@ -171,8 +171,8 @@ def test_rows_are_listed_and_none_is_run(folder, capsys):
     [
         (["hods"], "there is no row 'hods'; the rows are fails, holds, lacks, waits"),
         (["no_row"], "there is no row 'no_row'"),
-        (["holds", "--repeats", "0"], "a number from 1, got 0"),
-        (["holds", "--pythonrobotics", "no/such/folder"], "no folder"),
+        (["holds", "--repeats", "0"], "at least 1, got 0"),
+        (["holds", "--pythonrobotics", "no/such/folder"], "is not a folder"),
     ],
 )
 def test_wrong_input_is_reported_before_anything_runs(folder, capsys, arguments, words):

@@ -367,7 +367,7 @@ def test_what_a_student_reads():
     assert "section 3" in said
     right = repr(check(EXERCISES["point_segment_distance"].source))
     assert "right, for all" in right
-    assert "To wonder about" in right
+    assert "A question to think about" in right
 
 
 def test_an_error_shows_the_students_line_and_nothing_of_ours():
@@ -470,7 +470,7 @@ def test_a_program_that_changes_its_input_is_reported():
         return answer
 
     told = check(point_polygon_distance)
-    assert "a change of what it was given: polygon" in repr(told)
+    assert "a change of its arguments: polygon" in repr(told)
     assert told.report.score == 0.0
 
 
@@ -511,7 +511,7 @@ def complaint(code):
     [
         ("return 0 if p1 == p2 else 1", "np.array_equal"),
         ("return (q ^ 2)", "In Python the power is **"),
-        ("return p1[2]", "The last of n things"),
+        ("return p1[2]", "The last of n items"),
         ("return lenght(q)", "Python does not know this name"),
         ("return point_line_distance(q, p1, p2)", "calls itself again"),
         ("return ValueError('no line')", "raised, not returned"),

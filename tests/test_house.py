@@ -53,9 +53,8 @@ def test_no_circle_of_imports():
         for circle in nx.strongly_connected_components(nx.DiGraph(imports()))
         if len(circle) > 1
     ]
-    assert circles == [
-        {f"kinoedu.compiled.{name}" for name in ("compiler", "numba_thread", "tiers")}
-    ]
+    tiers = {f"kinoedu.compiled.{name}" for name in ("compiler", "numba_thread", "tiers")}
+    assert circles == [tiers]
 
 
 def test_the_picture_of_the_house_shows_its_rooms_and_imports():
@@ -136,6 +135,25 @@ def test_readme_names_files_that_exist():
             assert target.startswith("http") or (page.parent / target).exists(), (
                 f"{page.name}: {target}"
             )
+
+
+def test_lines_beside_the_book_are_those_of_the_files():
+    """docs/contributing.md quotes our lines without their comments, in order, and counts them."""
+    import re
+
+    def code(text):
+        return [line.split("  #")[0].rstrip() for line in text.splitlines() if line.strip()]
+
+    page = (HOUSE / "docs" / "contributing.md").read_text(encoding="utf-8")
+    part = page.partition("## Beside the book")[2].partition("\n## ")[0]
+    for section in part.split("\n### ")[1:]:
+        steps, lines = map(int, re.findall(r"\d+(?= steps| lines)", section.splitlines()[0]))
+        file = re.findall(r"`\w+`[^`]* in\s+\[[^]]*\]\(([^)]+)\)", section)[0]
+        source = "\n".join(code((HOUSE / "docs" / file).read_text(encoding="utf-8")))
+        quoted = [code(block) for block in re.findall(r"```python\n(.*?)```", section, re.DOTALL)]
+        assert all("\n".join(block) in source for block in quoted), file
+        assert sum(map(len, quoted)) == lines
+        assert len(re.findall(r"^\d  ", section, re.MULTILINE)) == steps
 
 
 def test_index_of_algorithms_names_every_planner():

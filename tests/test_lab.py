@@ -23,7 +23,8 @@ SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node
 SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
 PAINTED = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
-    const boards = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')].map(board => board.dataset);
+    const boards = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')]
+        .map(board => board.dataset);
     return boards.length && boards.every(({answers = 1, paints}) => answers > 0 && paints > 0); }"""
 COLOURS = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;

@@ -218,10 +218,13 @@ def browser_page(site):
 # there.
 LOST = """() => {
     const scrolled = element => element.tagName !== 'ARTICLE'
-        && (/auto|scroll/.test(getComputedStyle(element).overflowX) || scrolled(element.parentElement));
+        && (/auto|scroll/.test(getComputedStyle(element).overflowX)
+            || scrolled(element.parentElement));
     const cut = [...document.querySelectorAll('article *')]
-        .filter(element => element.getBoundingClientRect().right > innerWidth && !scrolled(element));
-    return [...cut, ...[...document.images].filter(image => !image.naturalWidth)].map(lost => lost.outerHTML.slice(0, 200)); }"""
+        .filter(element => element.getBoundingClientRect().right > innerWidth
+            && !scrolled(element));
+    const broken = [...document.images].filter(image => !image.naturalWidth);
+    return [...cut, ...broken].map(lost => lost.outerHTML.slice(0, 200)); }"""
 
 
 def test_pages_fit_a_telephone(browser_page, site):

@@ -32,8 +32,8 @@ needs_proc = pytest.mark.skipif(
 
 STUB = """
 import json, os, random, sys
-told = dict(arguments=sys.argv[1:], folder=os.getcwd(), prefix=sys.prefix, file=__file__, pid=os.getpid(),
-            path=sys.path, variables=dict(os.environ))
+told = dict(arguments=sys.argv[1:], folder=os.getcwd(), prefix=sys.prefix, file=__file__,
+            pid=os.getpid(), path=sys.path, variables=dict(os.environ))
 print(json.dumps(told))
 sys.exit(int(sys.argv[2]) if sys.argv[1:2] == ["exit"] else 0)
 """
@@ -42,7 +42,8 @@ sys.exit(int(sys.argv[2]) if sys.argv[1:2] == ["exit"] else 0)
 # waits for a file.
 FAKE_UV = """
 import os, pathlib, sys, time
-here, python, role = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[4]), os.environ.get("FAKE_UV", "install")
+here, python = pathlib.Path(__file__).parent, pathlib.Path(sys.argv[4])
+role = os.environ.get("FAKE_UV", "install")
 with open(here / "calls", "a") as calls:
     calls.write(sys.argv[-1] + " again" * ("--force-reinstall" in sys.argv) + "\\n")
 limit = time.monotonic() + 60
@@ -163,7 +164,6 @@ def load(path: Path):
 
 
 # --- any Python can read it
-# -----------------------------------------------------------------------------------------
 
 
 def test_it_parses_on_python_2_and_early_3():
@@ -201,7 +201,6 @@ def test_help_needs_no_set_up(course):
 
 
 # --- set up, and step aside
-# -----------------------------------------------------------------------------------------
 
 
 def test_arguments_folder_and_status_pass_through(course, tmp_path):
@@ -290,7 +289,6 @@ def test_the_callers_environment_does_not_leak_in(course, tmp_path):
 
 
 # --- what an interruption or a move leaves
-# --------------------------------------------------------------------------
 
 
 @needs_signals
@@ -534,7 +532,6 @@ def test_an_installer_that_outlives_a_killed_start_is_waited_for(course):
 
 
 # --- failures
-# -------------------------------------------------------------------------------------------------------
 
 
 def complaint(ended: Ended) -> str:
@@ -629,7 +626,6 @@ def test_each_cause_has_its_advice_in_one_line(said, advice):
 
 
 # --- the pins
-# -------------------------------------------------------------------------------------------------------
 
 PLATFORMS = [
     {"sys_platform": "linux", "platform_system": "Linux", "os_name": "posix"},

@@ -27,7 +27,6 @@ def course(tmp_path):
 
 
 # --- licences
-# -------------------------------------------------------------------------------------------------------
 
 
 def load(path: Path):
@@ -73,7 +72,6 @@ def test_every_folder_of_data_has_a_licence():
 
 
 # --- without network
-# ------------------------------------------------------------------------------------------------
 
 
 def test_a_wheelhouse_is_gathered_and_set_up_from(course, tmp_path, monkeypatch):
@@ -162,7 +160,6 @@ def test_pip_makes_a_half_written_package_whole(course, wheels, lost):
 
 
 # --- a course that nobody writes to
-# ---------------------------------------------------------------------------------
 
 
 def test_where_only_the_home_can_be_written_the_course_plans(tmp_path):
@@ -216,7 +213,6 @@ def test_where_only_the_home_can_be_written_the_course_plans(tmp_path):
 
 
 # --- an image
-# -------------------------------------------------------------------------------------------------------
 
 
 def instructions() -> list[tuple[str, str]]:
@@ -294,7 +290,6 @@ def test_what_the_image_tells_jupyter_is_python_that_runs(monkeypatch):
 
 
 # --- a browser
-# ------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("lesson", ["01_geometry", "02_bug_algorithms"])
@@ -333,8 +328,8 @@ def test_work_is_done_where_there_are_no_threads():
         "import like_pyodide as p; from kinoedu.support.time_limit import run_within, "
         "run_within_processor_time; "
     )
-    code += "p.refuse_processes_and_threads(); print(run_within(1.0, lambda: 42), "
-    code += "run_within_processor_time(1.0, lambda: 43))"
+    code += "p.refuse_processes_and_threads(); "
+    code += "print(run_within(1.0, lambda: 42), run_within_processor_time(1.0, lambda: 43))"
     run = subprocess.run(
         [sys.executable, "-c", code],
         cwd=HOUSE / "tests",
@@ -372,7 +367,6 @@ def test_the_browsers_lessons_bring_what_they_need(tmp_path):
 
 
 # --- the boards' page
-# -----------------------------------------------------------------------------------------------
 
 
 def test_every_board_has_its_picture_and_its_line():

@@ -1,5 +1,8 @@
-"""The command line: kinoedu plan | experiment | lab | warm | release | grade | regrade | export |
-hand-in | similar | new-exercise | autograde | bench."""
+"""The command line of kinoedu.
+
+kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in | similar |
+new-exercise | autograde | bench.
+"""
 
 import argparse
 import io
@@ -24,20 +27,25 @@ DESCRIPTION = "kinoedu: a motion-planning course you can run."
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; returns the exit status."""
-    arguments = parser().parse_args(argv)
+    """Run one command.
+
+    Returns
+    -------
+    The exit status: 0, or 1 where the command says so; 2 where the input was wrong; 130 after
+    Ctrl-C.
+    """
+    arguments = make_parser().parse_args(argv)
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(
-            errors="backslashreplace"
-        )  # a name that the terminal cannot show is no reason to fail
+        # a name with characters that the terminal cannot show is escaped, not an error
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         return int(arguments.run(arguments))
     except (KinoeduError, OSError) as error:
         print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
     except MemoryError:
         print(
-            "kinoedu: this computer's memory is not enough for that; ask for fewer nodes or a "
-            "coarser grid",
+            "kinoedu: this computer has not enough memory for that; use fewer nodes or a coarser "
+            "grid",
             file=sys.stderr,
         )
     except KeyboardInterrupt:
@@ -46,19 +54,19 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 class Parser(argparse.ArgumentParser):
-    """An argument parser whose complaint is one line, and for which -9,-9 is a value."""
+    """An argument parser that reports an error in one line and accepts -9,-9 as a value."""
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
         self._negative_number_matcher = re.compile(r"^-[\d.]+(e[-+]?\d+)?(,-?[\d.]+(e[-+]?\d+)?)*$")
 
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong and where help is."""
+        """Print the error and how to get help, and exit with status 2."""
         self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
 
 
-def parser() -> argparse.ArgumentParser:
-    """All commands and their options."""
+def make_parser() -> argparse.ArgumentParser:
+    """Make the parser of all commands and their options."""
     top = Parser(prog="kinoedu", description=DESCRIPTION)
     commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
     add_plan(commands)
@@ -76,11 +84,13 @@ def parser() -> argparse.ArgumentParser:
         description="Compile what the course uses, once.",
     )
     how = warm.add_mutually_exclusive_group()
-    how.add_argument("--all", action="store_true", help="what all lessons use, not only the first")
+    how.add_argument(
+        "--all", action="store_true", help="compile for all lessons, not only the first"
+    )
     how.add_argument(
         "--behind",
         action="store_true",
-        help="the same, giving way to whatever else runs; the lab does so",
+        help="the same at low priority, as the lab does",
     )
     warm.set_defaults(run=run_warm)
     add_release(commands)
@@ -102,7 +112,7 @@ def run_lab(arguments: argparse.Namespace) -> int:
 
 
 def run_warm(arguments: argparse.Namespace) -> int:
-    """Compile ahead."""
+    """Compile ahead of use."""
     from ..warm import warm_all, warm_behind, warm_up
 
     (warm_behind if arguments.behind else warm_all if arguments.all else warm_up)()

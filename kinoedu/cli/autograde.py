@@ -1,4 +1,4 @@
-"""kinoedu autograde: what Gradescope's run_autograder calls."""
+"""kinoedu autograde: the command that Gradescope's run_autograder calls."""
 
 import argparse
 from pathlib import Path
@@ -7,13 +7,14 @@ from typing import Any
 from ..errors import InvalidParameter
 
 AUTOGRADE_HELP = """\
-Grade the one submission in ROOT/submission into ROOT/results/results.json. This is what run_autograder calls in the zip that
-kinoedu export --gradescope-autograder packs. Where it cannot grade it writes nothing, so that nobody has a score by mistake.
+Grade the one submission in ROOT/submission and write ROOT/results/results.json. The script
+run_autograder, in the zip that kinoedu export --gradescope-autograder packs, calls this command.
+If the submission cannot be graded, nothing is written, so that nobody gets a score by mistake.
 """
 
 
 def add_autograde(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     autograde = commands.add_parser(
         "autograde",
         help="grade one submission, in Gradescope's container",
@@ -32,13 +33,13 @@ def add_autograde(commands: Any) -> None:
     autograde.add_argument(
         "--trust-container",
         action="store_true",
-        help="where no sandbox can be made, run programs WITHOUT ONE, as an ordinary user",
+        help="if no sandbox can be made, run programs WITHOUT ONE, as an ordinary user",
     )
     autograde.set_defaults(run=run_autograde)
 
 
 def run_autograde(arguments: argparse.Namespace) -> int:
-    """Grade, and say what came out: on Gradescope only instructors read that."""
+    """Grade, and print the result, which Gradescope shows to instructors only."""
     from ..grading.assignments.questions import course_secret
     from ..grading.export.autograder import autograde
 

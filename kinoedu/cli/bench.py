@@ -1,4 +1,4 @@
-"""kinoedu bench: the speed table, row by row."""
+"""kinoedu bench: measure speed row by row, and write one table."""
 
 import argparse
 import time
@@ -28,13 +28,20 @@ from ..errors import InvalidParameter
 from ..support.progress import format_duration, show_stage
 
 BENCH_HELP = """\
-Time kinoedu beside other libraries and beside C, row by row, each in a process of its own.
+Compare the speed of kinoedu with other libraries and with C, row by row. Each row runs in a process
+of its own.
 
-Into the folder go ratios.csv, a line for each contestant; ratios.md, the table of the whole with what it depends on; ratios.png and
-ratios.svg, its picture; and what each row printed, in ROW.md. The ratios are those of this run alone; earlier ones are replaced.
+Results in the folder:
+  ratios.csv               a line for each library that was compared
+  ratios.md                the table of all rows, with the computer and the versions
+  ratios.png, ratios.svg   a picture of the table
+  ROW.md                   the output of each row
 
-Peers are not part of the course: what is not installed is named and left out. --peers installs them beside the course's packages,
-each by itself. Let the computer do nothing else meanwhile.
+The ratios are those of this run alone; earlier ones are replaced.
+
+The other libraries (peers) are not part of the course. Those that are not installed are named and
+left out. --peers installs them beside the course's packages, each by itself. Do not use the
+computer for anything else while this runs.
 """
 
 BENCH_EXAMPLES = """\
@@ -43,12 +50,13 @@ examples:
   python start.py bench --peers
   python start.py bench rrt prm --repeats 3 --out results
 
-exit status: 0 every row came to its end, goals held or missed, 1 some failed, with the reason in the table, 2 the input was wrong
+exit status: 0 every row ended, whether it met its goal or not; 1 some rows failed, with the reason
+in the table; 2 the input was wrong
 """
 
 
 def add_bench(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     bench = commands.add_parser(
         "bench",
         help="time kinoedu beside other libraries and beside C",
@@ -60,7 +68,7 @@ def add_bench(commands: Any) -> None:
     bench.add_argument(
         "--list",
         action="store_true",
-        help="say which rows there are and how long they take, and run none",
+        help="list the rows and how long they take, and run none",
     )
     bench.add_argument(
         "--peers",
@@ -71,13 +79,13 @@ def add_bench(commands: Any) -> None:
         "--pythonrobotics",
         type=Path,
         metavar="PATH",
-        help="a checkout of PythonRobotics, to run it as well",
+        help="a checkout of PythonRobotics, to compare with it too",
     )
     bench.add_argument(
         "--repeats",
         type=int,
         metavar="N",
-        help="rounds of each row that counts them (default: its own number)",
+        help="rounds of each row that has rounds (default: its own number)",
     )
     bench.add_argument(
         "--out", type=Path, metavar="FOLDER", help="where results go (default: benchmarks/results)"
@@ -86,38 +94,35 @@ def add_bench(commands: Any) -> None:
 
 
 def run_bench(arguments: argparse.Namespace) -> int:
-    """Run the rows, and say where the table is."""
+    """Run the rows, and print where the table is."""
     rows = select_rows(read_rows(BENCHMARKS), arguments.rows)
     if arguments.list:
-        listed(rows)
+        print_rows(rows)
         return 0
     if arguments.repeats is not None and arguments.repeats < 1:
-        raise InvalidParameter(f"--repeats is a number from 1, got {arguments.repeats}")
+        raise InvalidParameter(f"--repeats must be at least 1, got {arguments.repeats}")
     if arguments.pythonrobotics is not None and not arguments.pythonrobotics.is_dir():
         raise InvalidParameter(
-            f"--pythonrobotics {arguments.pythonrobotics}: is no folder; give a checkout of "
+            f"--pythonrobotics {arguments.pythonrobotics} is not a folder; give a checkout of "
             "PythonRobotics"
         )
     if arguments.peers:
-        peers_installed()
+        install_peers()
     options = {
         "repeats": arguments.repeats,
         "pythonrobotics": arguments.pythonrobotics and arguments.pythonrobotics.resolve(),
     }
+    given = {name: value for name, value in options.items() if value is not None}
     folder = BENCHMARKS / "results" if arguments.out is None else arguments.out
     folder.mkdir(parents=True, exist_ok=True)
-    outcomes = all_run(
-        rows, folder, {name: value for name, value in options.items() if value is not None}
-    )
-    print(
-        f"{totals(read_ratios(folder / 'ratios.csv'), outcomes)} The table is "
-        f"{folder / 'ratios.md'}"
-    )
+    outcomes = run_rows(rows, folder, given)
+    counts = totals(read_ratios(folder / "ratios.csv"), outcomes)
+    print(f"{counts} The table is {folder / 'ratios.md'}")
     return int(any(outcome.ended == "failed" for outcome in outcomes))
 
 
-def listed(rows: Sequence[Row]) -> None:
-    """A line for each row."""
+def print_rows(rows: Sequence[Row]) -> None:
+    """Print a line for each row."""
     width = max(len(row.name) for row in rows)
     for row in rows:
         print(
@@ -127,8 +132,8 @@ def listed(rows: Sequence[Row]) -> None:
     print(f"{len(rows)} rows, about {format_duration(sum(row.seconds for row in rows))} in all")
 
 
-def peers_installed() -> None:
-    """Install them, and name those that cannot be had."""
+def install_peers() -> None:
+    """Install the libraries to compare with, and name those that cannot be installed."""
     file = BENCHMARKS / "environment.txt"
     for peer in named_peers(file):
         with show_stage(f"installing {peer}"):
@@ -136,9 +141,10 @@ def peers_installed() -> None:
         print(f"{peer}: not installed ({wrong})" if wrong else f"{peer}: installed", flush=True)
 
 
-def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[Outcome]:
-    """Run one row after another. The table is written after each, the picture in the end, also
-    where somebody stops it.
+def run_rows(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[Outcome]:
+    """Run one row after another; write the table after each row.
+
+    The picture is drawn at the end, also after an interruption.
     """
     for old in ("ratios.csv", "ratios.md", *PICTURES):
         (folder / old).unlink(missing_ok=True)
@@ -150,7 +156,7 @@ def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[
                 f"{number} of {len(rows)}: {row.name}, about {format_duration(row.seconds)}"
             ):
                 outcomes.append(run_row(row, folder, options))
-            print(told(outcomes[-1]), flush=True)
+            print(describe_outcome(outcomes[-1]), flush=True)
             around = [
                 began,
                 f"at the end: {surroundings()}",
@@ -164,8 +170,9 @@ def all_run(rows: Sequence[Row], folder: Path, options: dict[str, Any]) -> list[
     return outcomes
 
 
-def told(outcome: Outcome) -> str:
-    """How a row ended, in a line."""
+def describe_outcome(outcome: Outcome) -> str:
+    """How a row ended, in one line."""
     left_out = f"; without {'; '.join(outcome.left_out)}" if outcome.left_out else ""
     reason = f": {outcome.reason}" if outcome.reason else ""
-    return f"{outcome.row.name}: {outcome.ended} in {format_duration(outcome.seconds)}{reason}{left_out}"
+    duration = format_duration(outcome.seconds)
+    return f"{outcome.row.name}: {outcome.ended} in {duration}{reason}{left_out}"

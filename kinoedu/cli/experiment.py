@@ -1,4 +1,4 @@
-"""kinoedu experiment: planners x problems x seeds, as one table."""
+"""kinoedu experiment: run planners on problems with many seeds, into one table."""
 
 import argparse
 from pathlib import Path
@@ -8,11 +8,14 @@ from ..errors import InvalidParameter
 from ..support.progress import show_progress, show_stage
 
 EXPERIMENT_HELP = """\
-Run every planner on every problem with every seed, and sum up what came out.
+Run every planner on every problem with every seed, and summarise the results.
 
-FILE is a .toml that names them (docs/experiments.md; notebooks/experiments holds one). Into the folder go results.csv, a row for
-each run; summary.txt, a line for each planner on each problem; with --plots pictures; and in runs/ what was run, so that the same
-command, stopped at any time, goes on where it stopped.
+FILE is a .toml that names planners, problems and seeds (docs/experiments.md explains it;
+notebooks/experiments has an example). Results in the folder:
+  results.csv   a row for each run
+  summary.txt   a line for each planner on each problem
+  *.png         pictures, with --plots
+  runs/         the finished runs: if the command is stopped, the same command continues from there
 """
 
 EXPERIMENT_EXAMPLES = """\
@@ -21,12 +24,13 @@ examples:
   python start.py experiment notebooks/experiments/trees.toml --out results --workers 2
   python start.py experiment trees.toml --dask tcp://10.0.0.1:8786
 
-exit status: 0 everything was run, 1 some runs were not, with the reason in the table, 2 the input was wrong
+exit status: 0 everything was run, 1 some runs were not, with the reason in the table, 2 the input
+was wrong
 """
 
 
 def add_experiment(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     experiment = commands.add_parser(
         "experiment",
         help="run planners on problems with many seeds, and compare them",
@@ -42,32 +46,28 @@ def add_experiment(commands: Any) -> None:
         help="where results go (default: a folder named like the file, here)",
     )
     experiment.add_argument(
-        "--plots", action="store_true", help="draw medians, shares of runs, and growth, into .png"
+        "--plots", action="store_true", help="draw medians, shares of runs, and growth, as .png"
     )
     where = experiment.add_mutually_exclusive_group()
     where.add_argument(
         "--workers",
         type=int,
         metavar="N",
-        help="so many processes (default: one for each processor)",
+        help="the number of processes (default: one for each processor)",
     )
     where.add_argument(
-        "--dask", metavar="ADDRESS", help="run on the Dask cluster whose scheduler is there"
+        "--dask", metavar="ADDRESS", help="run on the Dask cluster whose scheduler has this address"
     )
     experiment.set_defaults(run=run_experiment)
 
 
 def run_experiment(arguments: argparse.Namespace) -> int:
-    """Read, run what is missing, write, and sum up."""
+    """Run what is missing, write the results, and print their summary."""
     folder = Path(arguments.file.stem) if arguments.out is None else arguments.out
     if arguments.file.suffix.lower() != ".toml":
-        raise InvalidParameter(f"{arguments.file}: an experiment ends in .toml")
-    from ..experiments import (
-        as_text,
-        read_experiment,
-        run,
-        summary,
-    )  # imported here so that --help is quick
+        raise InvalidParameter(f"{arguments.file}: the file of an experiment ends in .toml")
+    # imported here so that --help is quick
+    from ..experiments import as_text, read_experiment, run, summary
     from ..support.whole_files import written_whole
 
     with show_stage(f"reading {arguments.file.name}"):

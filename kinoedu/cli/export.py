@@ -1,4 +1,4 @@
-"""kinoedu export: grades for other programs."""
+"""kinoedu export: write grades for other programs."""
 
 import argparse
 import importlib.util
@@ -9,14 +9,16 @@ from ..errors import InvalidParameter
 from ..support.progress import show_stage
 
 EXPORT_HELP = """\
-Write the grades as other programs read them.
+Write the grades in the formats of other programs.
 
   csv         a line for each student, a column for each assignment
-  canvas      your own export of Canvas's gradebook (--template) with the assignment's column filled in, to be imported there
+  canvas      your own export of Canvas's gradebook (--template), with the assignment's column
+              filled in; import it into Canvas
   gradescope  a results.json for each submission
-  nbgrader    a course folder with nbgrader's gradebook, in which formgrader shows the answers that people grade
+  nbgrader    a course folder with nbgrader's gradebook; formgrader shows the answers that people
+              grade
 
-Or, without grades, pack what Gradescope itself grades with: --gradescope-autograder.
+Or, without grades, pack an autograder that runs on Gradescope: --gradescope-autograder.
 """
 
 EXPORT_EXAMPLES = """\
@@ -24,18 +26,18 @@ examples:
   python start.py export grades --to csv
   python start.py export grades --to canvas --template from_canvas.csv --out to_canvas.csv
   python start.py export grades --to nbgrader --out nbgrader
-  python start.py export grades --from-nbgrader nbgrader        (and what was graded there comes back)
+  python start.py export grades --from-nbgrader nbgrader     (reads the scores given there)
   python start.py export --gradescope-autograder autograder.zip --assignment 01_geometry
 """
 
 TRUST_CONTAINER = (
-    "gradescope-autograder: where no sandbox can be made there, run programs WITHOUT ONE, as an "
+    "gradescope-autograder: if no sandbox can be made there, run programs WITHOUT ONE, as an "
     "ordinary user"
 )
 
 
 def add_export(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     export = commands.add_parser(
         "export",
         help="write grades for Canvas, Gradescope, nbgrader, or a spreadsheet",
@@ -47,18 +49,18 @@ def add_export(commands: Any) -> None:
         "grades", metavar="GRADES", type=Path, nargs="?", help="the folder that kinoedu grade made"
     )
     what = export.add_mutually_exclusive_group(required=True)
-    what.add_argument("--to", choices=tuple(EXPORTS), help="for whom")
+    what.add_argument("--to", choices=tuple(EXPORTS), help="the format")
     what.add_argument(
         "--from-nbgrader",
         metavar="FOLDER",
         type=Path,
-        help="bring scores back that people gave in formgrader",
+        help="read the scores that people gave in formgrader",
     )
     what.add_argument(
         "--gradescope-autograder",
         metavar="ZIP",
         type=Path,
-        help="pack the judges of --assignment for Gradescope",
+        help="pack an autograder of --assignment for Gradescope",
     )
     export.add_argument(
         "--out", metavar="PATH", type=Path, help="the file or folder to write (default: in GRADES)"
@@ -67,38 +69,38 @@ def add_export(commands: Any) -> None:
         "--template",
         metavar="FILE",
         type=Path,
-        help="canvas: the export of its gradebook to start from",
+        help="canvas: your export of its gradebook",
     )
     export.add_argument(
         "--column",
         default="",
         metavar="NAME",
-        help="canvas: the column of the assignment, where it is named otherwise",
+        help="canvas: the column of the assignment, if it has another name",
     )
-    export.add_argument("--assignment", default="", metavar="NAME", help="only this one")
+    export.add_argument("--assignment", default="", metavar="NAME", help="only this assignment")
     export.add_argument(
         "--secret",
         metavar="FILE",
         type=Path,
-        help="gradescope-autograder: the course's secret, which goes there",
+        help="gradescope-autograder: the course's secret, which is packed too",
     )
     export.add_argument("--trust-container", action="store_true", help=TRUST_CONTAINER)
     export.set_defaults(run=run_export)
 
 
 def run_export(arguments: argparse.Namespace) -> int:
-    """Read the class, and write what is asked for."""
+    """Read the class, and write the export that the arguments name."""
     from ..grading.judge.class_list import read_class
     from ..grading.report.decisions import read_decisions
     from ..grading.report.rows import class_rows
 
     if arguments.gradescope_autograder is not None:
-        return to_autograder(arguments)
+        return pack_for_gradescope(arguments)
     if arguments.grades is None:
-        raise InvalidParameter("say whose grades: the folder that kinoedu grade made")
+        raise InvalidParameter("name the folder of grades that kinoedu grade made")
     of = read_class(arguments.grades)
     if arguments.from_nbgrader is not None:
-        return from_nbgrader(of, arguments.from_nbgrader)
+        return read_back_from_nbgrader(of, arguments.from_nbgrader)
     rows = [
         row
         for row in class_rows(of, read_decisions(of.out))
@@ -110,8 +112,8 @@ def run_export(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def to_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
-    """A plain table."""
+def write_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """Write a plain table."""
     from ..grading.export.tables import export_csv
 
     file = arguments.out or of.out / "totals.csv"
@@ -119,8 +121,8 @@ def to_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     return f"wrote {file}; a cell is empty where something has no score yet"
 
 
-def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
-    """Canvas's own table, filled in."""
+def write_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """Fill in the table that was exported from Canvas."""
     from ..grading.export.tables import export_canvas
     from ..support.csv_cells import one_line
 
@@ -135,26 +137,26 @@ def to_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     return f"wrote {file}{missing}"
 
 
-def to_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
-    """Results for each submission."""
+def write_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """Write Gradescope's results for each submission."""
     from ..grading.export.tables import export_gradescope
 
     folder = arguments.out or of.out / "gradescope"
     return f"wrote {export_gradescope(rows, folder)} files in {folder}"
 
 
-def to_autograder(arguments: argparse.Namespace) -> int:
-    """What Gradescope grades with."""
+def pack_for_gradescope(arguments: argparse.Namespace) -> int:
+    """Pack the autograder of one assignment."""
     require_nbgrader()
     from ..grading.assignments.questions import course_secret
     from ..grading.export.autograder_zip import pack_autograder
-    from .grade import secret_of
+    from .grade import find_secret_file
 
     if not arguments.assignment:
         raise InvalidParameter(
             "an autograder is for one assignment: name it with --assignment, such as 01_geometry"
         )
-    secret = course_secret(secret_of(arguments, ""))
+    secret = course_secret(find_secret_file(arguments, ""))
     file, wall = arguments.gradescope_autograder, arguments.trust_container
     with show_stage(f"packing {file}"):
         count = pack_autograder(file, arguments.assignment, secret, container_is_wall=wall)
@@ -165,8 +167,8 @@ def to_autograder(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
-    """nbgrader's gradebook."""
+def write_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
+    """Write a course folder with nbgrader's gradebook."""
     require_nbgrader()
     from ..grading.export.nbgrader_course import export_nbgrader
 
@@ -180,15 +182,15 @@ def to_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     )
 
 
-def from_nbgrader(of: Any, folder: Path) -> int:
-    """Scores that people gave come back, and the grades are written anew."""
+def read_back_from_nbgrader(of: Any, folder: Path) -> int:
+    """Read the scores that people gave in formgrader, and write the grades again."""
     require_nbgrader()
     from ..grading.export.nbgrader_course import scores_from_nbgrader
     from ..grading.report.writing import write_all
 
     if not (folder / "gradebook.db").exists():
         raise InvalidParameter(
-            f"{folder} holds no gradebook.db; it should be what kinoedu export --to nbgrader made"
+            f"{folder} has no gradebook.db; name the folder that kinoedu export --to nbgrader made"
         )
     with show_stage("reading the gradebook"):
         count = scores_from_nbgrader(of, folder)
@@ -201,9 +203,14 @@ def from_nbgrader(of: Any, folder: Path) -> int:
 
 
 def require_nbgrader() -> None:
-    """Refuse where nbgrader is not installed."""
+    """Raise InvalidParameter where nbgrader is not installed."""
     if importlib.util.find_spec("nbgrader") is None:
         raise InvalidParameter("this needs nbgrader, which python start.py export installs")
 
 
-EXPORTS = {"csv": to_csv, "canvas": to_canvas, "gradescope": to_gradescope, "nbgrader": to_nbgrader}
+EXPORTS = {
+    "csv": write_csv,
+    "canvas": write_canvas,
+    "gradescope": write_gradescope,
+    "nbgrader": write_nbgrader,
+}

@@ -1,4 +1,4 @@
-"""kinoedu grade and kinoedu regrade: a class's submissions, run in a sandbox and judged."""
+"""kinoedu grade and kinoedu regrade: run a class's submissions in a sandbox and judge them."""
 
 import argparse
 import sys
@@ -9,12 +9,15 @@ from ..errors import InvalidParameter
 from ..support.progress import show_progress
 
 GRADE_HELP = """\
-Grade a folder of submissions, as nbgrader, Canvas, Moodle or Gradescope lay them out, or a zip of it. Into GRADES go
+Grade a folder of submissions, or a zip of it, in the layout of nbgrader, Canvas, Moodle or
+Gradescope. Results in GRADES:
 
-  grades.csv    a row for each question       report.html   the class at a glance
-  feedback/     a page for each student       overrides.csv is yours: what it says overrules (docs/grading.md)
+  grades.csv      a row for each question
+  report.html     an overview of the class
+  feedback/       a page for each student
+  overrides.csv   for your own decisions, which overrule the grader (docs/grading.md)
 
-The same command, stopped at any time, goes on where it stopped.
+If the command is stopped, the same command continues from there.
 """
 
 GRADE_EXAMPLES = """\
@@ -27,8 +30,9 @@ exit status: 0 everything was graded, 1 something was not, with the reason, 2 th
 """
 
 REGRADE_HELP = """\
-Grade a class once more, after a judge was repaired or files were replaced, into another folder; list whose score changed and why.
-What you decided in overrides.csv, and what was graded by hand, goes along and still holds.
+Grade a class again into another folder, after a judge was repaired or files were replaced, and list
+whose score changed and why. Your decisions in overrides.csv and the scores given by hand are copied
+and stay valid.
 """
 
 TRUSTED = """\
@@ -41,7 +45,7 @@ MOST_LISTED = 20
 
 
 def add_grade(commands: Any) -> None:
-    """The commands and their options."""
+    """Add the two commands and their options."""
     raw = argparse.RawDescriptionHelpFormatter
     grade = commands.add_parser(
         "grade",
@@ -54,18 +58,18 @@ def add_grade(commands: Any) -> None:
         "submissions",
         metavar="SUBMISSIONS",
         type=Path,
-        help="the folder or zip of what was handed in",
+        help="the folder or zip of submissions",
     )
     grade.add_argument(
         "--out", metavar="GRADES", type=Path, required=True, help="the folder of the grades"
     )
     grade.add_argument(
-        "--assignment", default="", metavar="NAME", help="only this one, such as 01_geometry"
+        "--assignment", default="", metavar="NAME", help="only this assignment, such as 01_geometry"
     )
-    add_how(grade)
+    add_grading_options(grade)
     grade.set_defaults(run=run_grade)
     regrade = commands.add_parser(
-        "regrade", help="grade a class once more, and compare", description=REGRADE_HELP
+        "regrade", help="grade a class again, and compare", description=REGRADE_HELP
     )
     regrade.add_argument(
         "old", metavar="OLD", type=Path, help="the folder of the grades to compare with"
@@ -79,21 +83,23 @@ def add_grade(commands: Any) -> None:
         type=Path,
         help="where the submissions are now (default: where they were)",
     )
-    add_how(regrade)
+    add_grading_options(regrade)
     regrade.set_defaults(run=run_regrade)
 
 
-def add_how(command: argparse.ArgumentParser) -> None:
-    """What both have in common."""
+def add_grading_options(command: argparse.ArgumentParser) -> None:
+    """Add the options that both commands have."""
     where = command.add_mutually_exclusive_group()
     where.add_argument(
         "--workers",
         type=int,
         metavar="N",
-        help="so many processes (default: one for each processor)",
+        help="the number of processes (default: one for each processor)",
     )
     where.add_argument(
-        "--dask", metavar="ADDRESS", help="grade on the Dask cluster whose scheduler is there"
+        "--dask",
+        metavar="ADDRESS",
+        help="grade on the Dask cluster whose scheduler has this address",
     )
     command.add_argument(
         "--secret",
@@ -104,59 +110,58 @@ def add_how(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--variants",
         action="store_true",
-        help="each student has contracts of their own (release --variants)",
+        help="each student has their own variants of exercises (release --variants)",
     )
     command.add_argument(
         "--trust",
         action="store_true",
-        help="run submissions WITHOUT A SANDBOX: they may do whatever you may",
+        help="run submissions WITHOUT A SANDBOX: they can do whatever you can",
     )
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """Grade, write, and say what came out."""
+    """Grade a class, write the results, and print a summary."""
     from ..grading.class_grading import grade_class
     from ..grading.report.rows import class_rows
 
-    secret_file = secret_of(arguments, "")
+    secret_file = find_secret_file(arguments, "")
     with show_progress("grading") as grading, show_progress("writing pages") as writing:
-        run = run_of(arguments, secret_file, grading, writing)
+        run = make_run(arguments, secret_file, grading, writing)
         of = grade_class(arguments.submissions, arguments.assignment, arguments.out, run)
     return sum_up(of, class_rows(of, {}))
 
 
 def run_regrade(arguments: argparse.Namespace) -> int:
-    """Grade anew, and list what changed."""
+    """Grade a class again, and list what changed."""
     from ..grading.judge.class_list import read_class
     from ..grading.regrading import regrade
     from ..grading.report.rows import class_rows
     from ..support.csv_cells import number, one_line
 
-    secret_file = secret_of(arguments, read_class(arguments.old).secret_file)
+    secret_file = find_secret_file(arguments, read_class(arguments.old).secret_file)
     with show_progress("grading") as grading, show_progress("writing pages") as writing:
         of, changes = regrade(
             arguments.old,
             arguments.out,
-            run_of(arguments, secret_file, grading, writing),
+            make_run(arguments, secret_file, grading, writing),
             arguments.submissions,
         )
     status = sum_up(of, class_rows(of, {}))
-    print(
-        f"{len(changes)} scores changed"
-        + (f"; all of them in {of.out / 'changes.csv'}" if changes else "")
-    )
+    listed = f"; all of them in {of.out / 'changes.csv'}" if changes else ""
+    print(f"{len(changes)} scores changed{listed}")
     for one in changes[:MOST_LISTED]:
         kept = f" (yours holds: {one.kept})" if one.kept else ""
         scores = f"{number(one.before) or '-'} -> {number(one.after) or '-'}"
-        print(
-            "  "
-            f"{one_line(f'{one.student} {one.assignment} {one.question}: {scores}{kept}; {one.why}')}"
-        )
+        question = f"{one.student} {one.assignment} {one.question}"
+        print(f"  {one_line(f'{question}: {scores}{kept}; {one.why}')}")
     return status
 
 
-def secret_of(arguments: argparse.Namespace, before: str) -> Path:
-    """The secret's file: as given, as before, or this user's own; says so where it is made."""
+def find_secret_file(arguments: argparse.Namespace, before: str) -> Path:
+    """The file of the course's secret: as given, else `before`, else this user's own.
+
+    Prints a line where the user's own file does not exist yet and will be made.
+    """
     from ..grading.assignments.secret_place import usual_secret
 
     file = arguments.secret or (Path(before) if before else usual_secret())
@@ -169,13 +174,13 @@ def secret_of(arguments: argparse.Namespace, before: str) -> Path:
     return Path(file)
 
 
-def run_of(arguments: argparse.Namespace, secret_file: Path, grading: Any, writing: Any) -> Any:
-    """How it is to be done."""
+def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, writing: Any) -> Any:
+    """Collect the settings of a grading run."""
     from ..grading.class_grading import Run
     from ..grading.judge.running import dask, local
 
     if arguments.workers is not None and arguments.workers < 1:
-        raise InvalidParameter(f"--workers is a number from 1, got {arguments.workers}")
+        raise InvalidParameter(f"--workers must be at least 1, got {arguments.workers}")
     if arguments.trust:
         print(TRUSTED, file=sys.stderr)
     place = dask(arguments.dask) if arguments.dask is not None else local(arguments.workers)
@@ -183,7 +188,7 @@ def run_of(arguments: argparse.Namespace, secret_file: Path, grading: Any, writi
 
 
 def sum_up(of: Any, rows: Any) -> int:
-    """One line on what was graded, one for each that was not, and what to do next."""
+    """Print how many submissions were graded, and a line for each that was not; the exit status."""
     from ..grading.report.rows import NOT_GRADED, UNREADABLE
     from ..support.csv_cells import one_line
 

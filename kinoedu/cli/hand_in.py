@@ -1,4 +1,4 @@
-"""kinoedu hand-in: a student packs one notebook, with a receipt."""
+"""kinoedu hand-in: pack one notebook to hand in, with a receipt."""
 
 import argparse
 from datetime import UTC, datetime
@@ -6,15 +6,16 @@ from pathlib import Path
 from typing import Any
 
 HAND_IN_HELP = """\
-Check that a notebook can be graded, and pack it into a zip to hand in, with a receipt: what is answered, when it was packed, and a
-number that no other notebook has (SHA-256). Nothing is run and nothing is sent: the zip is yours to upload.
+Check that a notebook can be graded, and pack it into a zip to hand in, with a receipt: the
+answered questions, the time, and a number that no other notebook has (SHA-256). Nothing is run and
+nothing is sent: upload the zip yourself.
 
   python start.py hand-in exercises/01_geometry.ipynb
 """
 
 
 def add_hand_in(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     hand_in = commands.add_parser(
         "hand-in",
         help="pack a notebook to hand in, with a receipt",
@@ -32,7 +33,7 @@ def add_hand_in(commands: Any) -> None:
 
 
 def run_hand_in(arguments: argparse.Namespace) -> int:
-    """Pack, and show the receipt."""
+    """Pack the notebook, and print the receipt."""
     from ..grading.collect.handing_in import hand_in
 
     zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")

@@ -1,4 +1,4 @@
-"""kinoedu plan: a path in a scene, a map or a picture."""
+"""kinoedu plan: plan a path in a scene, a map or a picture."""
 
 import argparse
 import re
@@ -29,16 +29,17 @@ SCENE is one of
 
 PLANNER is one of
 {chr(10).join(f"  {name:<20} {planner.about}" for name, planner in CHOICES.items())}
-  * among polygons: no map, picture, disc, radius or clearance
+  * only among polygons: not in a map or a picture, nor with discs, a radius or a clearance
 
-x goes right, y goes up, from the lower left corner; a pixel or map cell is one unit long (a ROS map's are in metres).
+x points right and y up, from the lower left corner. The side of a pixel or map cell is one unit; a
+ROS map is in metres.
 """
 
 PLAN_EXAMPLES = """\
 examples:
-  python start.py plan notebooks/maps/Paris_1_256.map --query 324 --planner prm --seed 3 --out plan.png
+  python start.py plan notebooks/maps/Paris_1_256.map --query 324 --planner prm --out plan.png
   python start.py plan notebooks/maps/maze-128-128-10.map --start 5,5 --goal 120,120 --planner astar
-  python start.py plan scene.json --step 0.5 --save plan.json
+  python start.py plan scene.json --step 0.5 --seed 3 --save plan.json
   python start.py plan scene.json --planner decomposition --out plan.svg
 
 exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
@@ -46,7 +47,7 @@ exit status: 0 a path was found, 1 there is none (with the reason), 2 the input 
 
 
 def add_plan(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     plan = commands.add_parser(
         "plan",
         help="plan a path in a scene, a map or a picture, and draw it",
@@ -59,7 +60,7 @@ def add_plan(commands: Any) -> None:
 
 
 def add_plan_options(plan: argparse.ArgumentParser) -> None:
-    """The options of `kinoedu plan`."""
+    """Add the options of `kinoedu plan`."""
     plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
     plan.add_argument(
         "--planner",
@@ -73,7 +74,7 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
         type=int,
         default=0,
         metavar="N",
-        help="of the random numbers; same seed, same plan (default: 0)",
+        help="seed of the random numbers; the same seed gives the same plan (default: 0)",
     )
     plan.add_argument(
         "--out", type=Path, metavar="FILE", help="draw the plan into a picture: .png, .svg or .pdf"
@@ -84,20 +85,20 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="write the plan as .json, or its path alone as .csv",
     )
-    add_where(plan.add_argument_group("where"))
-    add_how(plan.add_argument_group("how"))
+    add_robot_options(plan.add_argument_group("robot, start and goal"))
+    add_planner_options(plan.add_argument_group("parameters of planners"))
 
 
-def add_where(where: argparse._ArgumentGroup) -> None:
-    """Options for the robot, its start and its goal."""
+def add_robot_options(where: argparse._ArgumentGroup) -> None:
+    """Add the options for the robot, its start and its goal."""
     where.add_argument(
         "--query",
         type=int,
         metavar="K",
-        help="the K-th query, from 0, of a map's scenario (default: 0)",
+        help="number of a query, from 0, in the map's scenario (default: 0)",
     )
-    where.add_argument("--start", type=numbers, metavar="X,Y", help="where the robot starts")
-    where.add_argument("--goal", type=numbers, metavar="X,Y", help="where it is to go")
+    where.add_argument("--start", type=parse_numbers, metavar="X,Y", help="where the robot starts")
+    where.add_argument("--goal", type=parse_numbers, metavar="X,Y", help="where it must go")
     where.add_argument(
         "--radius",
         type=float,
@@ -109,46 +110,49 @@ def add_where(where: argparse._ArgumentGroup) -> None:
         type=float,
         default=0.0,
         metavar="C",
-        help="keep this far from obstacles (default: 0)",
+        help="the distance to keep from obstacles (default: 0)",
     )
 
 
-def add_how(how: argparse._ArgumentGroup) -> None:
-    """Options for the planners' parameters."""
+def add_planner_options(how: argparse._ArgumentGroup) -> None:
+    """Add the options for the planners' parameters."""
     how.add_argument(
         "--step",
         type=float,
         metavar="D",
-        help="rrt and its kin: the longest edge (a twentieth of the world)",
+        help="planners of the RRT family: the longest edge (default: a twentieth of the world)",
     )
     how.add_argument(
         "--nodes",
         type=int,
         metavar="N",
-        help="rrt and its kin: stop at so many nodes (10,000; rrt-star 5,000); prm: sample so many (1,000)",
+        help="planners of the RRT family: stop at this many nodes (default: 10,000; rrt-star "
+        "5,000); prm: sample this many configurations (default: 1,000)",
     )
     how.add_argument(
         "--neighbours",
         type=int,
         metavar="K",
-        help="prm: how many neighbours each node is tried with (default: 10)",
+        help="prm: how many neighbours to try for each node (default: 10)",
     )
     how.add_argument(
         "--spacing",
         type=float,
         metavar="D",
-        help="the side of a cell; astar: (the map's own, or a hundredth of the world); hybrid-astar: (a quarter of the wheelbase)",
+        help="the side of a cell (default: astar the map's own, or a hundredth of the world; "
+        "hybrid-astar a quarter of the wheelbase)",
     )
     how.add_argument(
         "--iterations",
         type=int,
         metavar="N",
-        help="kinodynamic-rrt, sst: stop after so many (1,000; sst 20,000)",
+        help="stop after this many iterations (default: rrt ten for each node; kinodynamic-rrt "
+        "1,000; kinodynamic-prm 350; sst 20,000)",
     )
 
 
-def numbers(text: str) -> list[float]:
-    """Numbers between commas."""
+def parse_numbers(text: str) -> list[float]:
+    """Parse numbers separated by commas."""
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:
@@ -156,7 +160,7 @@ def numbers(text: str) -> list[float]:
 
 
 def run_plan(arguments: argparse.Namespace) -> int:
-    """Read, plan, draw, and say in one line what came out."""
+    """Read the scene, plan, draw and save, and print the result in one line."""
     check_writable("--out", arguments.out, arguments.scene, "a picture ends in .png, .svg or .pdf")
     check_writable("--save", arguments.save, arguments.scene, "a plan ends in .json or .csv")
     from ..files.scenes import read_problem
@@ -166,7 +170,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
     with show_stage(f"reading {arguments.scene.name}"):
         problem = read_problem(
             arguments.scene,
-            robot=robot_for(arguments.radius),
+            robot=make_robot(arguments.radius),
             start=arguments.start,
             goal=arguments.goal,
             query=arguments.query,
@@ -174,7 +178,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
         )
     with show_stage(f"planning with {arguments.planner}"):
         started = time.perf_counter()
-        plan = interruptible(lambda: planned(problem, arguments))
+        plan = run_interruptibly(lambda: make_plan(problem, arguments))
         seconds = time.perf_counter() - started
     if arguments.out is not None:
         with show_stage(f"drawing {arguments.out.name}"):
@@ -199,15 +203,15 @@ def run_plan(arguments: argparse.Namespace) -> int:
     return 0 if plan.path is not None else 1
 
 
-def robot_for(radius: float | None) -> Any:
-    """A disk of the radius given, or nothing said."""
+def make_robot(radius: float | None) -> Any:
+    """A disk of this radius, or None where no radius was given."""
     from ..robots import Disk
 
     return None if radius is None else Disk(radius)
 
 
-def interruptible(work: Callable[[], Any]) -> Any:
-    """Do it in another thread, so that Ctrl-C is heard while compiled code runs."""
+def run_interruptibly(work: Callable[[], Any]) -> Any:
+    """Run `work` in another thread, so that Ctrl-C works while compiled code runs."""
     answer: Future[Any] = Future()
 
     def run() -> None:
@@ -222,9 +226,10 @@ def interruptible(work: Callable[[], Any]) -> Any:
     return answer.result()
 
 
-def planned(problem: Any, arguments: argparse.Namespace) -> Any:
-    """Ask the planner that was named, with the options that were given; one that it does not have
-    is refused.
+def make_plan(problem: Any, arguments: argparse.Namespace) -> Any:
+    """Plan with the planner and the settings of the command line.
+
+    Raises InvalidParameter for a setting that this planner does not have.
     """
     planner = CHOICES[arguments.planner]
     given = {name: getattr(arguments, name) for name in SETTINGS}
@@ -237,8 +242,9 @@ def planned(problem: Any, arguments: argparse.Namespace) -> Any:
 
 
 def check_writable(option: str, path: Path | None, scene: Path, endings: str) -> None:
-    """Refuse a file that could not be written, before any work is done; `endings` says how its name
-    must end.
+    """Raise OSError for a file that cannot be written, before any work is done.
+
+    `endings` is the message for a wrong file name extension; it names the right ones.
     """
     if path is None:
         return

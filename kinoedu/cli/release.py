@@ -1,4 +1,4 @@
-"""kinoedu release: exercises from solutions, and a zip for students."""
+"""kinoedu release: make exercises from solutions, and a zip for students."""
 
 import argparse
 import importlib.util
@@ -9,21 +9,24 @@ from ..errors import InvalidParameter
 from ..support.progress import show_stage
 
 RELEASE_HELP = """\
-Make the exercises from the solutions: answers are taken out, every cell is run, and what a student sees is stored.
+Make the exercises from the solutions: answers are removed, every cell is run, and the outputs that
+students see are stored.
 
   python start.py release                     all assignments
   python start.py release 01_geometry         one of them
-  python start.py release --zip course.zip    and pack what students get: no solutions, no bank of wrong answers, no tests
+  python start.py release --zip course.zip    and pack the course for students: without solutions,
+                                              wrong answers and tests
 
-With --variants each student gets exercises of their own: where several answers would do, each is asked for another one. Grade with
---variants then. STUDENTS is a file with an id on each line, spelled as in the column student of grades.csv.
+With --variants each student gets their own exercises: where several answers are right, students are
+asked for different ones. Then grade with --variants. STUDENTS is a file with an id on each line,
+spelled as in the column student of grades.csv.
 
   python start.py release 02_bug_algorithms --variants students.txt --out handouts
 """
 
 
 def add_release(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     release = commands.add_parser(
         "release",
         help="make the exercises from the solutions, and a zip for students",
@@ -40,7 +43,7 @@ def add_release(commands: Any) -> None:
         "--variants",
         type=Path,
         metavar="STUDENTS",
-        help="write each student's own exercises, as released before",
+        help="write each student's own variants of released exercises",
     )
     release.add_argument(
         "--out", type=Path, metavar="FOLDER", help="variants: the folder to write them to"
@@ -49,13 +52,13 @@ def add_release(commands: Any) -> None:
         "--secret",
         type=Path,
         metavar="FILE",
-        help="variants: the course's secret, from which they are drawn",
+        help="variants: the course's secret, from which variants are drawn",
     )
     release.set_defaults(run=run_release)
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Make each exercise, and say where it is."""
+    """Make the exercises, and print where they are."""
     from ..course.release import assignments, pack_course, release
 
     if arguments.variants is not None:
@@ -75,10 +78,10 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 
 def release_variants(arguments: argparse.Namespace) -> int:
-    """Write each student's own exercises, and say where they are."""
+    """Write each student's own variants, and print where they are."""
     from ..grading.assignments.questions import course_secret
     from ..grading.judge.variants import write_variants
-    from .grade import secret_of
+    from .grade import find_secret_file
 
     if arguments.out is None or not arguments.assignments:
         raise InvalidParameter(
@@ -90,9 +93,8 @@ def release_variants(arguments: argparse.Namespace) -> int:
         raise InvalidParameter(
             f"{arguments.variants} names no student; it should have an id on each line"
         )
-    count = write_variants(
-        arguments.assignments, students, course_secret(secret_of(arguments, "")), arguments.out
-    )
+    secret = course_secret(find_secret_file(arguments, ""))
+    count = write_variants(arguments.assignments, students, secret, arguments.out)
     print(
         f"wrote {count} notebooks in {arguments.out}; variants.csv says who has which. Grade them "
         "with --variants"

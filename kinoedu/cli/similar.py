@@ -1,4 +1,4 @@
-"""kinoedu similar: which programs are alike, for a person to look at."""
+"""kinoedu similar: list similar programs for a person to look at."""
 
 import argparse
 from itertools import groupby
@@ -9,19 +9,20 @@ from ..errors import InvalidParameter
 from ..support.progress import show_stage
 
 SIMILAR_HELP = """\
-Rank submissions by what they have in common with each other, and with the course's own solution, wrong answers and library. Names,
-comments, layout and the order of functions do not matter; what all were given is left out. Nothing is run, nothing is scored, and
-nothing is proved: look at the pairs.
+Rank submissions by the code that they share with each other, and with the course's own solution,
+wrong answers and library. Names, comments, layout and the order of functions do not matter; code
+that all students were given is left out. Nothing is run, nothing is scored, and nothing is proved:
+look at the pairs.
 
   python start.py similar submissions --out similar
 """
 
 
 def add_similar(commands: Any) -> None:
-    """The command and its options."""
+    """Add the command and its options."""
     similar = commands.add_parser(
         "similar",
-        help="list programs that are alike, for you to look at",
+        help="list similar programs, for you to look at",
         description=SIMILAR_HELP,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -29,16 +30,16 @@ def add_similar(commands: Any) -> None:
         "submissions",
         metavar="SUBMISSIONS",
         type=Path,
-        help="the folder or zip of what was handed in",
+        help="the folder or zip of submissions",
     )
     similar.add_argument(
-        "--out", metavar="FOLDER", type=Path, required=True, help="the folder of the pages"
+        "--out", metavar="FOLDER", type=Path, required=True, help="the folder for the pages"
     )
     similar.add_argument(
         "--assignment",
         default="",
         metavar="NAME",
-        help="take every notebook for this one, such as 01_geometry",
+        help="read every notebook as this assignment, such as 01_geometry",
     )
     similar.add_argument(
         "--most",
@@ -51,13 +52,13 @@ def add_similar(commands: Any) -> None:
 
 
 def run_similar(arguments: argparse.Namespace) -> int:
-    """Compare, and say where to look."""
+    """Compare the programs, and print where the pages are."""
     from ..grading.collect.submissions import collect
     from ..grading.report.similar import similar
     from ..grading.report.similar_page import write_similar
 
     if arguments.most < 1:
-        raise InvalidParameter(f"--most is a number from 1, got {arguments.most}")
+        raise InvalidParameter(f"--most must be at least 1, got {arguments.most}")
     submissions = [
         one for one in collect(arguments.submissions, arguments.assignment) if one.assignment
     ]

@@ -11,9 +11,9 @@ three sets of edges matter (de Berg et al., section 2.1, HandleEventPoint):
 
 Left of the line lie L(p) and C(p), which the status holds; right of it lie C(p) and U(p).
 
-One call of `handle_event` handles the points of one x from one place where both sides of the line are
-solid up to the next such place. Each point on the way is a *level* of the line, and so is each edge
-that passes between two points. On either side of the line the edges are alternately floors and
+One call of `handle_event` handles the points of one x from one place where both sides of the line
+are solid up to the next such place. Each point on the way is a *level* of the line, and so is each
+edge that passes between two points. On either side of the line the edges are alternately floors and
 ceilings: those on the left bound the cells that end, those on the right the cells that begin, and
 two of these cells share a wall where their ranges of levels overlap. A vertical edge needs no
 special case: between its levels one side of the line is solid and the other is free.

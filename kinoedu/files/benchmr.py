@@ -69,7 +69,13 @@ def read_benchmr(path: str | os.PathLike[str], *, boundary: ArrayLike | None = N
 
 
 def is_polygon_map(path: str | os.PathLike[str]) -> bool:
-    """Whether a JSON file is a polygon map, and not a scene. Raises UnreadableScene."""
+    """Whether a JSON file is a polygon map, and not a scene.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing or damaged.
+    """
     return read_json(
         Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value
     )
@@ -91,7 +97,7 @@ def read_polygons(path: str | os.PathLike[str]) -> PolygonWorldRecord:
     """
     if not is_polygon_map(path):
         raise UnknownFormat(
-            f"{path}: expected a map with `polygons`; a scene is read by kinoedu.files.scenes.read_scene"
+            f"{path}: expected a map with `polygons`; read a scene by kinoedu.files.read_scene"
         )
     return read_benchmr(path).world
 

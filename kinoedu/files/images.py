@@ -63,10 +63,17 @@ def read_image(path: str | os.PathLike[str]) -> TerrainRecord:
     return Terrain(free[::-1])
 
 
-def brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """The brightness of each pixel, 0 to 1, (rows, columns), top row first.
+def read_brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """The brightness of each pixel, from 0 to 1.
 
-    Files and errors are the same as in `read_image`.
+    Returns
+    -------
+    (rows, columns) array, top row first.
+
+    Raises
+    ------
+    UnreadableScene, SceneTooLarge
+        As in `read_image`.
     """
     image = load_image(path)
     deep = deep_grey(image)
@@ -126,7 +133,7 @@ def _scale_transparent_grey(image: "ImageFile") -> None:
 
 
 def deep_grey(image: "Image") -> NDArray[Any] | None:
-    """The greys (rows, columns) in 0..65535 where a pixel has more than 8 bits, else None."""
+    """The greys, (rows, columns) in 0..65535, of a picture with more than 8 bits; else None."""
     return np.asarray(image) if image.mode in _DEEP_GREY else None
 
 
@@ -152,4 +159,4 @@ def read_heights(path: str | os.PathLike[str], *, highest: float = 1.0) -> Array
     InvalidParameter
         Where `highest` is not positive.
     """
-    return positive(highest, "highest") * brightness(path)[::-1]
+    return positive(highest, "highest") * read_brightness(path)[::-1]

@@ -18,7 +18,7 @@ Solid = tuple[Array, list[Array]]
 
 
 def project_triangles(triangles: Array) -> list[Solid]:
-    """The projection of triangles (m, 3, 3) to the plane. Vertical ones cover nothing."""
+    """The projection of triangles (m, 3, 3) to the plane. Vertical triangles cover no area."""
     import shapely
 
     unit = unit_of(triangles)
@@ -72,9 +72,8 @@ def intersect_plane(triangles: Array, height: float) -> Array:
     passing = above.any(axis=1) & ~above.all(axis=1)
     above, triangles = above[passing], triangles[passing]
     top_heavy = above.sum(axis=1) == 2
-    lone = np.argmax(
-        above != top_heavy[:, None], axis=1
-    )  # the only corner on its side of the plane
+    # the only corner on its side of the plane
+    lone = np.argmax(above != top_heavy[:, None], axis=1)
     rows = np.arange(len(lone))
     a, b, c = (triangles[rows, (lone + k) % 3] for k in range(3))
     ends = [points_at_height(a, other, top_heavy, height) for other in (b, c)]
@@ -117,18 +116,11 @@ def as_solids(shape: object, unit: float) -> list[Solid]:
         for part in shapely.get_parts(shapely.simplify(shape, GRID))
         if part.geom_type == "Polygon" and not part.is_empty
     ]
-    made = [
-        (
-            as_checked_ring(part.exterior, unit),
-            [as_checked_ring(room, unit) for room in part.interiors],
-        )
-        for part in parts
+
+    def checked(ring: object) -> Array:
+        return as_ring(shapely.get_coordinates(ring)[:-1] * unit)
+
+    solids = [
+        (checked(part.exterior), [checked(room) for room in part.interiors]) for part in parts
     ]
-    return sorted(made, key=lambda solid: solid[0].min(axis=0).tolist())
-
-
-def as_checked_ring(ring: object, unit: float) -> Array:
-    """A shapely ring as a checked ring (n, 2)."""
-    import shapely
-
-    return as_ring(shapely.get_coordinates(ring)[:-1] * unit)
+    return sorted(solids, key=lambda solid: solid[0].min(axis=0).tolist())

@@ -1,16 +1,19 @@
-"""Plans as files: all of one as JSON, version 1, or its path alone as CSV, a configuration in each
-row.
+"""Plans as files: the whole plan as JSON, version 1, or its path alone as CSV.
 
-    {"version": 1, "planner": "rrt", "cost": 17.5, "reason": "", "path": [[x, y], ...], "stats": {"nodes": 34},
+    {"version": 1, "planner": "rrt", "cost": 17.5, "reason": "",
+     "path": [[x, y], ...],
+     "stats": {"nodes": 34},
      "tree": {"nodes": [[x, y], ...], "parent": [-1, 0, ...]},
      "roadmap": {"nodes": [[x, y], ...], "edges": [[i, j], ...]},
-     "trajectory": {"start": [x, y, theta], "controls": [[v, phi], ...], "durations": [...], "wheelbase": 2.5},
-     "walk": {"points": [...], "following": [...], "travelled": [...], "distance_to_goal": [...], "hit": [...], "leave": [...]},
+     "trajectory": {"start": [x, y, theta], "controls": [[v, phi], ...], "durations": [...],
+                    "wheelbase": 2.5},
+     "walk": {"points": [...], "following": [...], "travelled": [...],
+              "distance_to_goal": [...], "hit": [...], "leave": [...]},
      "problem": a scene}
 
-Trees and roadmaps that are driven have "controls" and "durations" too, such roadmaps also "goals".
-Null stands for what a plan has not: a path with its cost, a tree, a roadmap, a walk, a trajectory,
-and a problem that scenes can hold.
+Trees and roadmaps of drives also have "controls" and "durations", and such roadmaps "goals".
+A part that a plan does not have is null: the path and its cost, the tree, the roadmap, the walk,
+the trajectory, or a problem that a scene cannot hold.
 """
 
 import csv
@@ -31,7 +34,7 @@ from ..support.json_fields import Field, read_json
 from ..support.reading import as_path
 from ..support.text import shortened
 from ..support.whole_files import written_whole
-from .scenes import problem_from, scene_of
+from .scenes import as_scene_object, problem_from
 
 VERSION = 1
 KINDS: dict[str, tuple[Any, ...]] = {
@@ -39,33 +42,38 @@ KINDS: dict[str, tuple[Any, ...]] = {
     "roadmap": (Roadmap, DrivenRoadmap),
     "walk": (Walk,),
 }
-WHOLE_NUMBERS = (
-    "parent",
-    "edges",
-    "goals",
-    "hit",
-    "leave",
-)  # the members of these that count nodes
+NODE_NUMBERS = ("parent", "edges", "goals", "hit", "leave")
 PAIRS = ("edges", "controls")
-AS_MANY_AS_THEY_ARE = ("edges", "goals", "hit", "leave")
+ANY_LENGTH = ("edges", "goals", "hit", "leave")  # the others are as long as nodes or edges
 
 
 def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
-    """Write a plan into a file, whole or not at all.
+    """Write a plan to a file, completely or not at all.
 
-    path : ends in .json for all of the plan, which `read_plan` reads back equal; or in .csv for the
-        path alone, a row for each configuration below a row of names: x, y; x, y, theta; theta1,
-        theta2, ... of an arm. Without a path there are no rows below it.
+    Parameters
+    ----------
+    path : a name in .json for the whole plan, from which `read_plan` reads an equal one; or in .csv
+        for the path alone. A CSV file has a row of names (x, y; or x, y, theta; or theta1, theta2,
+        ... for an arm), and then a row for each configuration of the path, if there is one.
 
-    Raises UnknownFormat for another ending, InvalidParameter for what is no plan, OSError where the
-    file cannot be written.
+    Raises
+    ------
+    UnknownFormat
+        Where the file name extension is another one.
+    InvalidParameter
+        Where `plan` is not a Plan.
+    OSError
+        Where the file cannot be written.
 
+    Examples
+    --------
     >>> from kinoedu import Point, PolygonWorld, Problem, plan_by_visibility
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> world = PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])
+    >>> plan = plan_by_visibility(Problem(Point(), world, start=(0.5, 4), goal=(8.5, 4)))
     >>> with TemporaryDirectory() as folder:
-    ...     write_plan(plan_by_visibility(Problem(Point(), world, start=(0.5, 4), goal=(8.5, 4))), Path(folder) / "plan.csv")
+    ...     write_plan(plan, Path(folder) / "plan.csv")
     ...     print((Path(folder) / "plan.csv").read_text())
     x,y
     0.5,4.0
@@ -83,16 +91,16 @@ def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
 
 
 def write_rows(plan: Plan, file: Path) -> None:
-    """The path as CSV."""
+    """Write the path as CSV."""
     rows = [] if plan.path is None else plan.path.tolist()
     with file.open("w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(columns(plan))
+        writer.writerow(column_names(plan))
         writer.writerows([repr(number) for number in row] for row in rows)
 
 
-def columns(plan: Plan) -> list[str]:
-    """What the coordinates of a plan's configurations are called."""
+def column_names(plan: Plan) -> list[str]:
+    """The names of the coordinates of a plan's configurations."""
     space = getattr(plan.problem, "space", None)
     d = np.size(getattr(plan.problem, "start", ())) if plan.path is None else plan.path.shape[1]
     if isinstance(space, RealSpace | CurveSpace) or (
@@ -104,12 +112,13 @@ def columns(plan: Plan) -> list[str]:
 
 
 def write_whole_plan(plan: Plan, file: Path) -> None:
-    """All of a plan as JSON."""
+    """Write the whole plan as JSON."""
     inner = plan.problem.problem if isinstance(plan.problem, Recorder) else plan.problem
     try:
-        scene = scene_of(inner) if isinstance(inner, ProblemRecord) else None
+        scene = as_scene_object(inner) if isinstance(inner, ProblemRecord) else None
     except UnreadableScene:  # a robot that scenes cannot hold
         scene = None
+    parts = ("tree", "roadmap", "walk", "trajectory")
     whole = {
         "version": VERSION,
         "planner": plan.planner,
@@ -117,77 +126,71 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
         "reason": plan.reason,
         "path": None if plan.path is None else plan.path.tolist(),
         "stats": {name: int(count) for name, count in plan.stats.items()},
-        **{
-            name: written_out(getattr(plan, name))
-            for name in ("tree", "roadmap", "walk", "trajectory")
-        },
+        **{name: as_json_object(getattr(plan, name)) for name in parts},
         "problem": scene,
     }
     with file.open("w", encoding="utf-8") as stream:
         json.dump(whole, stream, allow_nan=False)
 
 
-def written_out(built: Any) -> dict[str, Any] | None:
+def as_json_object(record: Any) -> dict[str, Any] | None:
     """A tree, a roadmap, a walk or a trajectory as an object of lists and numbers."""
-    return (
-        None
-        if built is None
-        else {name: np.asarray(getattr(built, name)).tolist() for name in built._fields}
-    )
+    if record is None:
+        return None
+    return {name: np.asarray(getattr(record, name)).tolist() for name in record._fields}
 
 
 def read_plan(path: str | os.PathLike[str]) -> Plan:
-    """The plan in a JSON file that `write_plan` wrote: path, cost, and all that was built, equal to
-    the last bit.
+    """Read the plan in a JSON file that `write_plan` wrote.
 
-    What the file says is not judged again: whether its path is free is for
-    `plan.problem.is_free_path` to say. Raises UnreadableScene with the field at fault,
-    UnknownFormat for another ending.
+    The path is not checked for collisions; `plan.problem.is_free_path` can do that.
+
+    Returns
+    -------
+    Plan, equal to the one that was written to the last bit.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing or damaged; the message names the field.
+    UnknownFormat
+        Where the file name extension is not .json.
     """
     file = as_path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(
-            f"{file}: a plan that can be read ends in .json, got {file.suffix or 'no ending'}"
+            f"{file}: a plan is read from a .json file, got {file.suffix or 'no ending'}"
         )
-    return read_json(file, "plan", plan_from)
+    return read_json(file, "plan", parse_plan)
 
 
-def plan_from(plan: Field) -> Plan:
-    """A plan from the whole file."""
+def parse_plan(plan: Field) -> Plan:
+    """Build the plan of a parsed file."""
     plan.check_version(VERSION)
-    members = (
-        "version",
-        "planner",
-        "cost",
-        "reason",
-        "path",
-        "stats",
-        "tree",
-        "roadmap",
-        "walk",
-        "problem",
-    )
-    fields = plan.members(members, ("trajectory",))
+    required = "version planner cost reason path stats tree roadmap walk problem"
+    fields = plan.members(tuple(required.split()), ("trajectory",))
     there = {name: field for name, field in fields.items() if field.value is not None}
     if ("path" in there) != ("cost" in there):
         raise plan.wrong("with both a path and its cost, or with neither")
-    path = numbers_of(there["path"]) if "path" in there else None
+    path = parse_array(there["path"]) if "path" in there else None
     if path is not None and (path.ndim != 2 or len(path) == 0):
         raise fields["path"].wrong("a list of configurations")
     return Plan(
         path,
         fields["cost"].number() if "cost" in there else np.inf,
-        **{name: built_from(there[name], kinds) for name, kinds in KINDS.items() if name in there},
-        trajectory=trajectory_from(there["trajectory"]) if "trajectory" in there else None,
-        stats={name: int(numbers_of(count)) for name, count in stats_of(fields["stats"]).items()},
+        **{
+            name: parse_record(there[name], kinds) for name, kinds in KINDS.items() if name in there
+        },
+        trajectory=parse_trajectory(there["trajectory"]) if "trajectory" in there else None,
+        stats={name: int(parse_array(c)) for name, c in parse_stats(fields["stats"]).items()},
         reason=fields["reason"].text(),
         problem=problem_from(there["problem"]) if "problem" in there else None,
         planner=fields["planner"].text(),
     )
 
 
-def stats_of(field: Field) -> dict[str, Field]:
-    """Counts by their names, whatever these are."""
+def parse_stats(field: Field) -> dict[str, Field]:
+    """The counts by their names. Any name is allowed."""
     counts = field.members((), tuple(field.value) if isinstance(field.value, dict) else ())
     for count in counts.values():
         if isinstance(count.value, bool) or not isinstance(count.value, int):
@@ -195,55 +198,58 @@ def stats_of(field: Field) -> dict[str, Field]:
     return counts
 
 
-def numbers_of(field: Field) -> Any:
-    """An array of any shape."""
+def parse_array(field: Field) -> Any:
+    """An array of numbers, of any shape."""
     try:
         return as_array(field.value, field.name)
     except InvalidPoint as error:
         raise UnreadableScene(str(error)) from error
 
 
-def built_from(field: Field, kinds: tuple[Any, ...]) -> Any:
-    """A tree, a roadmap or a walk, of the kind that shares most members; the first are its nodes,
-    others may count them.
+def parse_record(field: Field, kinds: tuple[Any, ...]) -> Any:
+    """A tree, a roadmap or a walk: the record of `kinds` that shares most members with the file.
+
+    The first member of each record is its nodes (n, d); other members may hold numbers of nodes.
     """
     given = set(field.value) if isinstance(field.value, dict) else set()
     kind = max(kinds, key=lambda kind: len(given.intersection(kind._fields)))
     fields = field.members(kind._fields)
     first, *others = kind._fields
-    nodes = numbers_of(fields[first])
+    nodes = parse_array(fields[first])
     if nodes.ndim != 2 or len(nodes) == 0:
         raise fields[first].wrong("a list of configurations")
-    built = kind(nodes, *(member(fields[name], name, len(nodes)) for name in others))
-    for name, array in zip(others, built[1:], strict=True):
+    record = kind(nodes, *(parse_member(fields[name], name, len(nodes)) for name in others))
+    for name, array in zip(others, record[1:], strict=True):
         among = "edges" if "edges" in others and name in ("controls", "durations") else first
-        if name not in AS_MANY_AS_THEY_ARE and len(array) != len(getattr(built, among)):
-            raise fields[name].wrong(f"as long as the list of {len(getattr(built, among))} {among}")
-    return built
+        length = len(getattr(record, among))
+        if name not in ANY_LENGTH and len(array) != length:
+            raise fields[name].wrong(f"as long as the list of {length} {among}")
+    return record
 
 
-def member(field: Field, name: str, n: int) -> Any:
-    """A member of what has n nodes: flags, numbers, or pairs of them; what counts nodes counts
-    nodes that are there.
+def parse_member(field: Field, name: str, n: int) -> Any:
+    """A member of a record with n nodes: flags, numbers, or pairs of numbers.
+
+    Numbers of nodes must be those of the n nodes.
     """
     if name == "following":
         if not all(isinstance(flag.value, bool) for flag in field.items()):
             raise field.wrong("a list of true and false")
         return np.array(field.value, np.bool_)
-    array = numbers_of(field)
+    array = parse_array(field)
     if array.size == 0:
         array = array.reshape((0, 2) if name in PAIRS else 0)
     if array.ndim != (2 if name in PAIRS else 1) or (name in PAIRS and array.shape[1] != 2):
         raise field.wrong("pairs of numbers" if name in PAIRS else "a list of numbers")
-    return node_numbers(field, array, n) if name in WHOLE_NUMBERS else array
+    return as_node_numbers(field, array, n) if name in NODE_NUMBERS else array
 
 
-def trajectory_from(field: Field) -> TrajectoryRecord:
-    """A trajectory, as it was driven: whether a car can drive it is for the car to say."""
+def parse_trajectory(field: Field) -> TrajectoryRecord:
+    """A trajectory. Whether a car can drive it is not checked."""
     fields = field.members(TrajectoryRecord._fields)
     start, controls, durations = (
-        numbers_of(fields["start"]),
-        *(member(fields[name], name, 0) for name in ("controls", "durations")),
+        parse_array(fields["start"]),
+        *(parse_member(fields[name], name, 0) for name in ("controls", "durations")),
     )
     if start.shape != (3,):
         raise fields["start"].wrong("[x, y, theta]")
@@ -256,8 +262,8 @@ def trajectory_from(field: Field) -> TrajectoryRecord:
     return TrajectoryRecord(start, controls, durations, fields["wheelbase"].number())
 
 
-def node_numbers(field: Field, array: Any, n: int) -> Any:
-    """Whole numbers from 0 to n - 1; or -1, the parent of a root."""
+def as_node_numbers(field: Field, array: Any, n: int) -> Any:
+    """Integers from 0 to n - 1; or -1, the parent of a root."""
     if (array != np.floor(array)).any() or (array < -1).any() or (array >= n).any():
         raise field.wrong(f"numbers of the {n} nodes")
     return array.astype(np.int64)

@@ -103,7 +103,7 @@ def _load_yaml(path: Path) -> object:
         return yaml.safe_load(text)
     except Exception as error:  # ValueError and RecursionError too, not only YAMLError
         raise UnreadableScene(
-            f"{path}: expected YAML, got: {str(error)[:300]}; mend that line"
+            f"{path}: expected YAML, got: {str(error)[:300]}; correct that line"
         ) from error
 
 

@@ -1,4 +1,4 @@
-"""Robots in scenes, read and written. What a scene looks like as a whole stands in scenes.py."""
+"""Robots in scenes: how they are read and written. scenes.py describes the whole format."""
 
 from collections.abc import Callable
 from functools import singledispatch
@@ -16,38 +16,38 @@ from ..support.json_fields import Field
 from .meshes import mesh_outline
 
 
-def point_from(field: Field) -> RoundRobot:
-    """A point robot."""
+def parse_point(field: Field) -> RoundRobot:
+    """A point robot of a scene."""
     field.members(("kind",))
     return Point()
 
 
-def disk_from(field: Field) -> RoundRobot:
-    """A disk robot."""
+def parse_disk(field: Field) -> RoundRobot:
+    """A disk robot of a scene."""
     return Disk(field.members(("kind", "radius"))["radius"].number())
 
 
-def polygon_from(field: Field) -> TranslatingPolygonRobot:
-    """A polygon that does not turn."""
+def parse_polygon(field: Field) -> TranslatingPolygonRobot:
+    """A polygon that translates, of a scene."""
     return TranslatingPolygon(field.members(("kind", "vertices"))["vertices"].points())
 
 
-def turning_polygon_from(field: Field) -> RigidPolygonRobot:
-    """A polygon that turns."""
+def parse_turning_polygon(field: Field) -> RigidPolygonRobot:
+    """A polygon that translates and rotates, of a scene."""
     fields = field.members(("kind", "vertices"), ("turn_weight",))
     weight = fields["turn_weight"].number() if "turn_weight" in fields else None
     return RigidPolygon(fields["vertices"].points(), turn_weight=weight)
 
 
-def arm_from(field: Field) -> ArmRobot:
-    """An arm."""
+def parse_arm(field: Field) -> ArmRobot:
+    """An arm of a scene."""
     fields = field.members(("kind", "lengths", "width"), ("base",))
     base = fields["base"].numbers() if "base" in fields else (0.0, 0.0)
     return ArmChain(fields["lengths"].numbers(), fields["width"].number(), base=base)
 
 
-def mesh_from(field: Field) -> RigidPolygonRobot:
-    """A polygon that turns, from a mesh beside the scene."""
+def read_mesh_file(field: Field) -> RigidPolygonRobot:
+    """A polygon that translates and rotates, from a mesh file beside the scene."""
     fields = field.members(("kind", "file"), (*MESH_OPTIONS, "reference", "turn_weight"))
     outline = mesh_outline(
         field.folder / fields["file"].text(),
@@ -63,13 +63,13 @@ MESH_OPTIONS = ("slice_at", "up")
 
 
 def mesh_options(fields: dict[str, Field]) -> dict[str, Any]:
-    """How a mesh becomes polygons, as far as the scene says it."""
+    """The options of `read_mesh` that the scene gives."""
     slicing = {"slice_at": fields["slice_at"].number()} if "slice_at" in fields else {}
     return slicing | ({"up": fields["up"].text()} if "up" in fields else {})
 
 
-def car_from(field: Field) -> CarRobot:
-    """A car."""
+def parse_car(field: Field) -> CarRobot:
+    """A car of a scene."""
     fields = field.members(
         ("kind", "length", "width", "wheelbase"), ("rear_overhang", "max_steering", "speeds")
     )
@@ -82,19 +82,29 @@ def car_from(field: Field) -> CarRobot:
 
 
 ROBOTS: dict[str, Callable[[Field], Any]] = {
-    "point": point_from,
-    "disk": disk_from,
-    "polygon": polygon_from,
-    "turning polygon": turning_polygon_from,
-    "arm": arm_from,
-    "mesh": mesh_from,
-    "car": car_from,
+    "point": parse_point,
+    "disk": parse_disk,
+    "polygon": parse_polygon,
+    "turning polygon": parse_turning_polygon,
+    "arm": parse_arm,
+    "mesh": read_mesh_file,
+    "car": parse_car,
 }
 
 
 @singledispatch
 def described(thing: Any) -> dict[str, Any]:
-    """A robot or a world as a scene's object."""
+    """The object of a scene that describes a robot or a world.
+
+    Returns
+    -------
+    dict of numbers, text and lists, as JSON holds them.
+
+    Raises
+    ------
+    UnreadableScene
+        Where scenes have no such kind of robot or world.
+    """
     raise UnreadableScene(f"scenes cannot hold a {type(thing).__name__} yet")
 
 
@@ -110,36 +120,21 @@ def _(robot: TranslatingPolygonRobot) -> dict[str, Any]:
 
 @described.register
 def _(robot: RigidPolygonRobot) -> dict[str, Any]:
-    return {
-        "kind": "turning polygon",
-        "vertices": robot.outline.tolist(),
-        "turn_weight": robot.turn_weight,
-    }
+    shape = {"vertices": robot.outline.tolist(), "turn_weight": robot.turn_weight}
+    return {"kind": "turning polygon", **shape}
 
 
 @described.register
 def _(robot: ArmRobot) -> dict[str, Any]:
     width = 2.0 * float(robot.shape.radius[0])
-    return {
-        "kind": "arm",
-        "lengths": robot.lengths.tolist(),
-        "width": width,
-        "base": robot.base.tolist(),
-    }
+    shape = {"lengths": robot.lengths.tolist(), "width": width, "base": robot.base.tolist()}
+    return {"kind": "arm", **shape}
 
 
 @described.register
 def _(robot: CarRobot) -> dict[str, Any]:
     (length, width), behind = np.ptp(robot.outline, axis=0).tolist(), -float(robot.outline[0, 0])
-    sizes = {
-        "length": length,
-        "width": width,
-        "wheelbase": robot.wheelbase,
-        "rear_overhang": behind,
-    }
-    return {
-        "kind": "car",
-        **sizes,
-        "max_steering": robot.max_steering,
-        "speeds": robot.speeds.tolist(),
-    }
+    size = {"length": length, "width": width}
+    axles = {"wheelbase": robot.wheelbase, "rear_overhang": behind}
+    limits = {"max_steering": robot.max_steering, "speeds": robot.speeds.tolist()}
+    return {"kind": "car", **size, **axles, **limits}

@@ -1,26 +1,32 @@
 """Scenes: a problem as a JSON file, version 1.
 
     {"version": 1,
-     "about": "optional words",
-     "robot": {"kind": "point"}  or  {"kind": "disk", "radius": 0.5}  or  {"kind": "polygon", "vertices": [[x, y], ...]}
+     "about": "optional text",
+     "robot": {"kind": "point"}
+          or  {"kind": "disk", "radius": 0.5}
+          or  {"kind": "polygon", "vertices": [[x, y], ...]}
           or  {"kind": "turning polygon", "vertices": [[x, y], ...], "turn_weight": 1.0}
           or  {"kind": "arm", "lengths": [1.5, 1.2], "width": 0.2, "base": [0.0, 0.0]}
-          or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z", "reference": [x, y],
-               "turn_weight": 1.0}
+          or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z",
+               "reference": [x, y], "turn_weight": 1.0}
           or  {"kind": "car", "length": 30, "width": 10, "wheelbase": 20,
                "rear_overhang": 5, "max_steering": 0.7853981633974483, "speeds": [-1, 1]},
      "world": {"kind": "polygons", "boundary": [[x, y], ...],
-               "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...]]}, {"centre": [x, y], "radius": r}]}
-          or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0, "origin": [0.0, 0.0]}
+               "obstacles": [{"polygon": [[x, y], ...], "rooms": [[[x, y], ...]]},
+                             {"centre": [x, y], "radius": r}]}
+          or  {"kind": "terrain", "rows": ["..@", "..."], "resolution": 1.0,
+               "origin": [0.0, 0.0], "cost": [[1.0, 2.5, 1.0], ...]}
           or  {"kind": "map", "file": "a map or picture beside the scene"}
-          or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z", "boundary": [[x, y], ...]},
-     "start": [x, y], "goal": [x, y],  with theta for what turns, and angles for an arm
+          or  {"kind": "mesh", "file": "a mesh beside the scene", "slice_at": 0.1, "up": "z",
+               "boundary": [[x, y], ...]},
+     "start": [x, y], "goal": [x, y],
      "clearance": 0.0}
 
-`turn_weight`, `base`, a car's last three, `obstacles`, `rooms`, `resolution`, `origin`,
-`clearance`, and of a mesh all but its file may be left out (see worlds/meshes.py). A terrain's rows
-are written as they look, the top one first: "." is free, "@" is blocked. What a reader does not
-know it refuses, naming the field.
+Start and goal are [x, y, theta] for a car or a turning polygon, and a list of angles for an arm.
+These fields are optional: `about`, `turn_weight`, `base`, `rear_overhang`, `max_steering`,
+`speeds`, `obstacles`, `rooms`, `resolution`, `origin`, `cost`, `clearance`, and all fields of a
+mesh except its file (see meshes.py). The rows of a terrain, and of its costs, are written as in a
+picture, the top row first: "." is free, "@" is blocked. An unknown field is an error that names it.
 """
 
 import json
@@ -54,11 +60,21 @@ FREE, BLOCKED = ".", "@"
 
 
 def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
-    """The problem in a JSON scene. Raises UnreadableScene, with the field at fault, or
-    UnknownFormat for another extension.
+    """Read the problem in a JSON scene.
 
-    Wrong polygons, a start that is not free and so on raise their own errors (InvalidPolygon,
-    InvalidStart), with the file's name.
+    Returns
+    -------
+    ProblemRecord, equal to the problem that `write_scene` wrote.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing or damaged; the message names the field.
+    UnknownFormat
+        Where the file name extension is not .json.
+    KinoeduError
+        The errors of `Problem` and its parts, such as InvalidPolygon or InvalidStart, with the name
+        of the file.
     """
     file = as_path(path)
     if file.suffix.lower() != ".json":
@@ -69,7 +85,7 @@ def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
 
 
 def problem_from(scene: Field) -> ProblemRecord:
-    """A problem from the whole scene."""
+    """Build the problem of a parsed scene."""
     scene.check_version(VERSION)
     fields = scene.members(("version", "robot", "world", "start", "goal"), ("about", "clearance"))
     return Problem(
@@ -81,17 +97,17 @@ def problem_from(scene: Field) -> ProblemRecord:
     )
 
 
-def polygons_from(field: Field) -> PolygonWorldRecord:
-    """A world of polygons and discs."""
+def parse_polygon_world(field: Field) -> PolygonWorldRecord:
+    """Build a world of polygons and discs."""
     fields = field.members(("kind", "boundary"), ("obstacles",))
     obstacles = fields["obstacles"].items() if "obstacles" in fields else []
     return PolygonWorld(
-        fields["boundary"].points(), [obstacle_from(obstacle) for obstacle in obstacles]
+        fields["boundary"].points(), [parse_obstacle(obstacle) for obstacle in obstacles]
     )
 
 
-def obstacle_from(field: Field) -> Any:
-    """An obstacle as PolygonWorld takes it."""
+def parse_obstacle(field: Field) -> Any:
+    """An obstacle in the form that PolygonWorld takes."""
     if isinstance(field.value, dict) and "radius" in field.value:
         fields = field.members(("centre", "radius"))
         return fields["centre"].numbers(), fields["radius"].number()
@@ -100,8 +116,8 @@ def obstacle_from(field: Field) -> Any:
     return (fields["polygon"].points(), rooms) if rooms else fields["polygon"].points()
 
 
-def terrain_from(field: Field) -> TerrainRecord:
-    """A terrain from its rows, the top one first."""
+def parse_terrain(field: Field) -> TerrainRecord:
+    """Build a terrain from its rows, the top row first."""
     fields = field.members(("kind", "rows"), ("resolution", "origin", "cost"))
     rows = [row.text() for row in fields["rows"].items()]
     for row in fields["rows"].items():
@@ -117,13 +133,13 @@ def terrain_from(field: Field) -> TerrainRecord:
     )
 
 
-def map_from(field: Field) -> Any:
-    """A world from a file beside the scene."""
+def read_map_file(field: Field) -> Any:
+    """Read a world from a file beside the scene."""
     return read_world(field.folder / field.members(("kind", "file"))["file"].text())
 
 
-def mesh_from(field: Field) -> PolygonWorldRecord:
-    """A world from a mesh beside the scene."""
+def read_mesh_file(field: Field) -> PolygonWorldRecord:
+    """Read a world from a mesh file beside the scene."""
     fields = field.members(("kind", "file"), (*MESH_OPTIONS, "boundary", "margin"))
     return mesh_world(
         field.folder / fields["file"].text(),
@@ -134,28 +150,46 @@ def mesh_from(field: Field) -> PolygonWorldRecord:
 
 
 WORLDS: dict[str, Callable[[Field], Any]] = {
-    "polygons": polygons_from,
-    "terrain": terrain_from,
-    "map": map_from,
-    "mesh": mesh_from,
+    "polygons": parse_polygon_world,
+    "terrain": parse_terrain,
+    "map": read_map_file,
+    "mesh": read_mesh_file,
 }
 
 
 def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
-    """Write a problem as a JSON scene that read_scene reads back equal, whole or not at all. Raises
-    UnknownFormat, OSError.
+    """Write a problem as a JSON scene, from which `read_scene` reads an equal problem.
+
+    The file is written completely or not at all.
+
+    Raises
+    ------
+    UnknownFormat
+        Where the file name extension is not .json.
+    UnreadableScene
+        Where scenes have no such kind of robot.
+    InvalidParameter
+        Where `problem` is not a Problem.
+    OSError
+        Where the file cannot be written.
     """
     file = Path(path)
     if file.suffix.lower() != ".json":
         raise UnknownFormat(f"{file}: a scene ends in .json")
-    scene = scene_of(problem)
+    scene = as_scene_object(problem)
     with written_whole(file) as part, part.open("w", encoding="utf-8") as stream:
         json.dump(scene, stream, indent=1)
 
 
-def scene_of(problem: ProblemRecord) -> dict[str, Any]:
-    """A problem as a scene's object. Raises UnreadableScene for a robot that scenes cannot hold,
-    InvalidParameter.
+def as_scene_object(problem: ProblemRecord) -> dict[str, Any]:
+    """The object of a scene, as JSON holds it.
+
+    Raises
+    ------
+    UnreadableScene
+        Where scenes have no such kind of robot.
+    InvalidParameter
+        Where `problem` is not a Problem.
     """
     if not isinstance(problem, ProblemRecord):
         raise InvalidParameter(f"a scene holds a Problem, got {shortened(problem)}")
@@ -194,30 +228,45 @@ def read_problem(
     query: int | None = None,
     clearance: float = 0.0,
 ) -> ProblemRecord:
-    """A problem from any file that kinoedu reads.
+    """Read a problem from any file that kinoedu reads.
 
-    A JSON scene is a whole problem. A map, a picture or a mesh is a world: give start and goal, or
-    for a MovingAI map the number of a `query` of the scenario beside it (0 by default); a map of
-    polygons may have its own. The robot is a point unless another is given.
+    A JSON scene is a whole problem. A map, a picture or a mesh is only a world.
 
-    Raises UnreadableScene or UnknownFormat, InvalidParameter where something is missing or given
-    twice, InvalidStart, InvalidGoal.
+    Parameters
+    ----------
+    robot : by default a point.
+    start, goal : by default those of a polygon map, or of a query for a MovingAI map.
+    query : the number of a query, from 0, in the scenario beside a MovingAI map. Default: 0.
+    clearance : the distance to keep from obstacles.
+
+    Returns
+    -------
+    ProblemRecord
+
+    Raises
+    ------
+    UnreadableScene, UnknownFormat
+        Where the file cannot be read.
+    InvalidParameter
+        Where start or goal is missing, or something is given that the file has already.
+    InvalidStart, InvalidGoal
+        Where the start or the goal is not free.
     """
     file = as_path(path)
     if file.suffix.lower() == ".json" and is_polygon_map(file):
         world, own_start, own_goal = read_benchmr(file)
         start, goal = own_start if start is None else start, own_goal if goal is None else goal
-        return problem_in(file, world, robot, start, goal, query, clearance)
+        return make_problem(file, world, robot, start, goal, query, clearance)
     if file.suffix.lower() == ".json":
         if (robot, start, goal, query, clearance) != (None, None, None, None, 0.0):
             raise InvalidParameter(
-                f"{file}: a scene has its own robot, start, goal and clearance; give none beside it"
+                f"{file}: a scene has its own robot, start, goal and clearance; do not give others"
             )
         return read_scene(file)
-    return problem_in(file, read_world(file), robot, start, goal, query, clearance)
+    return make_problem(file, read_world(file), robot, start, goal, query, clearance)
 
 
-def problem_in(
+def make_problem(
     file: Path,
     world: Any,
     robot: Any,
@@ -226,22 +275,22 @@ def problem_in(
     query: int | None,
     clearance: float,
 ) -> ProblemRecord:
-    """A problem in a world that was read from a file."""
+    """Build a problem in a world that was read from a file."""
     if (start is None) != (goal is None) or (start is not None and query is not None):
         raise InvalidParameter(
             f"{file}: give both start and goal, or the number of a query of its scenario"
         )
     if start is None or goal is None:
-        start, goal = query_of(file, world, 0 if query is None else query)
+        start, goal = read_query(file, world, 0 if query is None else query)
     return Problem(Point() if robot is None else robot, world, start, goal, clearance=clearance)
 
 
-def query_of(file: Path, world: Any, number: int) -> tuple[Array, Array]:
-    """Start and goal of one query of the scenario that lies beside a map."""
+def read_query(file: Path, world: Any, number: int) -> tuple[Array, Array]:
+    """The start and the goal of one query of the scenario beside a map."""
     scenario = scenario_beside(file) if file.suffix.lower() == ".map" else None
     if scenario is None:
         raise InvalidParameter(
-            f"{file}: no scenario (.scen) lies beside it; give a start and a goal"
+            f"{file}: there is no scenario (.scen) beside it; give a start and a goal"
         )
     queries = read_scenario(scenario)
     if not 0 <= number < len(queries):

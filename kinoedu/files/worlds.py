@@ -24,7 +24,7 @@ def read_world(path: str | os.PathLike[str]) -> TerrainRecord | PolygonWorldReco
         `.png`, `.bmp`, `.pgm`: a picture (`read_image`); `.map`: a MovingAI map (`read_map`);
         `.yaml`, `.yml`: a ROS map (`read_ros_map`); `.dae`, `.glb`, `.obj`, `.stl`: a mesh,
         projected from above (`mesh_world`); `.json`: a polygon map (`read_benchmr`). A scene in
-        `.json` is read by `kinoedu.files.scenes.read_scene`.
+        `.json` is read by `read_scene`.
 
     Returns
     -------

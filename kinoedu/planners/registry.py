@@ -1,7 +1,7 @@
-"""Every planner that makes a plan of a problem: one row each.
+"""The table of all planners that take a problem and return a plan.
 
-The command line, the boards, experiments and the code that is compiled ahead read this table. A
-new planner is one file in its family and one row here.
+The command line, the boards, experiments and ahead-of-time compilation read this table. A new
+planner needs one file in its family and one row here.
 """
 
 import inspect
@@ -30,19 +30,20 @@ ALL = (POINT, DISK, TRANSLATING, TURNING, ARM, CAR)
 
 
 class Planner(NamedTuple):
-    """A planner: its function and what the rest of the house needs to know of it.
+    """A planner: its function, its settings, and where it is used.
 
     Parameters
     ----------
-    name : as boards and the command line call it (there with dashes).
-    function : of a problem and keywords.
-    about : one line of help.
-    options : the settings it takes, as the function's keywords. The names of settings are `step`,
-        `nodes`, `neighbours`, `spacing` and `iterations`.
-    robots : the robots for which it is compiled ahead.
-    quick : keywords of a short run that calls everything a long run calls.
-    board : the settings that a board of the plane offers; None where it is not on that board.
-    car_board : the iterations that a car's board begins with; None where it is not on that board.
+    name : the name on boards and on the command line (there with dashes).
+    function : takes a problem and keywords, returns a Plan.
+    about : one line of help; * marks a planner for polygonal obstacles only.
+    options : the function's keyword for each setting that it takes. The names of settings are
+        `step`, `nodes`, `neighbours`, `spacing` and `iterations`.
+    robots : the robots for which the planner is compiled ahead of time.
+    quick : keywords of a short run that calls all functions of a long run.
+    board : the settings that the planar board offers; None where the planner is not on that board.
+    car_board : the initial number of iterations on the car board; None where it is not on that
+        board.
     """
 
     name: str
@@ -56,19 +57,19 @@ class Planner(NamedTuple):
 
     @property
     def is_random(self) -> bool:
-        """Whether it draws random numbers."""
+        """Whether the planner draws random numbers."""
         return "rng" in inspect.signature(self.function).parameters
 
     def plan(self, problem: Any, *, seed: int = 0, **settings: Any) -> Plan:
-        """Plan with settings by their common names; `seed` serves planners that are random."""
+        """Plan with settings by their common names; `seed` is for random planners."""
         return self.run(problem, seed, {self.options[name]: v for name, v in settings.items()})
 
     def quick_plan(self, problem: Any) -> Plan:
-        """A short run."""
+        """Plan with the keywords of the short run."""
         return self.run(problem, 0, self.quick)
 
     def run(self, problem: Any, seed: int, keywords: Mapping[str, Any]) -> Plan:
-        """Call the function."""
+        """Call the function, with a random generator where it takes one."""
         random = {"rng": seed} if self.is_random else {}
         return self.function(problem, **keywords, **random)
 
@@ -80,7 +81,7 @@ ROWS = (
     Planner(
         "rrt",
         rrt,
-        "a tree that grows at random; any scene",
+        "a random tree from the start; any scene",
         STEP | ITERATIONS,
         ALL,
         {"max_nodes": 50},
@@ -90,7 +91,7 @@ ROWS = (
     Planner(
         "rrt_connect",
         rrt_connect,
-        "a tree from either end; any scene",
+        "two random trees, from start and goal; any scene",
         STEP,
         ALL,
         {"max_nodes": 500},
@@ -98,7 +99,7 @@ ROWS = (
     Planner(
         "rrt_star",
         rrt_star,
-        "a tree whose paths become shortest; any scene",
+        "a random tree whose paths converge to the shortest; any scene",
         STEP,
         (POINT,),
         {"max_nodes": 200},
@@ -106,7 +107,7 @@ ROWS = (
     Planner(
         "informed_rrt_star",
         informed_rrt_star,
-        "the same; later samples only where a shorter path can pass",
+        "rrt-star that samples only where a shorter path can pass",
         STEP,
         (POINT,),
         {"max_nodes": 200},
@@ -123,16 +124,16 @@ ROWS = (
     Planner(
         "prm_star",
         prm_star,
-        "a roadmap with more neighbours as it grows; any scene",
+        "prm whose number of neighbours grows with the nodes; any scene",
         {"nodes": "n"},
         (),
         {"n": 20},
     ),
-    Planner("tree_roadmap", tree_roadmap, "a roadmap of trees; any scene", {}, (), {}),
+    Planner("tree_roadmap", tree_roadmap, "a roadmap of random trees; any scene", {}, (), {}),
     Planner(
         "astar",
         plan_on_grid,
-        "a search on a grid; for a point or a disk",
+        "A* on a grid; for a point or a disk",
         {"spacing": "spacing"},
         (POINT,),
         {},
@@ -141,7 +142,7 @@ ROWS = (
     Planner(
         "kinodynamic_rrt",
         kinodynamic_rrt,
-        "a tree of drives, for a car",
+        "a random tree of drives; for a car",
         ITERATIONS,
         (CAR,),
         {"max_iterations": 50},
@@ -150,7 +151,7 @@ ROWS = (
     Planner(
         "kinodynamic_prm",
         kinodynamic_prm,
-        "a roadmap of drives, for a car",
+        "a roadmap of drives; for a car",
         {"iterations": "iterations"},
         (CAR,),
         {"iterations": 20},
@@ -159,7 +160,7 @@ ROWS = (
     Planner(
         "sst",
         sst,
-        "a sparse tree of ever shorter drives, for a car",
+        "a sparse tree of drives whose paths become shorter; for a car",
         ITERATIONS,
         (CAR,),
         {"max_iterations": 50},
@@ -167,7 +168,7 @@ ROWS = (
     Planner(
         "hybrid_astar",
         hybrid_astar,
-        "a search among short drives, for a car",
+        "A* over short drives; for a car",
         {"spacing": "spacing"},
         (CAR,),
         {},
@@ -175,7 +176,7 @@ ROWS = (
     Planner(
         "visibility",
         plan_by_visibility,
-        "from corner to corner; the shortest path, but only for a point *",
+        "the shortest path, from corner to corner; for a point *",
         {},
         (POINT,),
         {},
@@ -183,7 +184,7 @@ ROWS = (
     Planner(
         "decomposition",
         plan_by_decomposition,
-        "cells of the free space; exact, but only for a point *",
+        "a path through the cells of the free space; exact; for a point *",
         {},
         (POINT,),
         {},
@@ -191,7 +192,7 @@ ROWS = (
     Planner(
         "cells_with_headings",
         plan_by_cells_with_headings,
-        "cells for each of many headings; for a turning polygon *",
+        "cells of the free space for each of many headings; for a turning polygon *",
         {},
         (),
         {},
@@ -199,7 +200,7 @@ ROWS = (
     Planner(
         "receding_horizon",
         receding_horizon,
-        "for a point that sees only what is near *",
+        "plans again as a range sensor sees more obstacles; for a point *",
         {},
         (POINT,),
         {"max_moves": 2},

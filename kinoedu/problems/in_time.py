@@ -109,8 +109,8 @@ class TimedProblem(TimedProblemRecord, metaclass=Constructor):
         fastest = positive(speed, "speed")
         if len(space.lo) != 2:
             raise InvalidParameter(
-                "among moving obstacles the robot must not rotate; expected Point(), Disk(radius) or "
-                f"TranslatingPolygon(vertices), got {shortened(robot)}"
+                "among moving obstacles the robot must not rotate; expected Point(), Disk(radius) "
+                f"or TranslatingPolygon(vertices), got {shortened(robot)}"
             )
         begin, end = as_configuration(start, space, "start"), as_configuration(goal, space, "goal")
         rest = max(float(world.times.max()), 0.0) if len(world.times) else 0.0
@@ -124,7 +124,7 @@ class TimedProblem(TimedProblemRecord, metaclass=Constructor):
             )
         if not is_free(robot, world.still, end, margin):
             raise InvalidGoal(
-                f"the goal {tuple(end.tolist())} is not free: the robot touches a fixed obstacle or "
-                "the boundary there"
+                f"the goal {tuple(end.tolist())} is not free: the robot touches a fixed obstacle "
+                "or the boundary there"
             )
         return problem

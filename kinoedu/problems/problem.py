@@ -30,7 +30,7 @@ from ..support.constructors import Constructor
 from ..worlds.checks import check_world
 from .configurations import as_configuration, explain_not_free, space_of
 
-# indices of ProblemRecord.query_counts, which counts the queries about motions and about configurations
+# indices of ProblemRecord.query_counts: the queries about motions and about configurations
 MOTIONS, PLACES = 0, 1
 
 
@@ -38,8 +38,8 @@ MOTIONS, PLACES = 0, 1
 class ProblemRecord(NamedTuple):
     """The record that `Problem` returns. Configurations have shape (d,), float64.
 
-    `query_counts` counts the collision queries: query_counts[MOTIONS] for motions, query_counts[PLACES] for
-    configurations.
+    `query_counts` counts the collision queries: query_counts[MOTIONS] for motions,
+    query_counts[PLACES] for configurations.
     """
 
     robot: Any

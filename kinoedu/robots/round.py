@@ -68,7 +68,7 @@ class Disk(RoundRobot, metaclass=Constructor):
         size = as_array(radius, "radius")
         if size.ndim or size <= 0.0:
             raise InvalidRobot(
-                f"a disk's radius must be one positive length, got {radius!r}; a robot without size "
-                "is Point()"
+                f"a disk's radius must be one positive length, got {radius!r}; a robot without "
+                "size is Point()"
             )
         return RoundRobot(float(size))

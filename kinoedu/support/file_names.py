@@ -16,4 +16,5 @@ def file_name(text: str) -> str:
     if PLAIN.fullmatch(text) and not TAKEN.fullmatch(text):
         return text
     readable = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")[:40]
-    return f"{readable or 'name'}-{hashlib.sha256(text.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
+    digest = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+    return f"{readable or 'name'}-{digest[:8]}"

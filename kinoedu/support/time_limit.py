@@ -1,7 +1,7 @@
 """Time limits for functions that may never end, so that they do not block a notebook.
 
-`run_within` limits a whole computation by wall-clock time. `run_within_processor_time` is for a student's
-program and counts only what that program itself computes.
+`run_within` limits a whole computation by wall-clock time. `run_within_processor_time` is for a
+student's program and counts only what that program itself computes.
 """
 
 import functools

@@ -87,13 +87,13 @@ class Moving(Mover, metaclass=Constructor):
         moments, where = as_array(times, "times"), as_array(places, "places")
         if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
             raise InvalidWorld(
-                f"times (k,) and places (k, 2) must have the same k >= 1, got shapes {moments.shape} "
-                f"and {where.shape}"
+                "times (k,) and places (k, 2) must have the same k >= 1, got shapes "
+                f"{moments.shape} and {where.shape}"
             )
         if not (np.diff(moments) > 0.0).all():
             raise InvalidWorld(
-                f"times must increase from one place to the next, got {shortened(moments.tolist())}; "
-                "sort them"
+                "times must increase from one place to the next, got "
+                f"{shortened(moments.tolist())}; sort them"
             )
         if np.ndim(shape) == 0:
             disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]

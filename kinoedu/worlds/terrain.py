@@ -98,8 +98,8 @@ class Terrain(TerrainRecord, metaclass=Constructor):
             or not (np.abs(corner + extent) <= LIMIT).all()
         ):
             raise InvalidWorld(
-                f"cells of {float(side):g} are lost in rounding at {tuple(corner.tolist())}, or extend "
-                "beyond 1e150"
+                f"cells of {float(side):g} are lost in rounding at {tuple(corner.tolist())}, or "
+                "extend beyond 1e150"
             )
         open_cells = np.ascontiguousarray(cells, np.bool_)
         return TerrainRecord(

@@ -73,8 +73,8 @@ class UncertainWorld(UncertainWorldRecord, metaclass=Constructor):
         spread = as_array(sigma, "sigma")
         if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
             raise InvalidWorld(
-                f"sigma must be zero or more, one number or one for each of {len(given)} obstacles, "
-                f"got {sigma!r}"
+                "sigma must be zero or more, one number or one for each of "
+                f"{len(given)} obstacles, got {sigma!r}"
             )
         owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
         radii = [radius for own, radius in pieces for _ in own]

@@ -98,7 +98,8 @@ def describe_timeout(over: TimeUp) -> str:
     words = get_message(
         f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()}
     )
-    return f"{words} {get_message('board.own.left_running' if over.left_running else 'board.own.stopped')}"
+    ending = "board.own.left_running" if over.left_running else "board.own.stopped"
+    return f"{words} {get_message(ending)}"
 
 
 def call_planner(planner: Callable[..., Any], problem: Any, seed: int) -> Any:

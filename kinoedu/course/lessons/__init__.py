@@ -1,7 +1,8 @@
-"""Every exercise of the course, by the name of the function that it asks for.
+"""Every exercise of the course, by the name of the function that students write.
 
-A room of this folder holds a lesson's exercises: a file for each function that is asked for, the
-pictures of what fails, and the messages that students read. `shared` is what several rooms use.
+Each package in this folder holds the exercises of one lesson: a file for each exercise, the
+pictures of failing cases, and the messages that students read. `shared` is code that several
+lessons use.
 """
 
 import functools
@@ -16,7 +17,7 @@ ROOMS = [room.name for room in iter_modules(__path__) if room.name != "shared"]
 
 
 def all_exercises() -> dict[str, Exercise]:
-    """The exercises of all rooms by name, lesson after lesson."""
+    """All exercises by name, in the order of the lessons."""
     rooms = [import_module(f"{__name__}.{room}").EXERCISES for room in ROOMS]
     rooms.sort(key=lambda exercises: exercises[0].lesson)
     return {exercise.name: exercise() for exercises in rooms for exercise in exercises}
@@ -26,9 +27,23 @@ EXERCISES = all_exercises()
 
 
 def find(name: str, variant: str = "") -> Exercise:
-    """The exercise that asks for a function of this name, with a contract of its own where a
-    variant is named. Raises InvalidParameter.
+    """Find an exercise by the name of the function that students write.
 
+    Parameters
+    ----------
+    variant : the name of a variant of the exercise; by default its usual form.
+
+    Returns
+    -------
+    Exercise
+
+    Raises
+    ------
+    InvalidParameter
+        Where no exercise has this name, or the exercise has no such variant.
+
+    Examples
+    --------
     >>> find("point_line_distance").lesson
     '01_geometry'
     """
@@ -44,12 +59,12 @@ def find(name: str, variant: str = "") -> Exercise:
                 names=", ".join(exercise.variants) or "none",
             )
         )
-    return varied(type(exercise), variant) if variant else exercise
+    return make_variant(type(exercise), variant) if variant else exercise
 
 
 @functools.cache
-def varied(kind: type[Exercise], variant: str) -> Exercise:
-    """An exercise with a contract, each once: what it computes is kept by what it is."""
+def make_variant(kind: type[Exercise], variant: str) -> Exercise:
+    """The variant of an exercise, made once: results are cached with the object."""
     return kind(variant)
 
 

@@ -1,7 +1,7 @@
 """Connection rules: which pairs of nodes a roadmap tries to join. Bullo & Smith, chapter 5.
 
-A rule is a record; `connect_nodes(rule, problem, nodes)` finds its edges. For a rule of your own, register
-a function for its type.
+A rule is a record; `connect_nodes(rule, problem, nodes)` finds its edges. For a rule of your own,
+register a function for its type.
 """
 
 from functools import singledispatch

@@ -1,4 +1,7 @@
-"""Lesson 2, bug algorithms. Its exercises, in the order of the notebook."""
+"""Lesson 2: Bug algorithms, or finding the way by touch.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .bug1 import Bug1
 from .bug2 import Bug2

@@ -1,4 +1,7 @@
-"""Lesson 12, the car. Its exercises, in the order of the notebook."""
+"""Lesson 12: The car, or why it cannot move sideways.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .csc_length import CscLength
 from .euler import Euler

@@ -1,4 +1,4 @@
-"""Lesson 7, collision detection. Its exercises, in the order of the notebook."""
+"""Lesson 7: Collision detection, or does it fit? Its exercises, in the order of the notebook."""
 
 from .c_obstacle import CObstacle
 from .convex_polygons_intersect import ConvexPolygonsIntersect

@@ -1,4 +1,4 @@
-"""Lesson 5, configuration spaces. Its exercises, in the order of the notebook."""
+"""Lesson 5: Configuration spaces. Its exercises, in the order of the notebook."""
 
 from .circle_distance import CircleDistance
 from .degrees_of_freedom import DegreesOfFreedom

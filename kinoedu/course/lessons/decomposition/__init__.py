@@ -1,4 +1,7 @@
-"""Lesson 3, decomposition. Its exercises, in the order of the notebook."""
+"""Lesson 3: Decomposition, or how a program can know that there is no path.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .crossings import Crossings
 from .exposing_world import ExposeShorterWalls

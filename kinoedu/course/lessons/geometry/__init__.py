@@ -1,4 +1,7 @@
-"""Lesson 1, geometry. Its exercises, in the order of the notebook."""
+"""Lesson 1: Geometry, or the wall that a robot must follow.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .exposing_case import ExposeRayCounting
 from .line_through_points import LineThroughPoints

@@ -1,4 +1,7 @@
-"""The exercises of lesson 4, graph search, in the order of the notebook."""
+"""Lesson 4: Graph search, or how to know that a path is the shortest.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .astar import Astar
 from .bfs_path import BfsPath

@@ -1,4 +1,4 @@
-"""The exercises of lesson 13, kinodynamic planning, in the order of the notebook."""
+"""Lesson 13: Planning with controls. Its exercises, in the order of the notebook."""
 
 from .best_control import BestControl
 from .fastest_drive import FastestDrive

@@ -1,4 +1,4 @@
-"""The exercises of lesson 14, moving and uncertain obstacles, in the order of the notebook."""
+"""Lesson 14: Moving and uncertain obstacles. Its exercises, in the order of the notebook."""
 
 from .chance_margins import ChanceMargins
 from .collision_probability import CollisionProbability

@@ -1,4 +1,7 @@
-"""The exercises of lesson 11, polygons in the plane, in the order of the notebook."""
+"""Lesson 11: Polygons in the plane: one task, three planners.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .adjacency_matrix import AdjacencyMatrix
 from .bfs_on_matrix import BfsOnMatrix

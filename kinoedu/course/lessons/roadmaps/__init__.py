@@ -1,4 +1,7 @@
-"""The exercises of lesson 8, roadmaps, in the order of the notebook."""
+"""Lesson 8: Roadmaps, built once and used a thousand times.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .component_k_closest import ComponentNeighbours
 from .exposing_sight import ExposeSight

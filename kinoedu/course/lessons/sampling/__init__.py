@@ -1,4 +1,7 @@
-"""The exercises of lesson 6, sampling, in the order of the notebook."""
+"""Lesson 6: Sampling, or where to put a hundred points.
+
+Its exercises, in the order of the notebook.
+"""
 
 from .corner_grid import CornerGrid
 from .dispersion_bounds import DispersionBounds

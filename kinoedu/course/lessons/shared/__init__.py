@@ -1,1 +1,1 @@
-"""What the exercises of several lessons have in common."""
+"""Code that the exercises of several lessons share."""

@@ -1,4 +1,4 @@
-"""The exercises of lesson 10, terrains, in the order of the notebook."""
+"""Lesson 10: Terrains, and how to compare planners. Its exercises, in the order of the notebook."""
 
 from .compare_planners import ComparePlanners
 from .cost_along import CostAlong

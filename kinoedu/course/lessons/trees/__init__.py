@@ -1,4 +1,4 @@
-"""The exercises of lesson 9, trees, in the order of the notebook."""
+"""Lesson 9: Trees, or one query answered at once. Its exercises, in the order of the notebook."""
 
 from .exposing_room import ExposeHastyGoal
 from .follow import Follow
