@@ -11,7 +11,7 @@ A first plan:
 True
 
 The modules are `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`,
-`problems`, `decomposition`, `planners`, `scenes`, `sampling`, `c_space`, `course`, `experiments`,
+`problems`, `decomposition`, `planners`, `files`, `sampling`, `c_space`, `course`, `experiments`,
 `figures` and `boards`. Each is imported at its first use.
 """
 

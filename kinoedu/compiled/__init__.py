@@ -10,7 +10,7 @@ code on the disk.
 |---|---|
 | tiers.py | decides how a call runs, and measures the time of interpreted calls |
 | kinds.py | the kinds of a call's arguments, for which machine code is made |
-| keeper.py | the thread that loads machine code, and interrupts long interpreted calls |
+| numba_thread.py | the thread that loads machine code, and interrupts long interpreted calls |
 | store.py | the folder of machine code, and the requests for more |
 | requests.py | requests machine code, and starts the processes that compile |
 | machine.py | loads machine code with numba |

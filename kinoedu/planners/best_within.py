@@ -31,8 +31,9 @@ def best_within(
     rng : a seed or a numpy Generator.
 
     Returns
-    ------- The best plan, or the last one where none has a path; `stats["plans"]` is the number of
-    plans made.
+    -------
+    The best plan, or the last one where none has a path; `stats["plans"]` is the number of plans
+    made.
 
     Raises
     ------

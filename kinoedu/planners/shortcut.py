@@ -74,8 +74,9 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     rng : a seed or a numpy Generator.
 
     Returns
-    ------- Plan with the new path. All else that the planner built stays, and the motions that were
-    checked are added to its stats. A plan without a path is returned unchanged.
+    -------
+    Plan with the new path. All else that the planner built stays, and the motions that were checked
+    are added to its stats. A plan without a path is returned unchanged.
 
     Raises
     ------

@@ -59,9 +59,10 @@ def bug0(
         stand off at most a thousandth more.
 
     Returns
-    ------- Plan whose `walk` records what the robot did: points, hit and leave points, where it
-    followed walls, the distance walked and the distance to the goal. `cost` is the exact length of
-    the walk. Without a path `reason` says why; a walk in a circle is recorded for one round.
+    -------
+    Plan whose `walk` records what the robot did: points, hit and leave points, where it followed
+    walls, the distance walked and the distance to the goal. `cost` is the exact length of the walk.
+    Without a path `reason` says why; a walk in a circle is recorded for one round.
 
     Raises
     ------

@@ -161,8 +161,9 @@ def sst(
     The other parameters are those of `kinodynamic_rrt`.
 
     Returns
-    ------- Plan with its `tree` (nodes that lost their witness stay in it) and its `trajectory`.
-    Without a path the trajectory leads to the node nearest to the goal.
+    -------
+    Plan with its `tree` (nodes that lost their witness stay in it) and its `trajectory`. Without a
+    path the trajectory leads to the node nearest to the goal.
 
     Raises
     ------

@@ -92,8 +92,9 @@ def prm(
     rng : a seed or a numpy Generator; not needed with a sampler.
 
     Returns
-    ------- Plan with its `roadmap`, whose nodes 0 and 1 are start and goal. Without a path
-    `plan.reason` says why there is none.
+    -------
+    Plan with its `roadmap`, whose nodes 0 and 1 are start and goal. Without a path `plan.reason`
+    says why there is none.
 
     Raises
     ------

@@ -134,8 +134,9 @@ def rrt_connect(
     rng : a seed or a numpy Generator.
 
     Returns
-    ------- Plan with its `tree`: both trees, in the order in which their nodes were made; start and
-    goal, which have no parents, come first. Without a path `plan.reason` says what ran out.
+    -------
+    Plan with its `tree`: both trees, in the order in which their nodes were made; start and goal,
+    which have no parents, come first. Without a path `plan.reason` says what ran out.
 
     Raises
     ------

@@ -153,8 +153,9 @@ def rrt_star(
     rng : a seed or a numpy Generator.
 
     Returns
-    ------- Plan with its `tree`: the nodes in the order of creation, with their final parents.
-    Without a path `plan.reason` says what ran out.
+    -------
+    Plan with its `tree`: the nodes in the order of creation, with their final parents. Without a
+    path `plan.reason` says what ran out.
 
     Raises
     ------
