@@ -1,4 +1,4 @@
-"""Grade a folder of submissions into GRADES."""
+"""Grade a folder of submissions."""
 
 from itertools import islice
 from pathlib import Path
@@ -16,8 +16,13 @@ from .sandbox.sandbox import why_not
 
 
 class Run(NamedTuple):
-    """How a class is graded: where its secret is, where the work is done, whether without a
-    sandbox, who hears of it, and whether each student has contracts of their own.
+    """How a class is graded.
+
+    secret_file : the file with the course's secret.
+    place : where notebooks are graded, such as `running.local()`.
+    trusted : whether programs run without a sandbox.
+    grading, writing : called with the progress of each stage.
+    variants : whether each student has contracts of their own.
     """
 
     secret_file: Path
@@ -29,7 +34,7 @@ class Run(NamedTuple):
 
 
 def require_sandbox(trusted: bool) -> None:
-    """Raises InvalidParameter where programs cannot be shut in and are not trusted either."""
+    """Raise InvalidParameter if programs are not trusted and cannot be run in a sandbox."""
     reason = "" if trusted else why_not()
     if reason:
         raise InvalidParameter(
@@ -40,16 +45,33 @@ def require_sandbox(trusted: bool) -> None:
 
 
 def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
-    """Grade what is in a folder or zip, keep it beside what GRADES has of other folders, and write
-    what people read.
+    """Grade the submissions in a folder or zip, and write the tables and pages.
 
-    Raises InvalidParameter, and OSError where nothing can be written.
+    Grades of other folders that `out` already holds are kept.
+
+    Parameters
+    ----------
+    folder : the folder or zip of submissions.
+    only : the one assignment to grade, or "" for all.
+    out : the folder of the grades.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the submissions, the secret or a decision cannot be used.
+    OSError
+        Where a file cannot be written.
     """
     return grade_found([(folder, only, collect(folder, only))], out, run)
 
 
 def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, run: Run) -> Class:
-    """The same, of submissions that were collected."""
+    """Grade submissions that are collected already; otherwise like `grade_class`.
+
+    Parameters
+    ----------
+    sources : for each folder its path, its one assignment ("" for all) and its submissions.
+    """
     require_sandbox(run.trusted)
     if not any(found for _, _, found in sources):
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")

@@ -1,6 +1,4 @@
-"""After a judge's repair: grade the same class anew beside the first, and list whose score changed
-and why.
-"""
+"""Grade a class again after a judge was corrected, and list the scores that changed and why."""
 
 import shutil
 from collections.abc import Iterator
@@ -20,8 +18,9 @@ COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept"
 
 
 class Change(NamedTuple):
-    """A score that the grader gives now and did not before, and why. kept : what a person decided,
-    which still holds, or "".
+    """A score that changed, and why.
+
+    kept : the score that a person decided, which still holds, or "".
     """
 
     student: str
@@ -36,10 +35,25 @@ class Change(NamedTuple):
 def regrade(
     old: Path, out: Path, run: Run, folder: Path | None = None
 ) -> tuple[Class, list[Change]]:
-    """Grade what `old` was made of once more, into `out`; what people decided goes along. Writes
-    changes.csv beside the grades.
+    """Grade the submissions of the class in `old` again, into `out`.
 
-    folder : where the submissions are now, where they were moved. Raises InvalidParameter, OSError.
+    People's decisions are copied to `out`, and changes.csv is written beside the grades.
+
+    Parameters
+    ----------
+    folder : where the submissions are now, if they were moved.
+
+    Returns
+    -------
+    Class, list of Change
+        The class as graded now, and the scores that changed.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the class, the secret or the submissions do not fit together.
+    OSError
+        Where a file cannot be written.
     """
     before = read_class(old)
     if out.resolve() == old.resolve():
@@ -73,7 +87,7 @@ def regrade(
 
 
 def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
-    """Every score that is another, in the order of the table."""
+    """Yield every score that differs, in the order of the table."""
     was, now = ({row[:3]: row for row in class_rows(of, {})} for of in (before, after))
     files_before, files_after = (
         {(entry.student, entry.assignment): entry for entry in of.entries} for of in (before, after)
@@ -95,7 +109,7 @@ def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterat
 def why_changed(
     old: Row | None, new: Row | None, file_before: Entry | None, file_after: Entry | None
 ) -> str:
-    """In words."""
+    """The reason for a change, in words."""
     if file_after is None:
         return "the submission is no longer there"
     if file_before is None:
@@ -112,12 +126,12 @@ def why_changed(
 
 
 def said(row: Row) -> str:
-    """A row's status and message."""
+    """A row's status and message, in words."""
     return f"{row.status}: {row.message}" if row.message and row.status != "right" else row.status
 
 
 def write_changes(changes: list[Change], file: Path) -> None:
-    """Write the list."""
+    """Write the changes as a CSV file."""
     cells = [
         [
             *map(harmless, one[:3]),

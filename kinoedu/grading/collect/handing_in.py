@@ -1,6 +1,4 @@
-"""What a student hands in: one zip with the notebook as it is and a receipt that says what is in
-it. Nothing is run.
-"""
+"""Pack what a student hands in: one zip of the notebook and a receipt. Nothing is run."""
 
 import ast
 import hashlib
@@ -20,9 +18,11 @@ UNTOUCHED = "YOUR ANSWER HERE"
 
 
 class Receipt(NamedTuple):
-    """What was packed: the assignment, the notebook's SHA-256, when, and for each question whether
-    there is an answer and what its check said last, or why Python cannot read it ("" where there is
-    nothing to say).
+    """What was packed and when.
+
+    sha256 : the digest of the notebook.
+    answers : for each question whether it is answered, and a remark: the last message of its check,
+        or why Python cannot read it, or "".
     """
 
     assignment: str
@@ -45,8 +45,18 @@ class Receipt(NamedTuple):
 
 
 def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
-    """Check a notebook and pack it. Raises UnreadableSubmission where it could not be graded,
-    InvalidParameter for no exercise.
+    """Check a notebook, and pack it with a receipt.
+
+    Returns
+    -------
+    Receipt
+
+    Raises
+    ------
+    UnreadableSubmission
+        Where the notebook could not be graded.
+    InvalidParameter
+        Where it is not a notebook of the exercise that its name says.
     """
     data, assignment = read_bytes(file), assignment_of(file)
     answers = answers_in(data, assignment)
@@ -81,8 +91,9 @@ def assignment_of(file: Path) -> str:
 
 
 def answers_in(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
-    """For each question whether it is answered, and what its check said last. Raises
-    UnreadableSubmission.
+    """Whether each question is answered, and the last message of its check.
+
+    Raises UnreadableSubmission.
     """
     sources = [cell.source for cell in cells_in(data)]
     written, broken = written_functions(sources), broken_functions(sources)
@@ -97,7 +108,7 @@ def answers_in(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
 
 
 def broken_functions(sources: list[str]) -> dict[str, str]:
-    """The functions in cells that Python cannot read, and why it cannot."""
+    """The functions in cells with syntax errors, each with its error message."""
     found: dict[str, str] = {}
     for source in sources:
         try:
@@ -111,9 +122,7 @@ def broken_functions(sources: list[str]) -> dict[str, str]:
 
 
 def written_functions(sources: list[str]) -> dict[str, bool]:
-    """The functions that a notebook defines, and whether each has more in it than what it was given
-    with.
-    """
+    """The functions that a notebook defines, and whether each has been written by the student."""
     found = {}
     for source in sources:
         try:
@@ -136,21 +145,20 @@ def written_functions(sources: list[str]) -> dict[str, bool]:
 
 
 def is_stub(step: ast.stmt) -> bool:
-    """Whether a function begins with what stands for an answer."""
+    """Whether a function's first statement is the placeholder for an answer."""
     return isinstance(step, ast.Raise) and "NotImplementedError" in ast.dump(step)
 
 
 def said_by_checks(cells: list[Any]) -> dict[str, str]:
-    """The first line of what each check() left in the notebook."""
+    """The first line of the output of each check() that is stored in the notebook."""
     said = {}
     for cell in cells:
         outputs = table(cell).get("outputs")
         called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
         if called and isinstance(outputs, list) and outputs:
             text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
-            stale = text == get_message(
-                "check.unanswered", name=called[1]
-            )  # the exercise as it was handed out
+            # the output that the exercise was handed out with
+            stale = text == get_message("check.unanswered", name=called[1])
             said[called[1]] = (
                 get_message("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
             )
@@ -166,7 +174,7 @@ def marks_in(cells: list[Any]) -> set[str]:
 
 
 def by_hand(cells: list[Any]) -> list[tuple[str, bool]]:
-    """The answers that people grade, and whether each was touched."""
+    """The answers that people grade, and whether the student changed each."""
     marked = [(cell, table(table(table(cell).get("metadata")).get("nbgrader"))) for cell in cells]
     return [
         (str(mark["grade_id"]), UNTOUCHED not in joined(cell.get("source")))
@@ -176,5 +184,5 @@ def by_hand(cells: list[Any]) -> list[tuple[str, bool]]:
 
 
 def table(data: Any) -> dict[str, Any]:
-    """A table of a notebook; what else stands in its place is an empty one."""
+    """`data` if it is a table, else an empty one."""
     return data if isinstance(data, dict) else {}

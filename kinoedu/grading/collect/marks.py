@@ -1,20 +1,19 @@
-"""Which assignment a file answers: by its name, else by the marks that nbgrader left in its
-cells.
-"""
+"""Which assignment a file answers: by its name, or by the marks that nbgrader left in its cells."""
 
 import re
 from pathlib import PurePosixPath
 
 from .notebook import UnreadableSubmission, notebook_in
 
-COPIED = re.compile(
-    r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE
-)  # what a download or a second try adds to a name
+# what a download or a second upload adds to a name
+COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)
 
 
 def assignment_of(name: str, place: tuple[str, ...], data: bytes, known: list[str]) -> str:
-    """The assignment that a file answers: by its name, by its folder, else by the marks of its
-    cells; "" where none fits.
+    """The assignment that a file answers, or "" where none fits.
+
+    Its name decides, then its folders' names, then the start of its name, then the marks in its
+    cells.
     """
     stem = COPIED.sub("", PurePosixPath(name).stem)
     for candidate in (stem, *map(unzipped, reversed(place[:-1]))):
@@ -27,7 +26,7 @@ def assignment_of(name: str, place: tuple[str, ...], data: bytes, known: list[st
 
 
 def shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
-    """How many questions of each assignment stand in a notebook's marks."""
+    """How many questions of each assignment have a mark in the notebook."""
     from ..assignments.questions import assignment
 
     marks = marks_in(data)
@@ -42,9 +41,7 @@ def shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
 
 
 def marks_in(data: bytes) -> set[str]:
-    """The names that nbgrader gave a notebook's cells; none where it cannot be read, or was made
-    elsewhere.
-    """
+    """The names that nbgrader gave to a notebook's cells; none where it cannot be read."""
     try:
         cells = notebook_in(data)["cells"]
         return {
@@ -57,11 +54,11 @@ def marks_in(data: bytes) -> set[str]:
 
 
 def most_marks(shared: dict[str, int]) -> str:
-    """The assignment of most of them; "" where there are none."""
+    """The assignment with the most marks; "" where there are none."""
     best = max(shared, key=lambda name: shared[name], default="")
     return best if best and shared[best] else ""
 
 
 def unzipped(name: str) -> str:
-    """A name without the ending of a zip."""
+    """A file's name without ".zip" at its end."""
     return name[: -len(".zip")] if name.lower().endswith(".zip") else name

@@ -1,10 +1,9 @@
-"""What Gradescope's container runs: the one submission in ROOT/submission is graded into
-ROOT/results/results.json.
+"""The program in Gradescope's container: it grades ROOT/submission into ROOT/results/results.json.
 
-The judges are those of `kinoedu grade`, and so is the sandbox, where the container lets one be
-made. Where it does not, and the instructor trusts the container to be the wall, programs run as a
-user whom the system does not know: they can neither write what the grader reads nor read the
-course's secret, but they see Gradescope's other files and whatever network the container has.
+The judges are those of `kinoedu grade`, and so is the sandbox if the container allows one. If it
+does not, and the instructor trusts the container instead, programs run as a user that the system
+does not know. They can neither write what the grader reads nor read the course's secret, but they
+see Gradescope's other files and whatever network the container has.
 """
 
 import json
@@ -29,15 +28,20 @@ from ..report.rows import Row
 from ..sandbox.sandbox import why_not
 from .tables import gradescope_results
 
-Results = dict[str, Any]  # JSON data, as Gradescope reads it
+Results = dict[str, Any]  # JSON data in Gradescope's format
 
 
 def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool = False) -> Results:
-    """Grade what was handed in for an assignment, write the results, and return them.
+    """Grade the one submission for an assignment, write the results, and return them.
 
-    What the student can mend, such as a file that is no notebook, is told and has no points; where
-    the machine is in trouble, InvalidParameter is raised and nothing is written, so that Gradescope
-    reports a failure and gives no score.
+    Errors that the student can correct, such as a file that is no notebook, are reported in the
+    results and give no points.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the machine fails. Nothing is written then, so that Gradescope reports a failure and
+        gives no score.
     """
     one = the_submission(root / "submission", name)
     with tempfile.TemporaryDirectory() as results:
@@ -55,8 +59,9 @@ def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool =
 
 
 def is_trusted(container_is_wall: bool) -> bool:
-    """Whether to run without a sandbox: where none can be made and its place is taken. Raises
-    InvalidParameter.
+    """Whether to run without a sandbox: there is none, and the container takes its place.
+
+    Raises InvalidParameter where there is no sandbox and the container may not take its place.
     """
     reason = why_not()
     if not reason:
@@ -75,8 +80,9 @@ def is_trusted(container_is_wall: bool) -> bool:
 
 
 def the_submission(folder: Path, name: str) -> Submission:
-    """The notebook in a folder: the one that answers the assignment, or the only one. What stands
-    in its way is its trouble.
+    """The notebook in a folder: the one that answers the assignment, or else the only one.
+
+    Where there is none, or several, the submission has that trouble.
     """
     found = [file for file in files_in(folder) if is_candidate(file)] if folder.is_dir() else []
     mine = [
@@ -95,8 +101,9 @@ def the_submission(folder: Path, name: str) -> Submission:
 
 
 def results_of(name: str, record: Grade | None, trouble: str) -> Results:
-    """What Gradescope shows: a test for each question; a submission that cannot be read has no
-    tests, but says why.
+    """The results as Gradescope shows them, with a test for each question.
+
+    A submission that cannot be read has no tests, and the reason as its output.
     """
     if record is None or record["status"] == "unreadable":
         why = trouble if record is None else record["message"]
@@ -122,7 +129,7 @@ def results_of(name: str, record: Grade | None, trouble: str) -> Results:
 
 
 def row_of(name: str, question: Grade) -> Row:
-    """A question's row, with all that its student may know as the message."""
+    """A question's row, whose message holds all that its student may know."""
     said = "\n".join([question["message"], *explained(question)])
     return Row(
         "",
@@ -136,7 +143,7 @@ def row_of(name: str, question: Grade) -> Row:
 
 
 def explained(question: Grade) -> Iterator[str]:
-    """The smallest case that failed, unless it is hidden, and the hint."""
+    """Yield the smallest case that failed, unless it is hidden, and the hint."""
     if question["status"] != RIGHT:
         for title, text in told_of(question):
             yield format_entry(title, text)

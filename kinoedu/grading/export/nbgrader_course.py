@@ -1,9 +1,9 @@
-"""nbgrader's gradebook, for the answers that people grade: scores go there, formgrader shows the
-answers, and its scores come back.
+"""nbgrader's gradebook, for the answers that people grade.
 
-A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, an empty folder in
-source/ for each assignment, as formgrader lists no other, and in autograded/ the notebooks. What a
-notebook shows there is cleaned first: text and pictures stay, and no tag of HTML does.
+Scores are written to it, formgrader shows the answers, and formgrader's scores are read back. The
+course folder holds gradebook.db, nbgrader_config.py, an empty folder in source/ for each
+assignment, as formgrader lists no others, and the notebooks in autograded/. The notebooks are
+cleaned first: text and pictures remain, and no HTML tag does.
 """
 
 import json
@@ -39,10 +39,17 @@ Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
 
 def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
-    """Write scores into the gradebook and notebooks beside it; what was graded there stays. Returns
-    how many notebooks.
+    """Write scores into the gradebook and notebooks beside it; scores given there are kept.
 
-    Raises InvalidParameter where a folder of submissions is gone.
+    Returns
+    -------
+    int
+        The number of notebooks.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a folder of submissions is gone.
     """
     from nbgrader.api import Gradebook
 
@@ -54,7 +61,7 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
         mine.setdefault((row.student, row.assignment), []).append(row)
     count = 0
     with warnings.catch_warnings(), Gradebook(address(folder)) as gradebook:
-        warnings.simplefilter("ignore")  # SQLAlchemy's remarks on how nbgrader uses it
+        warnings.simplefilter("ignore")  # SQLAlchemy's warnings about how nbgrader uses it
         for name in sorted({entry.assignment for entry in of.entries if entry.assignment}):
             add_assignment(gradebook, name)
         for entry, data in readable(of.entries):
@@ -66,12 +73,12 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
 
 
 def address(folder: Path) -> str:
-    """Where the gradebook is, as its database says it."""
+    """The gradebook's address for its database."""
     return f"sqlite:///{(folder / 'gradebook.db').resolve()}"
 
 
 def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
-    """The entries whose files are still what was graded, and their bytes."""
+    """Yield the entries whose files still are what was graded, and their bytes."""
     found = {
         (where, one.student, one.assignment): one
         for where in dict.fromkeys((entry.folder, entry.only) for entry in entries)
@@ -84,7 +91,7 @@ def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
 
 
 def marks_of(name: str) -> Marks:
-    """An assignment's marks, as its solution has them."""
+    """nbgrader's metadata of an assignment's cells, from its solution."""
     book = json.loads(solution_path(name).read_text(encoding="utf-8"))
     marked = [
         (cell, cell["metadata"]["nbgrader"])
@@ -95,7 +102,7 @@ def marks_of(name: str) -> Marks:
 
 
 def add_assignment(gradebook: Any, name: str) -> None:
-    """An assignment and its cells."""
+    """Add an assignment and its cells to the gradebook."""
     gradebook.update_or_create_assignment(name)
     gradebook.update_or_create_notebook(name, name)
     for cell, mark in marks_of(name).items():
@@ -108,7 +115,7 @@ def add_assignment(gradebook: Any, name: str) -> None:
 
 
 def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> bool:
-    """A student's notebook, for formgrader to show; whether it can be read."""
+    """Add a student's notebook for formgrader to show; return whether it can be read."""
     try:
         book = cleaned(notebook_in(data), marks_of(entry.assignment))
     except UnreadableSubmission:
@@ -125,18 +132,19 @@ def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> boo
 
 
 def printable(text: str) -> str:
-    """Text that a database takes."""
+    """Text that a database accepts."""
     return text.encode("utf-8", "replace").decode("utf-8")
 
 
 def printed(text: Any) -> str:
-    """Text of a notebook that a database takes."""
+    """The text of a cell, as a database accepts it."""
     return printable(joined(text))
 
 
 def add_score(gradebook: Any, row: Row) -> None:
-    """A score of the grader's, or a person's in its place; what people grade is marked as theirs
-    until they have.
+    """Add the score of the grader, or of the person who overruled it.
+
+    Answers that people grade are marked as waiting until they have a score.
     """
     from nbgrader.api import MissingEntry
 
@@ -155,7 +163,7 @@ def add_score(gradebook: Any, row: Row) -> None:
 
 
 def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
-    """A notebook that is safe to look at, with the solution's marks and no others, each once."""
+    """A notebook that is safe to open, with only the solution's marks, each once."""
     left = dict(marks)
     cells = (
         [clean_cell(cell, left) for cell in book["cells"] if isinstance(cell, dict)]
@@ -169,7 +177,7 @@ def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
 
 
 def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
-    """One cell; it has a mark if that was not given to one before it."""
+    """One cell, with its mark unless an earlier cell has that mark."""
     metadata = cell.get("metadata")
     mine = metadata.get("nbgrader") if isinstance(metadata, dict) else None
     name = mine.get("grade_id") if isinstance(mine, dict) else None
@@ -196,7 +204,7 @@ def markdown(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Text and pictures that a cell has left."""
+    """Yield the text and the pictures among a cell's outputs."""
     outputs = cell.get("outputs")
     for output in outputs if isinstance(outputs, list) else ():
         if not isinstance(output, dict):
@@ -214,8 +222,12 @@ def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def scores_from_nbgrader(of: Class, folder: Path) -> int:
-    """Bring what people graded in formgrader back, scores and comments, into GRADES/by_hand.csv.
-    Returns how many scores.
+    """Write the scores and comments that people gave in formgrader to GRADES/by_hand.csv.
+
+    Returns
+    -------
+    int
+        The number of scores.
     """
     from nbgrader.api import Gradebook, MissingEntry
 

@@ -1,6 +1,4 @@
-"""One submission graded: the sandbox runs it, the judges judge what comes out, and a record says
-what it is worth and why.
-"""
+"""Grade a submission: run it in the sandbox, judge the outcomes, record scores and reasons."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -15,24 +13,26 @@ from ..collect.notebook import Cell, UnreadableSubmission, cells_in
 from ..sandbox.sandbox import Sandbox
 from .answers import Answers, Question, answers, is_stopped
 
-RIGHT, PARTLY, WRONG, UNANSWERED, LATE, STOPPED = (
-    "right",
-    "partly right",
-    "wrong",
-    "not answered",
-    "too late",
-    "stopped",
-)
-Grade = dict[str, Any]  # JSON data: what is kept of a graded submission
+RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
+UNANSWERED, LATE, STOPPED = "not answered", "too late", "stopped"
+Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
 
 def grade(
     data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, patience: float = 1.0
 ) -> Grade:
-    """Grade the bytes of a notebook. Raises NoSandbox, and nothing else.
+    """Grade the bytes of a notebook.
 
-    Returns {"status", "message", "questions", "cells"}: for each question its score, what the
-    student may read, and the case that failed, where everybody has seen that case.
+    Returns
+    -------
+    dict
+        "status", "message", "questions" and "cells". Each question has its score, what the student
+        may read, and the case that failed if everybody has seen that case.
+
+    Raises
+    ------
+    NoSandbox
+        Where the sandbox does not start or breaks; nothing else is raised.
     """
     try:
         cells = cells_in(data)
@@ -59,7 +59,7 @@ def grade(
 
 
 def blank(asked: Asked) -> Grade:
-    """A question to which there is no answer."""
+    """The record of a question without an answer."""
     variant = {"variant": asked.exercise.variant} if asked.exercise.variant else {}
     return variant | {
         "question": asked.exercise.name,
@@ -73,7 +73,7 @@ def blank(asked: Asked) -> Grade:
 
 
 def judged(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Grade:
-    """A question's grade."""
+    """The record of a question with its outcomes."""
     if not outcomes:
         return blank(asked)
     report = judge_outcomes(asked.exercise, known.cases, outcomes)
@@ -92,7 +92,7 @@ def judged(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Gr
 
 
 def status_of(report: Report) -> str:
-    """In a word or two."""
+    """A report's status, in a word or two."""
     if report.is_right:
         return RIGHT
     if report.score > 0.0:
@@ -108,9 +108,7 @@ def status_of(report: Report) -> str:
 
 
 def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
-    """What a student may know of a failure: the rule and the hint; and the case, unless it is a
-    hidden one.
-    """
+    """What a student may know of a failure: rule, hint, and the case unless it is hidden."""
     failure, exercise = report.failure, asked.exercise
     assert failure is not None
     shown = None if hidden else shown_failure(report)
@@ -127,14 +125,12 @@ def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
 
 
 def reason_of(failure: JudgedCase) -> str:
-    """The key of the misconception that was recognised, or of the rule that was broken: what
-    instructors count.
-    """
+    """The key of the recognised misconception, or of the broken rule; instructors count these."""
     return f"slips.{failure.slip}" if failure.slip else f"rules.{failure.verdict.rule}"
 
 
 def shown_failure(report: Report) -> Grade:
-    """The failing case and its outcome as JSON data, so that its picture can be drawn later."""
+    """The failing case and its outcome as JSON data, from which its picture is drawn later."""
     failure, exercise = report.failure, report.exercise
     assert failure is not None
     case = {"kind": failure.case.kind, "given": exercise.given.encode(failure.case.given)}
@@ -158,6 +154,6 @@ def troubles(found: Answers, cells: list[Cell]) -> list[Grade]:
 
 
 def is_late(record: Grade) -> bool:
-    """Whether something took too long, which a slow or busy machine may have caused."""
+    """Whether something took too long; the cause may be a slow or busy machine."""
     cells = [trouble["trouble"]["kind"] for trouble in record["cells"]]
     return "Late" in cells or any(question["late"] for question in record["questions"])

@@ -1,6 +1,4 @@
-"""Exercises with contracts: for each student a notebook whose statements and checks know which
-contract is theirs.
-"""
+"""Write each student a notebook whose statements and checks hold the student's own contracts."""
 
 import json
 from pathlib import Path
@@ -22,9 +20,19 @@ COLUMNS = ("student", "assignment", "question", "variant")
 def write_variants(
     names: list[str], students: list[str], secret: bytes, out: Path, house: Path = HOUSE
 ) -> int:
-    """For each student the assignments' exercises with their own contracts, OUT/STUDENT/NAME.ipynb;
-    and who has which, as OUT/variants.csv. Returns how many notebooks. Raises InvalidParameter
-    where an assignment has no exercise with contracts.
+    """Write the exercises with each student's contracts to OUT/STUDENT/NAME.ipynb.
+
+    OUT/variants.csv lists which student has which contract.
+
+    Returns
+    -------
+    int
+        The number of notebooks.
+
+    Raises
+    ------
+    InvalidParameter
+        Where an assignment is not released, or has no exercise with contracts.
     """
     books = {name: released(name, house) for name in names}
     lines = []
@@ -55,7 +63,7 @@ def released(name: str, house: Path) -> Any:
 
 
 def with_contracts(book: Any, chosen: Choices) -> Any:
-    """An exercise in which the statement and the check of each question know a contract."""
+    """The exercise with a student's contract in the statement and the check of each question."""
     mine, cells = dict(chosen), []
     for cell in book["cells"]:
         name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")

@@ -1,9 +1,8 @@
-"""What people decide: scores that overrule the grader's, and those of answers that only people can
-grade.
+"""Scores that people decide: those that overrule the grader's, and those that only people can give.
 
-Both stand in a small table, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student,
-assignment, question, score, comment. No command of kinoedu writes to the first; the second is what
-nbgrader's gradebook says. Where both speak, the first holds.
+They stand in two tables, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student,
+assignment, question, score, comment. No command of kinoedu writes the first; the second holds the
+scores of nbgrader's gradebook. Where both have a score, the first holds.
 """
 
 import csv
@@ -20,8 +19,10 @@ COLUMNS = ("student", "assignment", "question", "score", "comment")
 
 
 class Decision(NamedTuple):
-    """A score, or None where only a comment is given; and where it is said, such as "overrides.csv,
-    line 2".
+    """What a person decided about a question.
+
+    score : None where only a comment is given.
+    said_in : where it stands, such as "overrides.csv, line 2".
     """
 
     score: float | None
@@ -29,11 +30,17 @@ class Decision(NamedTuple):
     said_in: str
 
 
-Decisions = dict[tuple[str, str, str], Decision]  # of student, assignment, question
+Decisions = dict[tuple[str, str, str], Decision]  # by student, assignment, question
 
 
 def read_decisions(out: Path) -> Decisions:
-    """All that was decided of a class. Raises InvalidParameter, with the line that is wrong."""
+    """All decisions about a class, from both tables.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a table cannot be read; the message names the line.
+    """
     found, over = decisions_in(out / BY_HAND), decisions_in(out / OVERRIDES)
     for whose, decision in over.items():
         below = found.get(whose, decision)
@@ -43,7 +50,7 @@ def read_decisions(out: Path) -> Decisions:
 
 
 def decisions_in(file: Path) -> Decisions:
-    """What a table says; nothing where there is none."""
+    """The decisions in one table; none if there is no such file."""
     if not file.exists():
         return {}
     try:
@@ -77,7 +84,7 @@ def decisions_in(file: Path) -> Decisions:
 
 
 def score_in(text: str, said_in: str) -> float | None:
-    """A score, or None for an empty cell."""
+    """The score in a cell, or None if the cell is empty. Raises InvalidParameter."""
     if not text:
         return None
     try:

@@ -1,5 +1,7 @@
-"""A student's page: what each answer is worth and why, the smallest case that failed as code and as
-a picture, and cells that failed. No hidden case is on it: the record of a grade holds none.
+"""A student's page: the score of each answer and the reasons.
+
+It shows the smallest case that failed, as code and as a picture, and the cells that failed. It
+cannot show a hidden case, since the record of a grade holds none.
 """
 
 import base64
@@ -22,12 +24,15 @@ from .rows import BY_HAND, DECIDED, Row, totals
 
 
 def page_name(student: str, assignment: str) -> str:
-    """Where a page stands in the folder of the grades."""
+    """The path of a page in the folder of the grades."""
     return f"feedback/{file_name(student)}/{file_name(assignment or 'unknown')}.html"
 
 
 def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures: Path) -> str:
-    """The page for the rows of one submission. pictures : the folder in which they are kept."""
+    """The page for the rows of one submission.
+
+    pictures : the folder in which pictures are kept.
+    """
     student, assignment = rows[0].student, rows[0].assignment
     total = totals(rows)[student, assignment]
     body = [paragraph(student, "quiet")]
@@ -49,7 +54,7 @@ def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures:
 
 
 def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
-    """One question."""
+    """The lines of one question."""
     share = 0.0 if row.score is None else row.score / (row.max_score or 1.0)
     kind = "" if row.score is None else "all" if share >= 1.0 else "some" if share > 0.0 else "none"
     score = (
@@ -57,7 +62,10 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
         if row.score is None
         else f"{number(row.score)} / {number(row.max_score)}"
     )
-    yield f'<section class="{kind}"><h2><span>{escape(row.question)}</span><span class="n">{score}</span></h2>'
+    yield (
+        f'<section class="{kind}"><h2><span>{escape(row.question)}</span>'
+        f'<span class="n">{score}</span></h2>'
+    )
     if row.score is None or row.status in (BY_HAND, DECIDED):
         yield paragraph(
             get_message(f"grades.status.{row.status.replace(' ', '_')}")
@@ -75,7 +83,7 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
 
 
 def explained(question: Grade, pictures: Path) -> Iterator[str]:
-    """What a wrong answer met: the case, if everybody has seen it, its picture, and the hint."""
+    """Why an answer is wrong: the case if everybody has seen it, its picture, and the hint."""
     told = told_of(question)
     if told:
         plain = (get_message("check.wanted"), get_message("check.hint"), get_message("check.read"))
@@ -106,7 +114,7 @@ def cells(troubles: list[Grade]) -> Iterator[str]:
 
 
 def cell_words(data: Mapping[str, Any]) -> tuple[str, list[str]]:
-    """What came of a cell, and the lines in which it failed."""
+    """The message of a cell that failed, and the lines where it failed."""
     try:
         outcome = decode_outcome(data, Maybe(Truth()))
     except WrongShape:

@@ -1,4 +1,4 @@
-"""The grades as one table: a row for each question of each submission, and GRADES/grades.csv."""
+"""The grades as a table, GRADES/grades.csv: one row for each question of each submission."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -12,18 +12,16 @@ from ..judge.class_list import Class, Entry, record_of
 from ..judge.submission import Grade
 from .decisions import Decision, Decisions
 
-UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = (
-    "unreadable",
-    "not graded",
-    "to grade by hand",
-    "set by hand",
-)
+UNREADABLE, NOT_GRADED = "unreadable", "not graded"
+BY_HAND, DECIDED = "to grade by hand", "set by hand"
 COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message")
 
 
 class Row(NamedTuple):
-    """One question of one student; `score` is None as long as there is none. late : Canvas marked
-    what was handed in so.
+    """One question of one student.
+
+    score : None while there is none.
+    late : whether Canvas marked the submission as late.
     comment : a person's, or "".
     """
 
@@ -39,8 +37,12 @@ class Row(NamedTuple):
 
 
 def class_rows(of: Class, decisions: Decisions) -> list[Row]:
-    """All rows of a class, with what people decided. Raises InvalidParameter where a decision is
-    about nothing that there is.
+    """All rows of a class, with people's decisions applied.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a decision matches no row.
     """
     rows = [row for entry in of.entries for row in entry_rows(entry, record_of(entry, of.out))]
     there = {row[:3] for row in rows}
@@ -54,7 +56,7 @@ def class_rows(of: Class, decisions: Decisions) -> list[Row]:
 
 
 def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
-    """The rows of one submission, as the grader has it; where there is trouble, they say which."""
+    """The grader's rows for one submission, with the reason if it could not be graded."""
     if not entry.assignment:
         return [
             Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record), entry.late)
@@ -73,19 +75,19 @@ def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
 
 
 def trouble_status(entry: Entry, record: Grade | None) -> str:
-    """Whose the trouble is: the file's, or the machine's."""
+    """Whether the file could not be read, or the machine failed."""
     return UNREADABLE if record is not None or not entry.key else NOT_GRADED
 
 
 def trouble_of(entry: Entry, record: Grade | None) -> str:
-    """Why a submission has no scores, in words; "" where it has."""
+    """Why a submission has no scores, in words; "" if it has."""
     if record is not None:
         return str(record["message"])
     return entry.trouble or get_message("grades.not_graded")
 
 
 def decided(row: Row, decision: Decision | None) -> Row:
-    """A row with what somebody decided."""
+    """The row with a person's decision applied."""
     if decision is None:
         return row
     row = row._replace(message=decision.comment or row.message, comment=decision.comment)
@@ -93,8 +95,11 @@ def decided(row: Row, decision: Decision | None) -> Row:
 
 
 class Total(NamedTuple):
-    """What a student has for an assignment: the sum of its scores, of how much, how many questions
-    have no score yet, of all.
+    """A student's total for an assignment.
+
+    score, max_score : sums over its questions.
+    waiting : the number of questions without a score yet.
+    questions : the number of all questions.
     """
 
     score: float
@@ -116,12 +121,12 @@ def totals(rows: Iterable[Row]) -> dict[tuple[str, str], Total]:
 
 
 def write_grades(rows: Iterable[Row], file: Path) -> None:
-    """Write grades.csv: the same bytes for the same rows."""
+    """Write grades.csv; equal rows give equal bytes."""
     write_rows(file, [COLUMNS, *cells(rows)])
 
 
 def cells(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
-    """Rows as text."""
+    """Yield the rows as text."""
     for row in rows:
         yield (
             harmless(row.student),

@@ -1,8 +1,8 @@
-"""Which programs are alike: submissions with each other, and with what the course itself has
-written. For a person to look at; it proves nothing, and no score knows of it.
+"""Find similar programs among submissions, and between submissions and the course's own programs.
 
-What all were given is taken out first. A fingerprint counts the more, the fewer submissions have
-it: what half a class writes by itself is no sign of anything.
+The result is for people to look at. It proves nothing, and no score depends on it. Code that all
+students were given is removed first. A fingerprint weighs more, the fewer submissions have it,
+since code that half of a class writes is no sign of copying.
 """
 
 import functools
@@ -21,35 +21,29 @@ from ..collect.submissions import Submission
 from .fingerprints import Piece, pieces
 
 ROOMS = (
-    "geometry",
-    "graphs",
-    "spaces",
-    "sampling",
-    "curves",
-    "worlds",
-    "robots",
-    "collision",
-    "decomposition",
-    "planners",
+    *("geometry", "graphs", "spaces", "sampling", "curves"),
+    *("worlds", "robots", "collision", "decomposition", "planners"),
 )
-EQUAL = 1e-6  # weights that differ by less are equal, and names decide
+EQUAL = 1e-6  # weights that differ by less count as equal
 
 
 class Program(NamedTuple):
-    """A program: whose it is, or where in the course it stands, and its pieces."""
+    """A program: its author, or its place in the course, and its pieces."""
 
     name: str
     pieces: list[Piece]
 
     @property
     def prints(self) -> set[int]:
-        """All its fingerprints."""
+        """The set of all its fingerprints."""
         return {one for piece in self.pieces for one in piece.prints}
 
 
 class Likeness(NamedTuple):
-    """Two programs that have something in common: how much that weighs, and what share of each it
-    is.
+    """Two programs with common fingerprints.
+
+    weight : the weight of these.
+    of_first, of_second : their fraction of each program's weight.
     """
 
     first: Program
@@ -60,8 +54,10 @@ class Likeness(NamedTuple):
 
 
 class Similar(NamedTuple):
-    """An assignment's programs, what submissions have in common with each other, and with the
-    course, the heaviest first.
+    """The programs of an assignment, and the pairs with common fingerprints, heaviest first.
+
+    each_other : pairs of submissions.
+    course : pairs of a submission and a program of the course.
     """
 
     assignment: str
@@ -73,8 +69,9 @@ class Similar(NamedTuple):
 def similar(
     name: str, submissions: Iterable[Submission], most: int = 100, house: Path = HOUSE
 ) -> Similar:
-    """Compare the submissions of one assignment; at most so many likenesses of either kind.
-    Unreadable ones are left out.
+    """Compare the submissions of one assignment; unreadable ones are left out.
+
+    most : the largest number of pairs of either kind.
     """
     given = given_prints(house)
     by_name = sorted(submissions, key=lambda one: (one.student, one.file))
@@ -86,7 +83,7 @@ def similar(
 
 
 def readable(one: Submission) -> Iterator[list[str]]:
-    """A submission's cells of code, where they can be read."""
+    """Yield a submission's code cells, if they can be read."""
     if not one.trouble:
         try:
             yield [cell.source for cell in cells_in(one.data)]
@@ -95,7 +92,7 @@ def readable(one: Submission) -> Iterator[list[str]]:
 
 
 def program(name: str, sources: Iterable[str], given: Collection[int]) -> Program:
-    """A program without what all were given."""
+    """A program without the fingerprints that all were given."""
     own = (
         Piece(piece.lines, {one: at for one, at in piece.prints.items() if one not in given})
         for piece in pieces(sources)
@@ -105,14 +102,9 @@ def program(name: str, sources: Iterable[str], given: Collection[int]) -> Progra
 
 @functools.cache
 def given_prints(house: Path) -> frozenset[int]:
-    """Every fingerprint of what all students have in their hands: the exercises as they are handed
-    out, and the lessons.
-    """
-    found = [
-        file
-        for room in ("exercises", "notebooks")
-        for file in sorted((house / room).glob("*.ipynb"))
-    ]
+    """Every fingerprint of the exercises as handed out and of the lessons."""
+    rooms = ("exercises", "notebooks")
+    found = [file for room in rooms for file in sorted((house / room).glob("*.ipynb"))]
     books = [[cell.source for cell in cells_in(file.read_bytes())] for file in found]
     return frozenset(
         one for sources in books for piece in pieces(sources, window=1) for one in piece.prints
@@ -120,9 +112,7 @@ def given_prints(house: Path) -> frozenset[int]:
 
 
 def of_the_course(name: str, house: Path) -> Iterator[tuple[str, list[str]]]:
-    """What the course has written: the solution, the wrong answers to its questions, the
-    library.
-    """
+    """Yield the course's own programs: the solution, the bank's wrong answers, and the library."""
     file = solution_path(name, house)
     yield f"solutions/{file.name}", [cell.source for cell in cells_in(file.read_bytes())]
     asked = [f'"{one.exercise.name}"' for one in assignment(name, house).questions]
@@ -131,40 +121,35 @@ def of_the_course(name: str, house: Path) -> Iterator[tuple[str, list[str]]]:
         for one in sorted((house / "solutions" / "bank").glob("*.py"))
         if any(word in one.read_text("utf-8") for word in asked)
     ]
-    for one in bank + [
-        file for room in ROOMS for file in sorted((house / "kinoedu" / room).rglob("*.py"))
-    ]:
+    library = [file for room in ROOMS for file in sorted((house / "kinoedu" / room).rglob("*.py"))]
+    for one in bank + library:
         yield one.relative_to(house).as_posix(), [one.read_text(encoding="utf-8")]
 
 
 def ranked(
     programs: list[Program], others: list[Program], most: int
 ) -> tuple[list[Likeness], list[Likeness]]:
-    """The likenesses of programs with each other, and with others, the heaviest first."""
+    """The pairs of programs with each other, and with others, heaviest first."""
     counts = Counter(one for program in programs for one in program.prints)
     weights = {one: math.log((len(programs) + 1) / count) for one, count in counts.items()}
     places = {one: place for place, one in enumerate(sorted(weights))}
     mine, theirs = matrix(programs, places), matrix(others, places)
     by_place = np.array([weights[one] for one in places])
-    alike = (
-        (mine.multiply(by_place) @ mine.T).toarray() if places else np.zeros((len(programs),) * 2)
-    )
-    like_course = (
-        (mine.multiply(by_place) @ theirs.T).toarray()
-        if places
-        else np.zeros((len(programs), len(others)))
-    )
+    if places:
+        alike = (mine.multiply(by_place) @ mine.T).toarray()
+        like_course = (mine.multiply(by_place) @ theirs.T).toarray()
+    else:
+        alike, like_course = (np.zeros((len(programs), len(one))) for one in (programs, others))
+    unseen = math.log(len(programs) + 1)
     whole = {
-        id(one): sum(weights.get(p, math.log(len(programs) + 1)) for p in one.prints)
-        for one in (*programs, *others)
+        id(one): sum(weights.get(p, unseen) for p in one.prints) for one in (*programs, *others)
     }
-    return heaviest(np.triu(alike, 1), programs, programs, whole, most), heaviest(
-        like_course, programs, others, whole, most
-    )
+    each_other = heaviest(np.triu(alike, 1), programs, programs, whole, most)
+    return each_other, heaviest(like_course, programs, others, whole, most)
 
 
 def matrix(programs: list[Program], places: dict[int, int]) -> "scipy.sparse.csr_array":  # type: ignore[name-defined] # noqa: F821
-    """Programs by fingerprints: 1 where a program has it."""
+    """The programs by fingerprints: 1 where a program has the fingerprint."""
     from scipy.sparse import csr_array
 
     pairs = [
@@ -184,15 +169,13 @@ def heaviest(
     whole: dict[int, float],
     most: int,
 ) -> list[Likeness]:
-    """The heaviest entries of a table, in an order that depends on nothing else than names."""
+    """The pairs for the largest entries of a table; ties are ordered by name."""
     there = weights[weights > EQUAL]
     least = np.partition(there, -most)[-most] if len(there) > most else 0.0
     found = []
     for i, j in np.argwhere(weights > max(EQUAL, least - EQUAL)).tolist():
         first, second, weight = rows[i], columns[j], float(weights[i, j])
-        found.append(
-            Likeness(first, second, weight, weight / whole[id(first)], weight / whole[id(second)])
-        )
-    return sorted(found, key=lambda one: (-round(one.weight, 5), one.first.name, one.second.name))[
-        :most
-    ]
+        fractions = (weight / whole[id(one)] for one in (first, second))
+        found.append(Likeness(first, second, weight, *fractions))
+    found.sort(key=lambda one: (-round(one.weight, 5), one.first.name, one.second.name))
+    return found[:most]

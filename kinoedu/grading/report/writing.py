@@ -1,4 +1,4 @@
-"""From a graded class to what people read: grades.csv, report.html, and a page for each student."""
+"""Write what people read of a class: grades.csv, report.html, and a page for each student."""
 
 import shutil
 from pathlib import Path
@@ -13,10 +13,19 @@ from .rows import Row, class_rows, write_grades
 
 
 def write_all(of: Class, progress: Progress | None = None) -> list[Row]:
-    """Write everything that people read; the same bytes for the same class. Returns the rows of
-    grades.csv.
+    """Write all tables and pages of a class; equal classes give equal bytes.
 
-    Raises InvalidParameter where a decision is wrong, OSError where nothing can be written.
+    Returns
+    -------
+    list of Row
+        The rows of grades.csv.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a decision is wrong.
+    OSError
+        Where a file cannot be written.
     """
     rows = class_rows(of, read_decisions(of.out))
     write_grades(rows, of.out / "grades.csv")
@@ -42,7 +51,7 @@ def one_page(rows: list[Row], entry: Entry, out: Path) -> str:
 
 
 def remove_others(folder: Path, kept: set[Path]) -> None:
-    """Remove the pages of submissions that are no longer there, lest somebody hands them out."""
+    """Remove the pages of submissions that are gone, so that nobody hands them out."""
     for file in folder.rglob("*.html"):
         if file not in kept:
             file.unlink()
