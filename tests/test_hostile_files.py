@@ -1,5 +1,6 @@
-"""Files, answers and programs made to break their reader, or by clumsy hands: the rest of the class
-is graded, and nobody gains.
+"""Files, answers and programs that would break a reader, on purpose or by accident.
+
+The rest of the class is graded, and nobody gains points.
 """
 
 import io
@@ -35,7 +36,7 @@ EXERCISE = find("point_line_distance")
 
 
 def packed(way: int, **files: bytes) -> bytes:
-    """A zip with files, in its bytes."""
+    """The bytes of a zip with these files."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", way) as archive:
         for name, data in files.items():
@@ -44,7 +45,7 @@ def packed(way: int, **files: bytes) -> bytes:
 
 
 def spoilt(data: bytes) -> bytes:
-    """With nonsense where the compressed bytes begin."""
+    """The bytes with invalid ones where the compressed data begins."""
     return data[:50] + b"\xff" * 10 + data[60:]
 
 
@@ -147,19 +148,11 @@ def test_only_lines_for_a_notebook_are_left_out(source, wanted):
     assert source_of({"source": source}) == wanted
 
 
-@pytest.mark.parametrize(
-    "odd",
-    [
-        None,
-        7,
-        "text",
-        [],
-        [None],
-        {"nbgrader": None},
-        {"nbgrader": [1]},
-        {"data": {"text/plain": 7}},
-    ],
-)
+ODD = [None, 7, "text", [], [None]]
+ODD += [{"nbgrader": None}, {"nbgrader": [1]}, {"data": {"text/plain": 7}}]
+
+
+@pytest.mark.parametrize("odd", ODD, ids=str)
 def test_handing_in_meets_any_notebook(odd):
     cells = [
         {"cell_type": "code", "source": "check(bug1)", "metadata": odd, "outputs": odd},
@@ -189,13 +182,13 @@ def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
 
 
 class Liar:
-    """A sandbox in which a program ends as it likes, having said what it likes."""
+    """A sandbox whose program returned these lines and ended this way."""
 
     def __init__(self, parts: list[list[dict]], end: str) -> None:
         self.reply, self.asked = Reply(parts, end), 0
 
     def ask(self, *_: object) -> Reply:
-        """The same each time."""
+        """Return the same reply each time, and count the requests."""
         self.asked += 1
         return self.reply
 

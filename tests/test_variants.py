@@ -1,5 +1,7 @@
-"""Contracts of one's own: each is accepted by its own judge and rejected by the other's, said where
-it is asked, graded as said.
+"""Students' own contracts.
+
+A program is accepted by its own contract's judge only. A contract is stated in the notebook, and
+grades follow it.
 """
 
 import json
@@ -35,7 +37,7 @@ GRAPHS, BUGS = "04_graph_search", "02_bug_algorithms"
 
 
 def tree(choose):
-    """A breadth-first tree by levels, in which each node chooses its parent."""
+    """A breadth-first tree by levels, in which `choose` picks each node's parent."""
 
     def bfs_tree(neighbours, start):
         parent, level, seen = [-1] * len(neighbours), {start}, {start}
@@ -76,9 +78,7 @@ def judged(exercise, function, seed=0):
 
 @pytest.mark.parametrize("name", ["bfs_tree", "bug1", "bug2"])
 def test_a_contract_accepts_its_own_and_no_other(name):
-    """Every contract's program is right by itself and in the exercise without contracts, and wrong
-    by every other contract.
-    """
+    """Each contract's program is right for it and for the plain exercise, and wrong for others."""
     variants = EXERCISES[name].variants
     assert len(variants) > 1
     for mine in variants:
@@ -86,16 +86,15 @@ def test_a_contract_accepts_its_own_and_no_other(name):
         for other in variants:
             report = judged(find(name, other), PROGRAMS[name, mine])
             assert report.is_right == (mine == other), (mine, other, report.failure)
-            if (
-                mine != other
-            ):  # all that is wrong is the contract, and no misconception is made of that
+            if mine != other:  # only the contract is broken, and no misconception is reported
                 assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 
 @pytest.mark.parametrize("variant", ["smallest", "largest"])
 def test_a_tree_by_no_contract_is_no_misconception(variant):
-    """Who takes the parent that comes first misses the contract, and is told nothing else,
-    whichever cases are drawn.
+    """A program that takes the first parent breaks the contract, whichever cases are drawn.
+
+    No misconception is reported.
     """
     for seed in range(20):
         report = judged(
@@ -110,7 +109,7 @@ def test_a_tree_by_no_contract_is_no_misconception(variant):
     "exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name
 )
 def test_every_contract_has_words_of_its_own(exercise):
-    """And is said where a program breaks it."""
+    """A program that breaks the contract gets its text."""
     words = [find(exercise.name, variant).contract for variant in exercise.variants]
     assert len(set(words)) == len(words)
     assert exercise.contract == ""
@@ -124,7 +123,7 @@ def test_every_contract_has_words_of_its_own(exercise):
 
 
 def test_an_unknown_contract_is_refused():
-    """By name, with those that there are."""
+    """The message lists the contracts that exist."""
     with pytest.raises(InvalidParameter, match="left, right"):
         find("bug2", "backwards")
     with pytest.raises(InvalidParameter, match="none"):
@@ -132,8 +131,9 @@ def test_an_unknown_contract_is_refused():
 
 
 def test_contracts_follow_from_secret_and_student():
-    """The same for the same, whatever the capitals; about as many of each; others for another
-    secret; none where there are none.
+    """Upper case does not matter; all are about as frequent; another secret gives others.
+
+    An assignment without contracts has none.
     """
     students = [f"student{n}" for n in range(400)]
     first = [choice(EXERCISES["bug2"], SECRET, student) for student in students]
@@ -154,9 +154,7 @@ def test_contracts_follow_from_secret_and_student():
 
 
 def test_hidden_cases_and_results_know_the_contract():
-    """Results of the same bytes under other contracts are other results; without contracts they are
-    where they always were.
-    """
+    """Equal bytes under another contract have another result."""
     one = Submission("ann", GRAPHS, "x.ipynb", b"{}")
     keys = {
         key_of(one._replace(variants=(("bfs_tree", variant),)), SECRET)
@@ -168,8 +166,9 @@ def test_hidden_cases_and_results_know_the_contract():
 
 
 def test_each_student_gets_their_own_notebook(tmp_path):
-    """The statement says the contract before the answer, the check names it, all else is as it was;
-    a table says whose is which.
+    """The contract stands before the answer and in the check; nothing else changes.
+
+    A table lists which student has which contract.
     """
     students = [f"s{n}" for n in range(12)]
     assert write_variants([GRAPHS], students, SECRET, tmp_path) == 12
@@ -195,9 +194,7 @@ def test_each_student_gets_their_own_notebook(tmp_path):
 
 
 def test_who_forgets_the_contracts_is_told(tmp_path):
-    """Most notebooks give one, and nobody said so: refused; a student who writes so alone stops
-    nobody.
-    """
+    """Grading is refused if most notebooks hold a contract, but not if a single one does."""
     given, plain = (
         Submission(str(n), GRAPHS, "x", data)
         for n, data in enumerate((b'check(bfs_tree, variant="largest")', b"{}"))
@@ -225,8 +222,9 @@ def bfs_tree(neighbours, start):
 
 @needs_sandbox
 def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
-    """By the commands: two students with other contracts hand in the same program; it is right for
-    one. Regraded it stays so.
+    """Two students with different contracts hand in one program; it is right for one.
+
+    Regrading does not change that.
     """
     secret = tmp_path / "secret"
     secret.write_text(SECRET.hex())
@@ -235,16 +233,8 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
         for name in ("ann", "bob", "cy", "dan", "eve")
     }
     (tmp_path / "students.txt").write_text("\n".join(names.values()) + "\n")
-    command = [
-        "release",
-        GRAPHS,
-        "--variants",
-        str(tmp_path / "students.txt"),
-        "--out",
-        str(tmp_path / "hand"),
-        "--secret",
-        str(secret),
-    ]
+    command = ["release", GRAPHS, "--variants", str(tmp_path / "students.txt")]
+    command += ["--out", str(tmp_path / "hand"), "--secret", str(secret)]
     assert main(command) == 0
     for student in names.values():
         book = json.loads(
@@ -255,16 +245,8 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
                 cell["source"] = ANSWER.replace("CHOOSE", "max")
         (tmp_path / "in" / student).mkdir(parents=True)
         (tmp_path / "in" / student / f"{GRAPHS}.ipynb").write_text(json.dumps(book))
-    grade = [
-        "grade",
-        str(tmp_path / "in"),
-        "--out",
-        str(tmp_path / "out"),
-        "--secret",
-        str(secret),
-        "--workers",
-        "1",
-    ]
+    grade = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out")]
+    grade += ["--secret", str(secret), "--workers", "1"]
     assert main(grade) == 2
     assert "--variants" in capsys.readouterr().err
     assert main([*grade, "--variants"]) == 0
@@ -280,8 +262,6 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
         encoding="utf-8"
     )
     assert find("bfs_tree", "smallest").contract in page
-    assert (
-        main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--workers", "1"])
-        == 0
-    )
+    regrade = ["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new")]
+    assert main([*regrade, "--workers", "1"]) == 0
     assert "0 scores changed" in capsys.readouterr().out
