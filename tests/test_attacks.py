@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kinoedu.grading.assignments.questions import assignment, cases_of, spelled
+from kinoedu.grading.assignments.questions import assignment, cases_of, spell_case
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
@@ -139,7 +139,7 @@ def test_hidden_cases_are_never_told(box):
     for asked in assignment("01_geometry").questions:
         known = cases_of(asked.exercise.name, SECRET)
         hidden = [asked.exercise.given.encode(case.given) for case in known.cases[known.seen :]]
-        shown = [spelled(asked.exercise, case) for case in known.cases[: known.seen]]
+        shown = [spell_case(asked.exercise, case) for case in known.cases[: known.seen]]
         points = [
             json.dumps(value)
             for case in hidden

@@ -16,7 +16,7 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.grading.assignments.questions import assignment
-from kinoedu.grading.export.autograder import the_submission
+from kinoedu.grading.export.autograder import find_submission
 from kinoedu.grading.sandbox import sandbox
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -149,7 +149,7 @@ def test_the_wrong_file_is_named(tmp_path):
         (notebook("x = 1").encode(), ""),
     ):
         (tmp_path / f"{NAME}.ipynb").write_bytes(data)
-        trouble = the_submission(tmp_path, NAME).trouble
+        trouble = find_submission(tmp_path, NAME).trouble
         assert told in trouble and bool(told) == bool(trouble)
 
 
@@ -222,10 +222,10 @@ def main_record(root: Path, tools: Path) -> str:
     """The message of the spying cell, from the record of the grade itself."""
     code = (
         "import sys, tempfile; from pathlib import Path\n"
-        "from kinoedu.grading.export.autograder import the_submission\n"
+        "from kinoedu.grading.export.autograder import find_submission\n"
         "from kinoedu.grading.judge.running import grade_all, local\n"
         "if __name__ == '__main__':\n"
-        f"    one = the_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
+        f"    one = find_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
         "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), "
         "trusted=True)[0]\n"
         "    print(found.grade['cells'][0]['trouble']['message'])\n"

@@ -21,11 +21,11 @@ from kinoedu.grading.collect.handing_in import hand_in
 from kinoedu.grading.collect.notebook import UnreadableSubmission
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
-from kinoedu.grading.judge.class_list import Class, Entry, read_class, with_earlier, write_class
-from kinoedu.grading.judge.running import keep
-from kinoedu.grading.regrading import changes_between
+from kinoedu.grading.judge.class_list import Class, Entry, add_earlier, read_class, write_class
+from kinoedu.grading.judge.running import write_result
+from kinoedu.grading.regrading import find_changes
 from kinoedu.grading.report.decisions import read_decisions
-from kinoedu.grading.report.feedback_page import file_name, page_name
+from kinoedu.grading.report.feedback_page import file_name, name_page
 from kinoedu.grading.report.writing import write_all
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.support.csv_cells import harmless, unharmed
@@ -85,7 +85,7 @@ def a_class(
             Entry(student, name, f"{student}.ipynb", str(out), "", student, f"key{number}", "")
         )
         if kept is not None:
-            keep(out / "results" / f"key{number}.json", kept)
+            write_result(out / "results" / f"key{number}.json", kept)
     entries += [
         Entry(student, name, "x.ipynb", str(out), "", student, "", why)
         for student, why in (troubles or {}).items()
@@ -136,7 +136,7 @@ def test_a_comment_alone_is_said_beside_what_the_grader_says(tmp_path):
     lines = f"ann,{NAME},point_line_distance,,see <me>\nann,{NAME},exposing_case,,well done\n"
     (tmp_path / "overrides.csv").write_text(COLUMNS + lines, encoding="utf-8")
     write_all(of)
-    page = (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+    page = (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
     assert "see &lt;me&gt;" in page and "A rule" in page and "well done" in page
     report = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "see &lt;me&gt;" in report and "well done" in report
@@ -216,7 +216,7 @@ def test_pages_escape_whatever_they_are_told(tmp_path):
         text = page.read_text(encoding="utf-8")
         assert "<script" not in text and "<img src=x" not in text
         assert text.count("</style>") == 1
-    told = (tmp_path / page_name(student, NAME)).read_text(encoding="utf-8")
+    told = (tmp_path / name_page(student, NAME)).read_text(encoding="utf-8")
     assert "data:image/png;base64," in told and "np.array([2.0, 3.0])" in told and "Cell 3" in told
 
 
@@ -227,7 +227,7 @@ def test_a_picture_that_cannot_be_drawn_loses_no_page(tmp_path):
         if one["failure"]:
             one["failure"]["case"]["given"] = {"q": "?"}
     write_all(a_class(tmp_path, {"ann": broken}))
-    assert "data:image" not in (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+    assert "data:image" not in (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
 
 
 def test_file_names_are_safe_and_apart():
@@ -255,8 +255,8 @@ def test_overrides_hold_and_are_never_written(tmp_path):
     assert rows["ann", NAME, "exposing_case"].score == 2.5
     assert rows["ann", NAME, "exposing_case"].status == "set by hand"
     assert rows["bob", NAME, "exposing_case"].score == 3.0
-    assert "seen &lt;b&gt;it" in (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
-    assert "well done" in (tmp_path / page_name("bob", NAME)).read_text(encoding="utf-8")
+    assert "seen &lt;b&gt;it" in (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
+    assert "well done" in (tmp_path / name_page("bob", NAME)).read_text(encoding="utf-8")
     export_csv(list(rows.values()), tmp_path / "totals.csv")
     assert [row[NAME] for row in table(tmp_path / "totals.csv")] == ["2.5", "25"]
     by_hand = COLUMNS + "".join(f"{name},{NAME},exposing_case,1,\n" for name in ("ann", "bob"))
@@ -351,7 +351,7 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
         "student,assignment,question,score\nann,01_geometry,exposing_case,1\n"
     )
     found = list(
-        changes_between(before, after._replace(entries=entries), read_decisions(tmp_path / "new"))
+        find_changes(before, after._replace(entries=entries), read_decisions(tmp_path / "new"))
     )
     why = {change.student: change.why for change in found}
     assert why["ann"] == "right; before: wrong: A rule."
@@ -372,14 +372,14 @@ def test_grades_of_other_folders_stay():
         for lesson in (NAME, HAND)
     ]
     new = [Entry("ann", NAME, "g", "two", "", "d", "k", "")]
-    kept = with_earlier(new, old)
+    kept = add_earlier(new, old)
     assert [(one.student, one.assignment, one.file) for one in kept] == [
         ("ann", NAME, "g"),
         ("ann", HAND, "f"),
         ("bob", NAME, "f"),
         ("bob", HAND, "f"),
     ]
-    assert with_earlier(new, [one._replace(folder="two") for one in old]) == new
+    assert add_earlier(new, [one._replace(folder="two") for one in old]) == new
 
 
 def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
@@ -391,11 +391,11 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     from nbgrader.api import Gradebook
 
     from kinoedu.grading.export.nbgrader_course import (
-        address,
         export_nbgrader,
+        name_database,
         scores_from_nbgrader,
     )
-    from kinoedu.grading.judge.class_list import digest_of
+    from kinoedu.grading.judge.class_list import digest_submission
 
     submissions, out = tmp_path / "in" / "ann", tmp_path / "out"
     submissions.mkdir(parents=True)
@@ -420,7 +420,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     of = a_class(out, {"ann": record(HAND)}, HAND)
     of = of._replace(
         entries=[
-            entry._replace(folder=str(tmp_path / "in"), digest=digest_of(one))
+            entry._replace(folder=str(tmp_path / "in"), digest=digest_submission(one))
             for entry in of.entries
         ]
     )
@@ -433,7 +433,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     assert "<script" not in shown and "1 < 2 &lt;/pre" in shown
     assert "plain" in shown and '"points": 99' not in shown
     whose = ("flowchart_bug1", HAND, HAND, "ann")
-    with Gradebook(address(tmp_path / "course")) as gradebook:
+    with Gradebook(name_database(tmp_path / "course")) as gradebook:
         grade = gradebook.find_grade(*whose)
         assert grade.needs_manual_grade
         assert gradebook.find_grade("check_bug1", HAND, HAND, "ann").auto_score > 0

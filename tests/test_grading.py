@@ -14,7 +14,7 @@ import pytest
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
 from kinoedu.grading.assignments.questions import assignment, cases_of
-from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, cells_in
+from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, read_cells
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
@@ -133,7 +133,7 @@ def test_no_secret_makes_a_right_bug_wrong(name, seeds):
     exercise = find(name)
     for seed in seeds:
         for case in exercise.cases(np.random.default_rng(seed)):
-            assert exercise.departure(case.given, program[name](**case.given)) is None, seed
+            assert exercise.find_violation(case.given, program[name](**case.given)) is None, seed
 
 
 @pytest.mark.parametrize(
@@ -154,7 +154,7 @@ def test_no_secret_makes_a_right_bug_wrong(name, seeds):
 )
 def test_what_is_no_notebook_is_refused_by_name(data):
     with pytest.raises(UnreadableSubmission):
-        cells_in(data)
+        read_cells(data)
 
 
 def test_submissions_are_found_as_they_are_laid_out(tmp_path):

@@ -15,18 +15,18 @@ from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Misshapen, Raised
 from kinoedu.grading.collect.found import MOST_OF_ONE
-from kinoedu.grading.collect.handing_in import answers_in
-from kinoedu.grading.collect.marks import most_marks, shared_marks
+from kinoedu.grading.collect.handing_in import find_answers
+from kinoedu.grading.collect.marks import choose_by_marks, count_shared_marks
 from kinoedu.grading.collect.notebook import (
     MOST_PARTS,
     Cell,
     UnreadableSubmission,
-    notebook_in,
-    source_of,
+    extract_source,
+    parse_notebook,
 )
 from kinoedu.grading.collect.submissions import collect
-from kinoedu.grading.judge import answers as asking
-from kinoedu.grading.judge.answers import Question, answers
+from kinoedu.grading.judge import answers as judge_answers
+from kinoedu.grading.judge.answers import Question, run_program
 from kinoedu.grading.sandbox import talk
 from kinoedu.grading.sandbox.sandbox import Reply
 from kinoedu.grading.sandbox.talk import Talk
@@ -126,8 +126,8 @@ def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part
     many = ",".join([part] * (MOST_PARTS // part.count(part[0]) + 1))
     data = f'{{"nbformat": 4, "cells": [], "more": [{many}]}}'.encode()
     with pytest.raises(UnreadableSubmission, match="more numbers and words"):
-        notebook_in(data)
-    assert most_marks(shared_marks(data, ["01_geometry"])) == ""
+        parse_notebook(data)
+    assert choose_by_marks(count_shared_marks(data, ["01_geometry"])) == ""
 
 
 @pytest.mark.parametrize(
@@ -145,7 +145,7 @@ def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part
     ],
 )
 def test_only_lines_for_a_notebook_are_left_out(source, wanted):
-    assert source_of({"source": source}) == wanted
+    assert extract_source({"source": source}) == wanted
 
 
 ODD = [None, 7, "text", [], [None]]
@@ -160,7 +160,7 @@ def test_handing_in_meets_any_notebook(odd):
         odd,
     ]
     data = json.dumps({"nbformat": 4, "cells": cells}).encode()
-    assert not any(answered for answered, _ in answers_in(data, "01_geometry").values())
+    assert not any(answered for answered, _ in find_answers(data, "01_geometry").values())
 
 
 @pytest.mark.parametrize(
@@ -200,16 +200,16 @@ def question(name: str) -> Question:
 
 def test_who_says_to_be_done_is_asked_for_the_rest():
     line = {"question": EXERCISE.name, "case": 0, "outcome": {"kind": "Answer", "value": 0.0}}
-    found = answers(
+    found = run_program(
         Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]
     ).outcomes
     assert isinstance(found[EXERCISE.name][-1], Misshapen) and len(found[EXERCISE.name]) == 2
 
 
 def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):
-    monkeypatch.setattr(asking, "LONGEST", -1.0)
+    monkeypatch.setattr(judge_answers, "LONGEST", -1.0)
     liar = Liar([[{"ready": True}]], "late")
-    found = answers(
+    found = run_program(
         liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]
     ).outcomes
     assert liar.asked == 0 and list(found.values()) == [[Late(False)]] * 2

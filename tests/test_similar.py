@@ -12,9 +12,15 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.grading.collect.notebook import cells_in
+from kinoedu.grading.collect.notebook import read_cells
 from kinoedu.grading.collect.submissions import Submission
-from kinoedu.grading.report.fingerprints import RUN, WINDOW, crc, pieces, prints
+from kinoedu.grading.report.fingerprints import (
+    RUN,
+    WINDOW,
+    hash_text,
+    select_fingerprints,
+    split_program,
+)
 from kinoedu.grading.report.similar import similar
 from kinoedu.grading.report.similar_page import write_similar
 
@@ -135,7 +141,7 @@ def test_what_many_write_weighs_less_than_what_two_share():
 def test_what_all_were_given_is_taken_out(given):
     """An exercise as handed out, or a lesson, has nothing in common with itself."""
     data = (HOUSE / f"{given}.ipynb").read_bytes()
-    assert pieces([cell.source for cell in cells_in(data)])
+    assert split_program([cell.source for cell in read_cells(data)])
     found = similar(
         NAME, [Submission(student, NAME, "x.ipynb", data) for student in ("ann", "bob")]
     )
@@ -206,7 +212,9 @@ def test_whatever_two_share_that_is_long_enough_is_seen():
             for _ in range(2)
         )
         first, second = (
-            prints([(crc(str(word)), at) for at, word in enumerate(said)], WINDOW)
+            select_fingerprints(
+                [(hash_text(str(word)), at) for at, word in enumerate(said)], WINDOW
+            )
             for said in (one, other)
         )
         assert first.keys() & second.keys()
@@ -214,7 +222,7 @@ def test_whatever_two_share_that_is_long_enough_is_seen():
 
 def test_shared_lines_are_where_they_are_said_to_be():
     """The lines of a fingerprint are in its piece, and together they cover its statements."""
-    (piece,) = pieces([OWN_WAY])
+    (piece,) = split_program([OWN_WAY])
     assert piece.lines[0].startswith("def point_segment_distance")
     covered = {line for first, last in piece.prints.values() for line in range(first, last + 1)}
     assert covered <= set(range(len(piece.lines)))

@@ -19,13 +19,13 @@ from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import assignment, cases_of
 from kinoedu.grading.collect.submissions import Submission
 from kinoedu.grading.judge.contracts import (
-    choice,
-    choices,
-    personal,
+    add_contracts,
+    apply_contracts,
+    choose_contract,
+    choose_contracts,
     refuse_forgotten,
-    with_variants,
 )
-from kinoedu.grading.judge.running import key_of
+from kinoedu.grading.judge.running import compute_key
 from kinoedu.grading.judge.variants import write_variants
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.planners import bug1, bug2
@@ -136,15 +136,17 @@ def test_contracts_follow_from_secret_and_student():
     An assignment without contracts has none.
     """
     students = [f"student{n}" for n in range(400)]
-    first = [choice(EXERCISES["bug2"], SECRET, student) for student in students]
+    first = [choose_contract(EXERCISES["bug2"], SECRET, student) for student in students]
     assert first == [
-        choice(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students
+        choose_contract(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students
     ]
     assert 150 < first.count("left") < 250
-    assert first != [choice(EXERCISES["bug2"], b"another", student) for student in students]
-    assert first != [choice(EXERCISES["bug1"], SECRET, student) for student in students]
-    assert choices(assignment("01_geometry"), SECRET, "ann") == ()
-    task = with_variants(assignment(GRAPHS), (("bfs_tree", "largest"),))
+    assert first != [
+        choose_contract(EXERCISES["bug2"], b"another", student) for student in students
+    ]
+    assert first != [choose_contract(EXERCISES["bug1"], SECRET, student) for student in students]
+    assert choose_contracts(assignment("01_geometry"), SECRET, "ann") == ()
+    task = apply_contracts(assignment(GRAPHS), (("bfs_tree", "largest"),))
     assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == [
         "largest"
     ]
@@ -157,12 +159,14 @@ def test_hidden_cases_and_results_know_the_contract():
     """Equal bytes under another contract have another result."""
     one = Submission("ann", GRAPHS, "x.ipynb", b"{}")
     keys = {
-        key_of(one._replace(variants=(("bfs_tree", variant),)), SECRET)
+        compute_key(one._replace(variants=(("bfs_tree", variant),)), SECRET)
         for variant in ("smallest", "largest")
     }
-    assert len(keys | {key_of(one, SECRET)}) == 3
+    assert len(keys | {compute_key(one, SECRET)}) == 3
     assert cases_of("bfs_tree", SECRET, "largest").cases != cases_of("bfs_tree", SECRET).cases
-    assert personal(one, SECRET).variants == choices(assignment(GRAPHS), SECRET, "ann")
+    assert add_contracts(one, SECRET).variants == choose_contracts(
+        assignment(GRAPHS), SECRET, "ann"
+    )
 
 
 def test_each_student_gets_their_own_notebook(tmp_path):
@@ -176,7 +180,7 @@ def test_each_student_gets_their_own_notebook(tmp_path):
         (Path(__file__).parent.parent / "exercises" / f"{GRAPHS}.ipynb").read_text(encoding="utf-8")
     )
     for student in students:
-        mine = choice(EXERCISES["bfs_tree"], SECRET, student)
+        mine = choose_contract(EXERCISES["bfs_tree"], SECRET, student)
         book = json.loads((tmp_path / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
         sources = ["".join(cell["source"]) for cell in book["cells"]]
         at = next(at for at, cell in enumerate(book["cells"]) if cell["id"] == "contract_bfs_tree")
@@ -229,7 +233,7 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
     secret = tmp_path / "secret"
     secret.write_text(SECRET.hex())
     names = {
-        choice(EXERCISES["bfs_tree"], SECRET, name): name
+        choose_contract(EXERCISES["bfs_tree"], SECRET, name): name
         for name in ("ann", "bob", "cy", "dan", "eve")
     }
     (tmp_path / "students.txt").write_text("\n".join(names.values()) + "\n")

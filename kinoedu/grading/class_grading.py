@@ -7,8 +7,16 @@ from typing import NamedTuple
 from ..errors import InvalidParameter
 from .assignments.questions import course_secret
 from .collect.submissions import Submission, collect
-from .judge.class_list import FILE, Class, entry_of, mark_of, read_class, with_earlier, write_class
-from .judge.contracts import personal, refuse_forgotten
+from .judge.class_list import (
+    FILE,
+    Class,
+    add_earlier,
+    make_entry,
+    mark_secret,
+    read_class,
+    write_class,
+)
+from .judge.contracts import add_contracts, refuse_forgotten
 from .judge.running import Place, Progress, grade_all, local
 from .report.decisions import read_decisions
 from .report.writing import write_all
@@ -77,7 +85,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
     earlier = read_class(out) if (out / FILE).exists() else None
     secret = course_secret(run.secret_file)
-    if earlier is not None and earlier.secret_mark != mark_of(secret):
+    if earlier is not None and earlier.secret_mark != mark_secret(secret):
         raise InvalidParameter(
             f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
             "or another folder"
@@ -86,7 +94,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     variants = run.variants or (earlier is not None and earlier.variants)
     submissions = [one for _, _, found in sources for one in found]
     if variants:
-        submissions = [personal(one, secret) for one in submissions]
+        submissions = [add_contracts(one, secret) for one in submissions]
     else:
         refuse_forgotten(submissions)
     out.mkdir(parents=True, exist_ok=True)
@@ -96,12 +104,14 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         )
     )
     entries = [
-        entry_of(one, folder, only, secret)
+        make_entry(one, folder, only, secret)
         for folder, only, found in sources
         for one in islice(graded, len(found))
     ]
-    kept = with_earlier(entries, earlier.entries if earlier is not None else ())
-    of = Class(out, str(run.secret_file.resolve()), mark_of(secret), run.trusted, kept, variants)
+    kept = add_earlier(entries, earlier.entries if earlier is not None else ())
+    of = Class(
+        out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept, variants
+    )
     write_class(of)
     write_all(of, run.writing)
     return of

@@ -10,7 +10,7 @@ from ..support.csv_cells import harmless, number, write_rows
 from .assignments.questions import course_secret
 from .class_grading import Run, grade_found
 from .collect.submissions import collect
-from .judge.class_list import Class, Entry, mark_of, read_class
+from .judge.class_list import Class, Entry, mark_secret, read_class
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
 from .report.rows import Row, class_rows
 
@@ -62,7 +62,7 @@ def regrade(
         )
     if (
         not run.secret_file.exists()
-        or mark_of(course_secret(run.secret_file)) != before.secret_mark
+        or mark_secret(course_secret(run.secret_file)) != before.secret_mark
     ):
         raise InvalidParameter(
             f"{old} was graded with the secret that was in {before.secret_file}; give it with "
@@ -81,12 +81,12 @@ def regrade(
         if (old / name).exists() and not (out / name).exists():
             shutil.copy(old / name, out / name)
     after = grade_found(found, out, run._replace(variants=run.variants or before.variants))
-    changes = list(changes_between(before, after, read_decisions(out)))
+    changes = list(find_changes(before, after, read_decisions(out)))
     write_changes(changes, out / "changes.csv")
     return after, changes
 
 
-def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
+def find_changes(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
     """Yield every score that differs, in the order of the table."""
     was, now = ({row[:3]: row for row in class_rows(of, {})} for of in (before, after))
     files_before, files_after = (
@@ -96,17 +96,13 @@ def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterat
         old, new = was.get(whose), now.get(whose)
         scores = (old.score if old else None, new.score if new else None)
         if scores[0] != scores[1] or old is None or new is None:
-            why = why_changed(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
+            why = explain_change(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
             decision = decisions.get(whose)
-            yield Change(
-                *whose,
-                *scores,
-                why,
-                "" if decision is None or decision.score is None else number(decision.score),
-            )
+            kept = number(decision.score) if decision is not None else ""
+            yield Change(*whose, *scores, why, kept)
 
 
-def why_changed(
+def explain_change(
     old: Row | None, new: Row | None, file_before: Entry | None, file_after: Entry | None
 ) -> str:
     """The reason for a change, in words."""
@@ -116,30 +112,27 @@ def why_changed(
         return "handed in since"
     if file_before.digest != file_after.digest:
         return "another file was handed in since"
-    if old is None or new is None:
-        return (
-            "the assignment asks for this now"
-            if old is None
-            else "the assignment no longer asks for this"
-        )
-    return f"{said(new)}; before: {said(old)}"
+    if old is None:
+        return "the assignment asks for this now"
+    if new is None:
+        return "the assignment no longer asks for this"
+    return f"{describe_row(new)}; before: {describe_row(old)}"
 
 
-def said(row: Row) -> str:
+def describe_row(row: Row) -> str:
     """A row's status and message, in words."""
     return f"{row.status}: {row.message}" if row.message and row.status != "right" else row.status
 
 
 def write_changes(changes: list[Change], file: Path) -> None:
     """Write the changes as a CSV file."""
-    cells = [
+    lines = [
         [
             *map(harmless, one[:3]),
-            number(one.before),
-            number(one.after),
+            *map(number, (one.before, one.after)),
             harmless(one.why),
             one.kept,
         ]
         for one in changes
     ]
-    write_rows(file, [COLUMNS, *cells])
+    write_rows(file, [COLUMNS, *lines])

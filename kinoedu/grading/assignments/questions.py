@@ -130,11 +130,13 @@ def cases_of(name: str, secret: bytes, variant: str = "") -> Cases:
         secret, (f"{name}:{variant}" if variant else name).encode(), hashlib.sha256
     )
     cases = list(exercise.cases(np.random.default_rng(int.from_bytes(digest))))
-    shown = {spelled(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
-    seen = [case for case in cases if spelled(exercise, case) in shown]
-    return Cases(seen + [case for case in cases if spelled(exercise, case) not in shown], len(seen))
+    shown = {spell_case(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
+    seen = [case for case in cases if spell_case(exercise, case) in shown]
+    return Cases(
+        seen + [case for case in cases if spell_case(exercise, case) not in shown], len(seen)
+    )
 
 
-def spelled(exercise: Exercise, case: Case) -> str:
+def spell_case(exercise: Exercise, case: Case) -> str:
     """A case as text."""
     return json.dumps(exercise.given.encode(case.given), sort_keys=True)

@@ -44,7 +44,7 @@ class Found(NamedTuple):
     trouble: str = ""
 
 
-def files_in(folder: Path) -> Iterator[Found]:
+def read_files(folder: Path) -> Iterator[Found]:
     """Yield every file in a folder or zip, and in zips inside it, in a stable order.
 
     A file that is not a plain file comes with that trouble.
@@ -55,7 +55,7 @@ def files_in(folder: Path) -> Iterator[Found]:
         Where `folder` is a file that cannot be read.
     """
     if folder.is_file():
-        yield from unpacked(Found((folder.name,), read_bytes(folder)), top=True)
+        yield from unpack(Found((folder.name,), read_bytes(folder)), top=True)
         return
     for file in sorted(folder.rglob("*")):
         place = file.relative_to(folder).parts
@@ -68,7 +68,7 @@ def files_in(folder: Path) -> Iterator[Found]:
         except UnreadableSubmission as trouble:
             yield Found(place, b"", str(trouble))
         else:
-            yield from unpacked(Found(place, data))
+            yield from unpack(Found(place, data))
 
 
 def is_read(name: str) -> bool:
@@ -79,7 +79,7 @@ def is_read(name: str) -> bool:
     return name.lower().endswith((".ipynb", ".zip")) or name == METADATA
 
 
-def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
+def unpack(file: Found, *, top: bool = False) -> Iterator[Found]:
     """Yield the file, or the files inside it if it is a zip.
 
     A zip inside a zip is opened only where the outer one holds a whole class (`top`).
@@ -90,15 +90,15 @@ def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
     above = () if top else file.place
     try:
         with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
-            for member in members_of(archive, top=top):
+            for member in list_members(archive, top=top):
                 place = (*above, *PurePosixPath(member.filename.replace("\\", "/")).parts)
-                inner = member_of(archive, member, place)
-                yield from unpacked(inner) if top and not inner.trouble else [inner]
+                inner = read_member(archive, member, place)
+                yield from unpack(inner) if top and not inner.trouble else [inner]
     except (*UNREADABLE, UnreadableSubmission) as error:
         yield Found(file.place, b"", f"the zip cannot be read: {error}")
 
 
-def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
+def list_members(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
     """The files in a class's zip (`top`), or the notebooks in a student's.
 
     Raises UnreadableSubmission where there are too many, or no notebook.
@@ -121,7 +121,7 @@ def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
     return members
 
 
-def member_of(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
+def read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
     """One file of a zip, read up to the limit on its size."""
     if any(part.startswith(".") or part == "__MACOSX" for part in place):
         return Found((*place[:-1], ".skipped"), b"")

@@ -59,7 +59,7 @@ def read_bytes(file: Path) -> bytes:
         return stream.read(MOST_BYTES)
 
 
-def cells_in(data: bytes) -> list[Cell]:
+def read_cells(data: bytes) -> list[Cell]:
     """The code cells of a notebook that are not empty, numbered among all cells from 1.
 
     Raises
@@ -71,10 +71,10 @@ def cells_in(data: bytes) -> list[Cell]:
     --------
     >>> cell = b'{"cell_type": "code", "source": ["x = 1\\\\n", "%time x"]}'
     >>> book = b'{"nbformat": 4, "cells": [' + cell + b"]}"
-    >>> cells_in(book)
+    >>> read_cells(book)
     [Cell(number=1, source='x = 1\\n')]
     """
-    cells = notebook_in(data)["cells"]
+    cells = parse_notebook(data)["cells"]
     if not isinstance(cells, list) or len(cells) > MOST_CELLS:
         raise UnreadableSubmission(
             f"a notebook has a list of at most {MOST_CELLS:,} cells, and this has not"
@@ -84,7 +84,7 @@ def cells_in(data: bytes) -> list[Cell]:
         for number, cell in enumerate(cells, 1)
         if isinstance(cell, dict) and cell.get("cell_type") == "code"
     ]
-    found = [Cell(number, source_of(cell)) for number, cell in codes]
+    found = [Cell(number, extract_source(cell)) for number, cell in codes]
     if sum(len(cell.source) for cell in found) > MOST_SOURCE:
         raise UnreadableSubmission(
             f"the notebook holds more than {MOST_SOURCE:,} characters of code"
@@ -92,7 +92,7 @@ def cells_in(data: bytes) -> list[Cell]:
     return [cell for cell in found if cell.source.strip()]
 
 
-def notebook_in(data: bytes) -> dict[str, Any]:
+def parse_notebook(data: bytes) -> dict[str, Any]:
     """A notebook of version 4 as JSON data. Raises UnreadableSubmission."""
     if not data.strip():
         raise UnreadableSubmission("the file is empty")
@@ -114,10 +114,10 @@ def notebook_in(data: bytes) -> dict[str, Any]:
     return book
 
 
-def source_of(cell: dict[str, Any]) -> str:
+def extract_source(cell: dict[str, Any]) -> str:
     """A cell's code without notebook commands, with characters that no file can hold replaced."""
     lines = (
-        joined(cell.get("source"))
+        join_text(cell.get("source"))
         .encode("utf-8", "replace")
         .decode("utf-8")
         .splitlines(keepends=True)
@@ -144,7 +144,7 @@ def is_python(source: str) -> bool:
     return True
 
 
-def joined(text: Any) -> str:
+def join_text(text: Any) -> str:
     """The text of a cell, or of its list of lines; what is not text is dropped."""
     parts = text if isinstance(text, list) else [text]
     return "".join(part for part in parts if isinstance(part, str))

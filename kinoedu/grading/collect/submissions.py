@@ -11,15 +11,15 @@ Each of these folders may be a zip, and so may a student's file.
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from ...course.release import HOUSE, assignments
 from ...errors import InvalidParameter
 from ...support.csv_cells import one_line
-from .found import METADATA, Found, files_in
-from .marks import assignment_of, most_marks, shared_marks, unzipped
+from .found import METADATA, Found, read_files
+from .marks import choose_by_marks, count_shared_marks, find_assignment, strip_zip
 from .notebook import MOST_BYTES
 
 CANVAS = re.compile(
@@ -71,19 +71,19 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     known = assignments(house)
     if only and only not in known:
         raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
-    found = unwrapped(list(files_in(folder)), known)
-    owners = gradescope_owners(found)
-    submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
-    submissions += without_notebook(found, {one.student for one in submissions}, owners, known)
-    submissions = (
-        [*only_for(only, submissions)] if only else [*map(known_or_troubled(known), submissions)]
-    )
-    return sorted(
-        without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file)
-    )
+    found = remove_outer_folders(list(read_files(folder)), known)
+    owners = read_gradescope_owners(found)
+    submissions = [
+        make_submission(file, owners, known, only) for file in found if is_candidate(file)
+    ]
+    have = {one.student for one in submissions}
+    submissions += find_missing_notebooks(found, have, owners, known)
+    mine = (refuse_unknown(one, known) for one in submissions)
+    kept = merge_doubles(select_assignment(only, submissions) if only else mine)
+    return sorted(kept, key=lambda one: (one.student, one.assignment, one.file))
 
 
-def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
+def remove_outer_folders(files: list[Found], known: list[str]) -> list[Found]:
     """The files without the outer folders that hold all of them.
 
     The first name of a place then comes from the instructor. All later names may come from the
@@ -114,19 +114,21 @@ def is_candidate(file: Found) -> bool:
     )
 
 
-def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
+def make_submission(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
     """The submission in a file, with its student and its assignment ("" if unknown).
 
     A file that is named like one assignment and has only the cells of another is the wrong file,
     unless `only` asks for that other one.
     """
-    student, name = owner(file.place, owners)
+    student, name = find_owner(file.place, owners)
     named, shared = (
-        assignment_of(name, file.place, file.data, known),
-        shared_marks(file.data, known),
+        find_assignment(name, file.place, file.data, known),
+        count_shared_marks(file.data, known),
     )
-    marked = most_marks(shared)
-    one = Submission(student, named, where(file), file.data, file.trouble, late=marked_late(file))
+    marked = choose_by_marks(shared)
+    one = Submission(
+        student, named, describe_place(file), file.data, file.trouble, late=is_marked_late(file)
+    )
     if not marked or not named or shared[named]:
         return one
     if only == marked:
@@ -137,21 +139,21 @@ def submission_of(file: Found, owners: dict[str, str], known: list[str], only: s
     )
 
 
-def marked_late(file: Found) -> bool:
+def is_marked_late(file: Found) -> bool:
     """Whether Canvas marked a file as late, as in doejane_LATE_1234_56789_file.ipynb.
 
     The other systems do not mark late files.
     """
-    canvas = CANVAS.match(unzipped(file.place[0]))
+    canvas = CANVAS.match(strip_zip(file.place[0]))
     return canvas is not None and canvas["late"] is not None
 
 
-def where(file: Found) -> str:
+def describe_place(file: Found) -> str:
     """Where a file was found, on one line of limited length."""
     return one_line("/".join(file.place)[-LONGEST_NAME:])
 
 
-def without_notebook(
+def find_missing_notebooks(
     found: list[Found], have: set[str], owners: dict[str, str], known: list[str]
 ) -> list[Submission]:
     """One submission with a trouble for each student who handed in files but no notebook."""
@@ -160,13 +162,13 @@ def without_notebook(
         if not file.place[-1].startswith(".") and (
             len(file.place) > 1 or CANVAS.match(file.place[0])
         ):
-            rest.setdefault(owner(file.place, owners)[0], []).append(file)
+            rest.setdefault(find_owner(file.place, owners)[0], []).append(file)
     lost = []
     for student, files in rest.items():
         if student not in have:
-            named = assignment_of(files[0].place[-1], files[0].place, b"", known)
-            seen = some_of([where(file) for file in files])
-            late = any(map(marked_late, files))
+            named = find_assignment(files[0].place[-1], files[0].place, b"", known)
+            seen = list_some([describe_place(file) for file in files])
+            late = any(map(is_marked_late, files))
             lost.append(
                 Submission(
                     student,
@@ -180,16 +182,17 @@ def without_notebook(
     return lost
 
 
-def known_or_troubled(known: list[str]) -> Callable[[Submission], Submission]:
-    """A function that adds a trouble to a submission without an assignment."""
-    unknown = (
-        "it answers no assignment that is known; its name should begin with one of: "
-        f"{', '.join(known)}"
+def refuse_unknown(one: Submission, known: list[str]) -> Submission:
+    """The submission, with a trouble if it has no assignment."""
+    if one.assignment or one.trouble:
+        return one
+    names = ", ".join(known)
+    return one._replace(
+        trouble=f"it answers no assignment that is known; its name should begin with one of: {names}"
     )
-    return lambda one: one if one.assignment or one.trouble else one._replace(trouble=unknown)
 
 
-def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
+def select_assignment(only: str, submissions: list[Submission]) -> Iterator[Submission]:
     """The submissions that answer, or may answer, one assignment.
 
     A student who handed in other assignments only gets a submission with that trouble.
@@ -206,17 +209,17 @@ def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
             )
 
 
-def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
+def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     """The student whose file this is, and the file's own name without the system's prefix.
 
-    >>> owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
+    >>> find_owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
     ('doejane_1234', '01_geometry-1.ipynb')
-    >>> owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
+    >>> find_owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
     ('Jane Doe_4711', '01_geometry.ipynb')
-    >>> owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
+    >>> find_owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
     ('jane', '01_geometry.ipynb')
     """
-    first, name = unzipped(place[0]), place[-1]
+    first, name = strip_zip(place[0]), place[-1]
     if first in owners:
         return owners[first], name
     if (moodle := MOODLE.match(first)) is not None:
@@ -226,7 +229,7 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     return (first if len(place) > 1 else PurePosixPath(first).stem), name
 
 
-def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
+def read_gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
     """The id of the first submitter for each folder of a Gradescope export.
 
     Only the submission_metadata.yml beside the folders is read, since a student may hand in a file
@@ -256,7 +259,7 @@ def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
     return owners
 
 
-def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
+def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
     """Merge equal files of one student for one assignment; refuse different ones.
 
     Where the files differ, none is chosen: one submission has a trouble that lists all of them.
@@ -268,13 +271,13 @@ def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
         if len({one.data for one in group}) == 1 or not group[0].assignment:
             yield from group[: 1 if group[0].assignment else None]
         else:
-            files = some_of([one.file for one in group])
+            files = list_some([one.file for one in group])
             wrong = f"handed in more than once, with differences: {files}; leave one"
             yield group[0]._replace(
                 data=b"", file=files, trouble=wrong, late=any(one.late for one in group)
             )
 
 
-def some_of(names: list[str]) -> str:
+def list_some(names: list[str]) -> str:
     """The first few names, as one text."""
     return ", ".join(names[:MOST_NAMED] + ["..."] * (len(names) > MOST_NAMED))

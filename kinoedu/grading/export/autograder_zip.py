@@ -85,22 +85,22 @@ def pack_autograder(
         Packed("setup.sh", SETUP.encode(), 0o755),
         Packed("run_autograder", run.encode(), 0o755),
         Packed(SECRET, secret.hex().encode() + b"\n", 0o600),
-        Packed(f"{COURSE}/solutions/{name}.ipynb", questions_of(solution_path(name, house))),
-        *library(house),
+        Packed(f"{COURSE}/solutions/{name}.ipynb", read_questions(solution_path(name, house))),
+        *pack_library(house),
     ]
     write_zip(zip_file, files)
     os.chmod(zip_file, 0o600)
     return len(files)
 
 
-def questions_of(file: Path) -> bytes:
+def read_questions(file: Path) -> bytes:
     """A solution notebook as the grader reads it, without the answers."""
     import nbformat
 
     return (str(nbformat.writes(remove_answers(file))) + "\n").encode()
 
 
-def library(house: Path) -> Iterator[Packed]:
+def pack_library(house: Path) -> Iterator[Packed]:
     """Yield the files of the library and its installer; no solution, no bank, no tests."""
     for file in [house / name for name in FILES] + sorted((house / "kinoedu").rglob("*")):
         if file.is_file() and not is_generated(file):

@@ -18,9 +18,9 @@ from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
-from ..collect.notebook import UnreadableSubmission, joined, notebook_in
+from ..collect.notebook import UnreadableSubmission, join_text, parse_notebook
 from ..collect.submissions import collect
-from ..judge.class_list import Class, Entry, digest_of
+from ..judge.class_list import Class, Entry, digest_submission
 from ..report.decisions import BY_HAND, COLUMNS
 from ..report.rows import BY_HAND as TO_GRADE
 from ..report.rows import DECIDED, Row
@@ -60,11 +60,11 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
     for row in rows:
         mine.setdefault((row.student, row.assignment), []).append(row)
     count = 0
-    with warnings.catch_warnings(), Gradebook(address(folder)) as gradebook:
+    with warnings.catch_warnings(), Gradebook(name_database(folder)) as gradebook:
         warnings.simplefilter("ignore")  # SQLAlchemy's warnings about how nbgrader uses it
         for name in sorted({entry.assignment for entry in of.entries if entry.assignment}):
             add_assignment(gradebook, name)
-        for entry, data in readable(of.entries):
+        for entry, data in read_unchanged(of.entries):
             count += add_notebook(gradebook, entry, data, folder)
             for row in mine[entry.student, entry.assignment]:
                 add_score(gradebook, row)
@@ -72,12 +72,12 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
     return count
 
 
-def address(folder: Path) -> str:
+def name_database(folder: Path) -> str:
     """The gradebook's address for its database."""
     return f"sqlite:///{(folder / 'gradebook.db').resolve()}"
 
 
-def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
+def read_unchanged(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
     """Yield the entries whose files still are what was graded, and their bytes."""
     found = {
         (where, one.student, one.assignment): one
@@ -86,11 +86,11 @@ def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
     }
     for entry in entries:
         one = found.get(((entry.folder, entry.only), entry.student, entry.assignment))
-        if entry.key and one is not None and digest_of(one) == entry.digest:
+        if entry.key and one is not None and digest_submission(one) == entry.digest:
             yield entry, one.data
 
 
-def marks_of(name: str) -> Marks:
+def read_marks(name: str) -> Marks:
     """nbgrader's metadata of an assignment's cells, from its solution."""
     book = json.loads(solution_path(name).read_text(encoding="utf-8"))
     marked = [
@@ -105,7 +105,7 @@ def add_assignment(gradebook: Any, name: str) -> None:
     """Add an assignment and its cells to the gradebook."""
     gradebook.update_or_create_assignment(name)
     gradebook.update_or_create_notebook(name, name)
-    for cell, mark in marks_of(name).items():
+    for cell, mark in read_marks(name).items():
         if mark["grade"]:
             gradebook.update_or_create_grade_cell(
                 cell, name, name, max_score=mark["points"], cell_type=mark["cell_type"]
@@ -117,11 +117,11 @@ def add_assignment(gradebook: Any, name: str) -> None:
 def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> bool:
     """Add a student's notebook for formgrader to show; return whether it can be read."""
     try:
-        book = cleaned(notebook_in(data), marks_of(entry.assignment))
+        book = clean_notebook(parse_notebook(data), read_marks(entry.assignment))
     except UnreadableSubmission:
         return False
     student, name = file_name(entry.student), entry.assignment
-    gradebook.update_or_create_student(student, last_name=printable(entry.student))
+    gradebook.update_or_create_student(student, last_name=make_printable(entry.student))
     gradebook.update_or_create_submission(name, student)
     file = folder / "autograded" / student / name / f"{name}.ipynb"
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -131,14 +131,14 @@ def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> boo
     return True
 
 
-def printable(text: str) -> str:
+def make_printable(text: str) -> str:
     """Text that a database accepts."""
     return text.encode("utf-8", "replace").decode("utf-8")
 
 
-def printed(text: Any) -> str:
+def extract_text(text: Any) -> str:
     """The text of a cell, as a database accepts it."""
-    return printable(joined(text))
+    return make_printable(join_text(text))
 
 
 def add_score(gradebook: Any, row: Row) -> None:
@@ -162,7 +162,7 @@ def add_score(gradebook: Any, row: Row) -> None:
     grade.needs_manual_grade = False
 
 
-def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
+def clean_notebook(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
     """A notebook that is safe to open, with only the solution's marks, each once."""
     left = dict(marks)
     cells = (
@@ -171,7 +171,9 @@ def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
         else []
     )
     cells += [
-        markdown(NO_ANSWER, mark) for mark in left.values() if mark["grade"] and mark["solution"]
+        make_text_cell(NO_ANSWER, mark)
+        for mark in left.values()
+        if mark["grade"] and mark["solution"]
     ]
     return {"nbformat": 4, "nbformat_minor": 4, "metadata": {}, "cells": cells}
 
@@ -182,18 +184,18 @@ def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
     mine = metadata.get("nbgrader") if isinstance(metadata, dict) else None
     name = mine.get("grade_id") if isinstance(mine, dict) else None
     mark = left.pop(name, None) if isinstance(name, str) else None
-    source = printed(cell.get("source"))
+    source = extract_text(cell.get("source"))
     if cell.get("cell_type") != "code":
-        return markdown(TAG.sub("&lt;", source), mark)
+        return make_text_cell(TAG.sub("&lt;", source), mark)
     return {
-        **markdown(source, mark),
+        **make_text_cell(source, mark),
         "cell_type": "code",
         "execution_count": None,
         "outputs": list(clean_outputs(cell)),
     }
 
 
-def markdown(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
+def make_text_cell(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
     """A cell of text."""
     kept = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
     return {
@@ -210,10 +212,14 @@ def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
         if not isinstance(output, dict):
             continue
         if output.get("output_type") == "stream":
-            yield {"output_type": "stream", "name": "stdout", "text": printed(output.get("text"))}
+            yield {
+                "output_type": "stream",
+                "name": "stdout",
+                "text": extract_text(output.get("text")),
+            }
         data = output.get("data")
         shown = (
-            {kind: printed(value) for kind, value in data.items() if kind in SHOWN}
+            {kind: extract_text(value) for kind, value in data.items() if kind in SHOWN}
             if isinstance(data, dict)
             else {}
         )
@@ -232,7 +238,7 @@ def scores_from_nbgrader(of: Class, folder: Path) -> int:
     from nbgrader.api import Gradebook, MissingEntry
 
     lines = []
-    with Gradebook(address(folder)) as gradebook:
+    with Gradebook(name_database(folder)) as gradebook:
         for entry in of.entries:
             for question in assignment(entry.assignment).by_hand if entry.assignment else ():
                 whose = (question, entry.assignment, entry.assignment, file_name(entry.student))

@@ -12,7 +12,7 @@ from ...errors import InvalidParameter
 from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
-from ..report.rows import Row, Total, totals
+from ..report.rows import Row, Total, sum_totals
 
 # Canvas's columns that identify a student
 IDENTITIES = ("Student", "ID", "SIS User ID", "SIS Login ID")
@@ -23,16 +23,16 @@ def export_csv(rows: list[Row], file: Path) -> None:
 
     A cell is empty while a question of that assignment has no score.
     """
-    found = totals(rows)
+    found = sum_totals(rows)
     names = sorted({name for _, name in found if name})
     lines = [
-        [harmless(student), *(whole_score(found.get((student, name))) for name in names)]
+        [harmless(student), *(format_complete_total(found.get((student, name))) for name in names)]
         for student in sorted({row.student for row in rows})
     ]
     write_rows(file, [["student", *names], *lines])
 
 
-def whole_score(total: Total | None) -> str:
+def format_complete_total(total: Total | None) -> str:
     """A total as a cell; "" while a question has no score."""
     return "" if total is None or total.waiting else number(total.score)
 
@@ -58,18 +58,20 @@ def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "")
     InvalidParameter
         Where `template` is no export from Canvas, or has no such column.
     """
-    lines = canvas_lines(template)
-    head, found = lines[0], totals(rows)
-    places = canvas_columns(head, sorted({name for _, name in found if name}), column, template)
-    known = canvas_students(lines)
+    lines = read_canvas(template)
+    head, found = lines[0], sum_totals(rows)
+    places = find_canvas_columns(
+        head, sorted({name for _, name in found if name}), column, template
+    )
+    known = find_canvas_students(lines)
     missing: list[str] = []
     for (student, assignment), total in found.items():
         line = known.get(student.lower())
         if line is None:
             missing.append(student)
-        elif assignment in places and whole_score(total):
+        elif assignment in places and format_complete_total(total):
             line += [""] * (len(head) - len(line))
-            line[places[assignment]] = whole_score(total)
+            line[places[assignment]] = format_complete_total(total)
     stream = io.StringIO(newline="")
     # names stay as Canvas spells them, since it finds its students by them
     csv.writer(stream, lineterminator="\n").writerows(lines)
@@ -78,7 +80,7 @@ def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "")
     return sorted(set(missing))
 
 
-def canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
+def find_canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
     """Each student's line, by every name that is unique to the student.
 
     Names are the id, the login, and the prefix that Canvas gives to files, as in doejane_1234.
@@ -96,7 +98,7 @@ def canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
     return {name: found[0] for name, found in names.items() if len(found) == 1}
 
 
-def canvas_lines(template: Path) -> list[list[str]]:
+def read_canvas(template: Path) -> list[list[str]]:
     """The rows of an export from Canvas. Raises InvalidParameter."""
     try:
         lines = list(csv.reader(io.StringIO(template.read_text(encoding="utf-8-sig"), newline="")))
@@ -110,7 +112,7 @@ def canvas_lines(template: Path) -> list[list[str]]:
     return lines
 
 
-def canvas_columns(
+def find_canvas_columns(
     head: list[str], names: list[str], column: str, template: Path
 ) -> dict[str, int]:
     """The place of each assignment's column. Raises InvalidParameter.
@@ -162,13 +164,13 @@ def export_gradescope(rows: list[Row], folder: Path) -> int:
             file = folder / f"{file_name(student)}.{file_name(assignment)}.json"
             with written_whole(file) as part:
                 part.write_text(
-                    json.dumps(gradescope_results(group), indent=1) + "\n", encoding="ascii"
+                    json.dumps(make_gradescope_results(group), indent=1) + "\n", encoding="ascii"
                 )
             count += 1
     return count
 
 
-def gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
+def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
     """The results of one submission as Gradescope reads them.
 
     A question without a score yet has no points, and its output says so.

@@ -64,7 +64,7 @@ class Answers(NamedTuple):
 CELLS, SHOWN, HIDDEN = range(3)  # the parts of a request
 
 
-def answers(
+def run_program(
     sandbox: Sandbox,
     cells: list[Cell],
     questions: list[Question],
@@ -98,18 +98,18 @@ def answers(
         longest = (
             max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
         )
-        drawn = any(own_call(question.exercise) for question in questions)
-        request = request_for(cells, questions, patience)
+        drawn = any(name_own_call(question.exercise) for question in questions)
+        request = make_request(cells, questions, patience)
         request[CELLS]["lent"] = lent
         reply = sandbox.ask(request, MAX_WAIT_FACTOR * longest + GRACE, DRAWING if drawn else ())
-        take(reply, questions, found)
+        store_reply(reply, questions, found)
         if reply.end == "done":
             break
-        cells, questions = what_remains(reply, cells, questions, found)
+        cells, questions = find_remaining(reply, cells, questions, found)
     return found
 
 
-def request_for(
+def make_request(
     cells: list[Cell], questions: list[Question], patience: float
 ) -> list[dict[str, Any]]:
     """The request that inside.py reads, in its three parts."""
@@ -119,7 +119,7 @@ def request_for(
     )
     first = {
         "cells": [{**cell._asdict(), "seconds": CELL_SECONDS * patience} for cell in cells],
-        "questions": [question_for(question.exercise, patience) for question in questions],
+        "questions": [encode_question(question.exercise, patience) for question in questions],
         "withheld": [
             f"{source.__module__}:{source.__name__}" for source in sources if source is not None
         ],
@@ -132,13 +132,13 @@ def request_for(
     return [
         first,
         *(
-            {question.name: given_in(question, part) for question in questions}
+            {question.name: encode_cases(question, part) for question in questions}
             for part in (SHOWN, HIDDEN)
         ),
     ]
 
 
-def question_for(exercise: Exercise, patience: float) -> dict[str, Any]:
+def encode_question(exercise: Exercise, patience: float) -> dict[str, Any]:
     """A question without its cases: its name, shapes, time limit, and how it is called.
 
     Raises InvalidParameter where a shape is not one of kinoedu.course.
@@ -150,20 +150,20 @@ def question_for(exercise: Exercise, patience: float) -> dict[str, Any]:
         )
     return {
         "name": exercise.name,
-        "call": own_call(exercise),
+        "call": name_own_call(exercise),
         "given": repr(exercise.given),
         "answer": repr(exercise.answer),
         "seconds": exercise.seconds * patience,
     }
 
 
-def own_call(exercise: Exercise) -> str:
+def name_own_call(exercise: Exercise) -> str:
     """Where an exercise's own `call` is defined, as "module:name"; "" where it has none."""
     call = type(exercise).call
     return "" if call is Exercise.call else f"{call.__module__}:{call.__qualname__}"
 
 
-def given_in(question: Question, part: int) -> list[Any]:
+def encode_cases(question: Question, part: int) -> list[Any]:
     """The encoded cases of one part of the request."""
     cases = question.cases[: question.shown] if part == SHOWN else question.cases[question.shown :]
     return [question.exercise.given.encode(case.given) for case in cases]
@@ -171,19 +171,18 @@ def given_in(question: Question, part: int) -> list[Any]:
 
 def is_known(shape: Any) -> bool:
     """Whether a shape is made of shapes that all exercises share, so that its repr is complete."""
-    parts = (
-        shape.fields.values()
-        if isinstance(shape, shapes.Record)
-        else shape
-        if isinstance(shape, tuple)
-        else ()
-    )
+    if isinstance(shape, shapes.Record):
+        parts = tuple(shape.fields.values())
+    elif isinstance(shape, tuple):
+        parts = shape
+    else:
+        parts = ()
     return type(shape).__name__ in KNOWN and all(
         is_known(part) for part in parts if hasattr(part, "encode")
     )
 
 
-def take(reply: Reply, questions: list[Question], found: Answers) -> None:
+def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None:
     """Store the outcomes of the cells and questions in a reply.
 
     Only lines that were asked for are read, each in its part of the reply and in order.
@@ -194,9 +193,9 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
             name = line.get("question")
             if part == CELLS:
                 if type(line.get("cell")) is int and line.get("trouble") is not None:
-                    found.troubles[line["cell"]] = outcome_in(line["trouble"], Maybe(Truth()))
+                    found.troubles[line["cell"]] = decode_line(line["trouble"], Maybe(Truth()))
             elif isinstance(name, str) and name in asked:
-                take_outcome(line, asked[name], part, found)
+                store_outcome(line, asked[name], part, found)
     if reply.end == "done":
         found.outcomes.update({name: found.outcomes.get(name) for name in asked})
         for outcomes in (
@@ -208,7 +207,7 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
                 outcomes.append(Misshapen(get_message("grading.no_outcome")))
 
 
-def take_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
+def store_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
     """Store the outcome of a case, if it is the next case and belongs to this part."""
     outcomes = found.outcomes.setdefault(question.name, [])
     if outcomes is None:
@@ -217,10 +216,10 @@ def take_outcome(line: dict[str, Any], question: Question, part: int, found: Ans
     if line.get("missing") is True and not outcomes:
         found.outcomes[question.name] = None
     elif line.get("case") == len(outcomes) and first <= len(outcomes) < end:
-        outcomes.append(outcome_in(line.get("outcome"), question.exercise.answer))
+        outcomes.append(decode_line(line.get("outcome"), question.exercise.answer))
 
 
-def outcome_in(data: Any, shape: Shape) -> Outcome:
+def decode_line(data: Any, shape: Shape) -> Outcome:
     """The outcome in a line; an answer of the wrong shape if the line holds none."""
     try:
         return decode_outcome(data, shape)
@@ -228,21 +227,21 @@ def outcome_in(data: Any, shape: Shape) -> Outcome:
         return Misshapen(get_message("grading.no_outcome"))
 
 
-def what_remains(
+def find_remaining(
     reply: Reply, cells: list[Cell], questions: list[Question], found: Answers
 ) -> tuple[list[Cell], list[Question]]:
     """The cells and questions to run again, after a program ended the sandbox.
 
     The cell or question that did so gets that outcome and is left out.
     """
-    end = ending(reply)
+    end = describe_end(reply)
     part = len(reply.parts) - 1
     if part == CELLS:
         done = {line["cell"] for line in reply.parts[CELLS] if type(line.get("cell")) is int}
         culprit = next((cell for cell in cells if cell.number not in done), None)
         if culprit is not None:
             found.troubles[culprit.number] = end
-            return without(culprit, cells, done, found), questions
+            return drop_cell(culprit, cells, done, found), questions
     at = next((question for question in questions if is_open(question, found, part)), questions[0])
     if is_open(at, found, HIDDEN):
         found.outcomes[at.name] = [*(found.outcomes.get(at.name) or []), end]
@@ -256,7 +255,7 @@ def what_remains(
     return cells, left
 
 
-def without(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
+def drop_cell(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
     """The cells to run again, without the one that could not be stopped.
 
     After BROKEN_CELLS such cells only those that finished before are run.
@@ -279,17 +278,13 @@ def is_open(question: Question, found: Answers, part: int) -> bool:
     return len(outcomes) < (len(question.cases) if part == HIDDEN else question.shown)
 
 
-def ending(reply: Reply) -> Outcome:
+def describe_end(reply: Reply) -> Outcome:
     """The outcome of the running cell or case when the sandbox ended."""
     if reply.end == "late":
         return Late(left_running=False)
-    key = (
-        "grading.flood"
-        if reply.end == "flood"
-        else "grading.ended"
-        if reply.status >= 0
-        else "grading.stopped"
-    )
+    key = "grading.ended" if reply.status >= 0 else "grading.stopped"
+    if reply.end == "flood":
+        key = "grading.flood"
     return Raised([STOPPED], get_message(key, status=reply.status), [], "")
 
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
 from ..collect.submissions import Submission
-from .running import Graded, kept, key_of
+from .running import Graded, compute_key, read_result
 from .submission import Grade
 
 FILE = "class.json"
@@ -62,30 +62,29 @@ class Class(NamedTuple):
     variants: bool = False
 
 
-def entry_of(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
+def make_entry(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
     """The entry of a graded submission."""
-    mine, key = one.submission, "" if one.submission.trouble else key_of(one.submission, secret)
+    mine = one.submission
     where = (mine.file, str(folder.resolve()), only)
-    trouble = "" if one.grade is not None else one.trouble
-    return Entry(mine.student, mine.assignment, *where, digest_of(mine), key, trouble, mine.late)
+    key = "" if mine.trouble else compute_key(mine, secret)
+    result = (digest_submission(mine), key, "" if one.grade is not None else one.trouble)
+    return Entry(mine.student, mine.assignment, *where, *result, mine.late)
 
 
-def digest_of(one: Submission) -> str:
+def digest_submission(one: Submission) -> str:
     """The digest of a submission's bytes, which differs from that of an earlier file."""
     return hashlib.sha256(one.data).hexdigest()
 
 
-def mark_of(secret: bytes) -> str:
+def mark_secret(secret: bytes) -> str:
     """A mark by which a secret is recognised, and which does not reveal it."""
     return hashlib.sha256(b"mark" + secret).hexdigest()[:16]
 
 
-def with_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
+def add_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
     """The new entries, and earlier ones of other folders with other students or assignments."""
-    sources, pairs = (
-        {(one.folder, one.only) for one in entries},
-        {(one.student, one.assignment) for one in entries},
-    )
+    sources = {(one.folder, one.only) for one in entries}
+    pairs = {(one.student, one.assignment) for one in entries}
     others = [
         one
         for one in earlier
@@ -123,6 +122,6 @@ def read_class(out: Path) -> Class:
         ) from error
 
 
-def record_of(entry: Entry, out: Path) -> Grade | None:
+def read_record(entry: Entry, out: Path) -> Grade | None:
     """The result of an entry, or None where there is none."""
-    return kept(out / "results" / f"{entry.key}.json") if entry.key else None
+    return read_result(out / "results" / f"{entry.key}.json") if entry.key else None

@@ -18,20 +18,20 @@ Choices = tuple[tuple[str, str], ...]  # pairs of a question and its contract's 
 MARK = b"variant="  # stands in a notebook with contracts of its student
 
 
-def choice(exercise: Exercise, secret: bytes, student: str) -> str:
+def choose_contract(exercise: Exercise, secret: bytes, student: str) -> str:
     """The contract of a student; upper case and spaces around an id do not matter."""
     text = f"variant:{exercise.name}:{student.strip().casefold()}"
     digest = hmac.digest(secret, text.encode("utf-8", "surrogatepass"), hashlib.sha256)
     return exercise.variants[int.from_bytes(digest) % len(exercise.variants)]
 
 
-def choices(task: Assignment, secret: bytes, student: str) -> Choices:
+def choose_contracts(task: Assignment, secret: bytes, student: str) -> Choices:
     """A student's contracts for those questions of an assignment that have any."""
     asked = [one.exercise for one in task.questions if one.exercise.variants]
-    return tuple((exercise.name, choice(exercise, secret, student)) for exercise in asked)
+    return tuple((exercise.name, choose_contract(exercise, secret, student)) for exercise in asked)
 
 
-def with_variants(task: Assignment, chosen: Choices) -> Assignment:
+def apply_contracts(task: Assignment, chosen: Choices) -> Assignment:
     """The assignment with a student's contracts."""
     mine = dict(chosen)
     named = ((one, one.exercise.name) for one in task.questions)
@@ -42,10 +42,10 @@ def with_variants(task: Assignment, chosen: Choices) -> Assignment:
     )
 
 
-def personal(one: Submission, secret: bytes) -> Submission:
+def add_contracts(one: Submission, secret: bytes) -> Submission:
     """The submission with its student's contracts."""
     return (
-        one._replace(variants=choices(assignment(one.assignment), secret, one.student))
+        one._replace(variants=choose_contracts(assignment(one.assignment), secret, one.student))
         if one.assignment
         else one
     )

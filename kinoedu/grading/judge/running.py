@@ -26,7 +26,7 @@ from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
 from ..collect.submissions import Submission
 from ..sandbox.sandbox import NoSandbox, Sandbox, without_walls
-from .contracts import with_variants
+from .contracts import apply_contracts
 from .submission import Grade, grade, is_late
 
 TRIES = 5
@@ -87,10 +87,10 @@ def grade_all(
     results = out / "results"
     results.mkdir(parents=True, exist_ok=True)
     readable = [one for one in submissions if not one.trouble]
-    jobs = {
-        key: job_of(one, key, secret, trusted) for one in readable for key in [key_of(one, secret)]
-    }
-    known = {key: record for key in jobs if (record := kept(results / f"{key}.json")) is not None}
+    keyed = ((compute_key(one, secret), one) for one in readable)
+    jobs = {key: make_job(one, key, secret, trusted) for key, one in keyed}
+    kept = {key: read_result(results / f"{key}.json") for key in jobs}
+    known = {key: record for key, record in kept.items() if record is not None}
     tell = progress or (lambda done, everything: None)
     tell(len(known), len(jobs))
     troubles: dict[str, str] = {}
@@ -98,69 +98,65 @@ def grade_all(
     # what was late beside other jobs is graded again, alone and with more time
     for patience, alone in ((1.0, False), (PATIENT, True)):
         late = []
-        for job, record, trouble in worked(missing, place or local(), 1 if alone else None):
+        for job, record, trouble in run_jobs(missing, place or local(), 1 if alone else None):
             if record is None:
                 troubles[job.key] = trouble
             elif patience == 1.0 and is_late(record):
                 late.append(job._replace(patience=PATIENT))
                 continue
             else:
-                keep(results / f"{job.key}.json", record)
+                write_result(results / f"{job.key}.json", record)
                 known[job.key] = record
             tell(len(known) + len(troubles), len(jobs))
         missing = late
-    return [graded(one, known, troubles, secret) for one in submissions]
+    return [attach_grade(one, known, troubles, secret) for one in submissions]
 
 
-def job_of(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
+def make_job(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
     """The job that grades a submission."""
     return Job(key, one.assignment, one.data, secret, trusted=trusted, variants=one.variants)
 
 
-def graded(
+def attach_grade(
     one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes
 ) -> Graded:
     """A submission with its grade, or with the reason why there is none."""
     if one.trouble:
         return Graded(one, None, one.trouble)
-    key = key_of(one, secret)
+    key = compute_key(one, secret)
     return Graded(one, known.get(key), troubles.get(key, ""))
 
 
-def key_of(one: Submission, secret: bytes) -> str:
+def compute_key(one: Submission, secret: bytes) -> str:
     """The name of a result; equal for equal bytes, questions, contracts, secret and sources."""
     parts = [
         one.assignment.encode(),
         one.data,
         hashlib.sha256(secret).digest(),
-        sources(one.assignment),
+        digest_sources(one.assignment),
     ]
     parts += [repr(one.variants).encode()] if one.variants else []
-    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[
-        :40
-    ]
+    digests = b"".join(hashlib.sha256(part).digest() for part in parts)
+    return hashlib.sha256(digests).hexdigest()[:40]
 
 
 @functools.cache
-def sources(name: str) -> bytes:
+def digest_sources(name: str) -> bytes:
     """The digest of kinoedu's sources and the assignment's solution, which a grade depends on."""
     return source_digest(HOUSE / "kinoedu").encode() + solution_path(name).read_bytes()
 
 
-def kept(file: Path) -> Grade | None:
+def read_result(file: Path) -> Grade | None:
     """The result in a file, or None where there is none or it is damaged."""
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return (
-        record
-        if isinstance(record, dict) and {"status", "questions", "cells"} <= set(record)
-        else None
-    )
+    is_whole = isinstance(record, dict) and {"status", "questions", "cells"} <= set(record)
+    return record if is_whole else None
 
 
-def keep(file: Path, record: Grade) -> None:
+def write_result(file: Path, record: Grade) -> None:
     """Write a result, completely or not at all."""
     with written_whole(file) as part:
         part.write_text(json.dumps(record, indent=1, sort_keys=True) + "\n", encoding="utf-8")
@@ -211,7 +207,7 @@ def dask(address: str) -> Place:
     return place
 
 
-def worked(
+def run_jobs(
     jobs: Iterable[Job], place: Place, most: int | None
 ) -> Iterator[tuple[Job, Grade | None, str]]:
     """Yield each job with its record, or None and the reason, as jobs are completed.
@@ -227,7 +223,7 @@ def worked(
         with place(most if calm else 1) as executor:
             completed, begun = CompletedFutures[Job](), set[str]()
             for job in now:
-                completed.add(executor.submit(work, job), job)
+                completed.add(executor.submit(grade_job, job), job)
             for job, future in completed:
                 trouble = future.exception()
                 if trouble is None:
@@ -247,7 +243,7 @@ def worked(
                     yield job, None, f"{type(trouble).__name__}: {trouble}"
 
 
-class Own(threading.local):
+class ThreadSandboxes(threading.local):
     """The sandboxes of each grading thread, as a Dask worker may have several threads.
 
     One has walls, and one is for programs that are trusted.
@@ -259,14 +255,14 @@ class Own(threading.local):
             atexit.register(sandbox.close)
 
 
-OWN = Own()
+SANDBOXES = ThreadSandboxes()
 
 
-def work(job: Job) -> Grade:
+def grade_job(job: Job) -> Grade:
     """Grade a notebook in this process and its sandbox. Raises NoSandbox."""
-    sandbox = OWN.sandboxes[job.trusted]
+    sandbox = SANDBOXES.sandboxes[job.trusted]
     try:
-        task = with_variants(assignment(job.assignment), job.variants)
+        task = apply_contracts(assignment(job.assignment), job.variants)
         return grade(job.data, task, job.secret, sandbox, patience=job.patience)
     except NoSandbox:
         sandbox.close()

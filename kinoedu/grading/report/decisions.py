@@ -41,7 +41,7 @@ def read_decisions(out: Path) -> Decisions:
     InvalidParameter
         Where a table cannot be read; the message names the line.
     """
-    found, over = decisions_in(out / BY_HAND), decisions_in(out / OVERRIDES)
+    found, over = read_table(out / BY_HAND), read_table(out / OVERRIDES)
     for whose, decision in over.items():
         below = found.get(whose, decision)
         score = below.score if decision.score is None else decision.score
@@ -49,7 +49,7 @@ def read_decisions(out: Path) -> Decisions:
     return found
 
 
-def decisions_in(file: Path) -> Decisions:
+def read_table(file: Path) -> Decisions:
     """The decisions in one table; none if there is no such file."""
     if not file.exists():
         return {}
@@ -79,11 +79,11 @@ def decisions_in(file: Path) -> Decisions:
                 f"{said_in}: {' '.join(whose)} has a line already, in {found[whose].said_in}; "
                 "leave one"
             )
-        found[whose] = Decision(score_in(row["score"], said_in), row["comment"], said_in)
+        found[whose] = Decision(parse_score(row["score"], said_in), row["comment"], said_in)
     return found
 
 
-def score_in(text: str, said_in: str) -> float | None:
+def parse_score(text: str, said_in: str) -> float | None:
     """The score in a cell, or None if the cell is empty. Raises InvalidParameter."""
     if not text:
         return None

@@ -26,7 +26,7 @@ from ..judge.submission import Grade
 DRAWING = 20.0  # seconds
 
 
-def failure_of(question: Grade) -> tuple[Exercise, JudgedCase] | None:
+def restore_failure(question: Grade) -> tuple[Exercise, JudgedCase] | None:
     """The exercise and the case that failed, from a question's record.
 
     None if nothing failed, the case is hidden, or the course has changed since.
@@ -44,12 +44,12 @@ def failure_of(question: Grade) -> tuple[Exercise, JudgedCase] | None:
         return None
 
 
-def told_of(question: Grade) -> list[tuple[str, str]]:
+def explain_failure(question: Grade) -> list[tuple[str, str]]:
     """What a student may know of a failure beside the rule, as pairs of a title and a text.
 
     These are the case if everybody has seen it, the hint, and the section to read again.
     """
-    found = failure_of(question)
+    found = restore_failure(question)
     told = case_lines(*found, "") if found is not None else []
     if question.get("hint"):
         told.append((get_message("check.hint"), question["hint"]))
@@ -58,17 +58,17 @@ def told_of(question: Grade) -> list[tuple[str, str]]:
     return told
 
 
-def picture_for(question: Grade, folder: Path) -> bytes | None:
+def find_picture(question: Grade, folder: Path) -> bytes | None:
     """The picture of a question's failing case, as PNG, or None if there is none.
 
     It is read from `folder`, or drawn now and kept there.
     """
-    found = failure_of(question)
+    found = restore_failure(question)
     if found is None or shows_nothing(*found):
         return None
-    file = folder / f"{name_of(question)}.png"
+    file = folder / f"{name_picture(question)}.png"
     if not file.exists():
-        picture = drawn(*found)
+        picture = draw_safely(*found)
         if picture is None:
             return None
         folder.mkdir(parents=True, exist_ok=True)
@@ -82,21 +82,21 @@ def shows_nothing(exercise: Exercise, failure: JudgedCase) -> bool:
     return not failure.case.given and not isinstance(failure.outcome, Answer)
 
 
-def name_of(question: Grade) -> str:
+def name_picture(question: Grade) -> str:
     """The name of a picture; equal for equal exercise, contract, case, answer and sources."""
     failure = question["failure"]
     what = [question["question"], question.get("variant", ""), failure["case"], failure["outcome"]]
     text = json.dumps(what, sort_keys=True)
-    return hashlib.sha256((sources() + text).encode()).hexdigest()[:40]
+    return hashlib.sha256((digest_sources() + text).encode()).hexdigest()[:40]
 
 
 @functools.cache
-def sources() -> str:
+def digest_sources() -> str:
     """The digest of kinoedu's sources, which draw the picture."""
     return source_digest(HOUSE / "kinoedu")
 
 
-def drawn(exercise: Exercise, failure: JudgedCase) -> bytes | None:
+def draw_safely(exercise: Exercise, failure: JudgedCase) -> bytes | None:
     """The picture, or None where it cannot be drawn.
 
     A program's answer may be anything of the right shape, so drawing may fail.

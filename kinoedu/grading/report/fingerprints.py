@@ -41,7 +41,7 @@ class Cell(NamedTuple):
     tree: ast.Module | None
 
 
-def pieces(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
+def split_program(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
     """The pieces of a program, given as cells; pieces without fingerprints are left out.
 
     window : the number of neighbours of which one is kept; 1 keeps every fingerprint.
@@ -50,21 +50,23 @@ def pieces(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
     ...     "def {0}({1}):\\n    {2} = {1} + 1  # {0}\\n"
     ...     "    return [{2} * {1} for _ in range({2}) if {1} > {2}]"
     ... )
-    >>> one, other = (pieces([text.format(*names)]) for names in ("fgh", "uvw"))
+    >>> one, other = (split_program([text.format(*names)]) for names in ("fgh", "uvw"))
     >>> one[0].prints == other[0].prints != {}
     True
     """
-    cells = [Cell(source.splitlines(), tree_of(source)) for source in sources]
-    own = {name for cell in cells if cell.tree is not None for name in bound(cell.tree)}
+    cells = [Cell(source.splitlines(), parse_cell(source)) for source in sources]
+    own = {name for cell in cells if cell.tree is not None for name in find_bound_names(cell.tree)}
     found = [
         piece
         for cell in cells
-        for piece in (by_lines(cell) if cell.tree is None else by_syntax(cell, own, window))
+        for piece in (
+            fingerprint_lines(cell) if cell.tree is None else fingerprint_syntax(cell, own, window)
+        )
     ]
     return [piece for piece in found if piece.prints]
 
 
-def tree_of(source: str) -> ast.Module | None:
+def parse_cell(source: str) -> ast.Module | None:
     """The syntax tree of a cell; None where Python cannot parse it."""
     if len(source) > LONGEST:
         return None
@@ -76,7 +78,7 @@ def tree_of(source: str) -> ast.Module | None:
         return None
 
 
-def bound(tree: ast.Module) -> Iterator[str]:
+def find_bound_names(tree: ast.Module) -> Iterator[str]:
     """Yield the names that a program binds itself, except by imports."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
@@ -87,16 +89,20 @@ def bound(tree: ast.Module) -> Iterator[str]:
             yield node.arg
 
 
-def by_lines(cell: Cell) -> Iterator[Piece]:
+def fingerprint_lines(cell: Cell) -> Iterator[Piece]:
     """Yield a cell that Python cannot parse, with a fingerprint for each longer line."""
     lines = {at: "".join(line.partition("#")[0].split()) for at, line in enumerate(cell.lines)}
     yield Piece(
         cell.lines,
-        {crc("line " + line): (at, at) for at, line in lines.items() if len(line) >= SHORTEST},
+        {
+            hash_text("line " + line): (at, at)
+            for at, line in lines.items()
+            if len(line) >= SHORTEST
+        },
     )
 
 
-def by_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
+def fingerprint_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
     """Yield each function and each class of a cell, and the statements between them."""
     assert cell.tree is not None
     numbered = enumerate(cell.tree.body)
@@ -108,11 +114,12 @@ def by_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
             min(node.lineno for node in (nodes[0], *getattr(nodes[0], "decorator_list", ()))) - 1
         )
         yield Piece(
-            cell.lines[first : nodes[-1].end_lineno], prints(list(words(nodes, own, first)), window)
+            cell.lines[first : nodes[-1].end_lineno],
+            select_fingerprints(list(list_words(nodes, own, first)), window),
         )
 
 
-def prints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
+def select_fingerprints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
     """The fingerprints of words, each word given with its line.
 
     Of every `window` neighbouring runs the smallest is kept; ties go to the last.
@@ -128,7 +135,7 @@ def prints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
     return kept
 
 
-def words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[int, int]]:
+def list_words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[int, int]]:
     """Yield the words of a syntax tree from the top, as numbers, with their lines after `first`."""
     line, left = first, list[ast.AST](reversed(nodes))
     while left:
@@ -136,7 +143,7 @@ def words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[in
         line = getattr(node, "lineno", line + 1) - 1
         if is_silent(node):
             continue
-        yield crc(word(node, own)), line - first
+        yield hash_text(name_node(node, own)), line - first
         below = [value for name, value in ast.iter_fields(node) if name not in UNSAID]
         children = [
             child for value in below for child in (value if isinstance(value, list) else [value])
@@ -150,24 +157,24 @@ def is_silent(node: ast.AST) -> bool:
     return text or isinstance(node, ast.Import | ast.ImportFrom)
 
 
-def word(node: ast.AST, own: set[str]) -> str:
+def name_node(node: ast.AST, own: set[str]) -> str:
     """A node as a word. Names that the program does not bind itself, such as sqrt, are kept."""
     if isinstance(node, ast.Name):
         return "own" if node.id in own else node.id
     if isinstance(node, ast.Attribute):
         return ".own" if node.attr in own else f".{node.attr}"
     if isinstance(node, ast.Constant):
-        return spelled(node.value)
+        return spell_constant(node.value)
     return {"AnnAssign": "Assign"}.get(type(node).__name__, type(node).__name__)
 
 
-def spelled(value: Any) -> str:
+def spell_constant(value: Any) -> str:
     """A constant as a word; all texts are equal, and so are all very long numbers."""
     if isinstance(value, str | bytes):
         return "text"
     return "long" if isinstance(value, int) and abs(value) > 10**18 else repr(value)
 
 
-def crc(text: str) -> int:
+def hash_text(text: str) -> int:
     """A number for a text, the same in every process."""
     return zlib.crc32(text.encode("utf-8", "replace"))

@@ -10,44 +10,44 @@ from ...course.lessons import find
 from ...figures import palette
 from ...messages import get_message
 from ...support.csv_cells import number
-from ..judge.class_list import Class, record_of
-from .feedback_page import page_name
+from ..judge.class_list import Class, read_record
+from .feedback_page import name_page
 from .pages import breakable, heading, page, paragraph, table
-from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, totals
+from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, sum_totals
 
 TENTHS = 10
 
 
-def report_page(of: Class, rows: list[Row]) -> str:
+def render_report(of: Class, rows: list[Row]) -> str:
     """The page: the distribution of totals, questions, misconceptions, students and decisions.
 
     It also lists the submissions that were not graded.
     """
-    found = {whose: total for whose, total in totals(rows).items() if whose[1]}
+    found = {whose: total for whose, total in sum_totals(rows).items() if whose[1]}
     names = sorted({assignment for _, assignment in found})
     bad = {row[:2] for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     counts = {"students": len({row.student for row in rows}), "submissions": len(of.entries)}
     graded = sum((entry.student, entry.assignment) not in bad for entry in of.entries)
     late = {(entry.student, entry.assignment) for entry in of.entries if entry.late}
-    about = get_message("grades.report.summary", **counts, graded=graded) + late_words(len(late))
+    about = get_message("grades.report.summary", **counts, graded=graded) + describe_late(len(late))
     body = [paragraph(about)]
-    body += not_graded(of, rows)
+    body += list_not_graded(of, rows)
     for name in names:
         its = [total for (_, assignment), total in found.items() if assignment == name]
-        body += spread(name, its)
-    body += questions(rows)
-    body += mistakes(of)
-    body += students(found, names, late)
-    body += decisions(rows)
+        body += draw_histogram(name, its)
+    body += tabulate_questions(rows)
+    body += tabulate_mistakes(of)
+    body += tabulate_students(found, names, late)
+    body += tabulate_decisions(rows)
     return page(get_message("grades.report.title"), body)
 
 
-def late_words(count: int) -> str:
+def describe_late(count: int) -> str:
     """The number of late submissions in words, or "" if there are none."""
     return " " + get_message("grades.report.late", count=count) if count else ""
 
 
-def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
+def list_not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
     """Yield a table of the submissions without scores, with the reasons."""
     said = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     found = [
@@ -65,7 +65,7 @@ def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
         yield table(head, [map(breakable, reason) for reason in reasons])
 
 
-def spread(name: str, found: list[Total]) -> Iterator[str]:
+def draw_histogram(name: str, found: list[Total]) -> Iterator[str]:
     """Yield a histogram of an assignment's totals, by tenths of its points.
 
     It counts students who have at least one score.
@@ -75,10 +75,10 @@ def spread(name: str, found: list[Total]) -> Iterator[str]:
     ]
     counts = Counter(min(TENTHS - 1, int(TENTHS * share + 1e-9)) for share in shares)
     yield heading(f"{name}: {get_message('grades.report.histogram')}")
-    yield bars([counts[tenth] for tenth in range(TENTHS)], name)
+    yield draw_bars([counts[tenth] for tenth in range(TENTHS)], name)
 
 
-def bars(counts: list[int], name: str) -> str:
+def draw_bars(counts: list[int], name: str) -> str:
     """Bars with their numbers above them, as SVG."""
     wide, high, gap, top = 62, 150, 6, max([1, *counts])
     parts = []
@@ -104,7 +104,7 @@ def bars(counts: list[int], name: str) -> str:
     )
 
 
-def questions(rows: list[Row]) -> Iterator[str]:
+def tabulate_questions(rows: list[Row]) -> Iterator[str]:
     """Yield a table of the questions: how many answered, had full points, and the mean.
 
     Only questions with a score are counted.
@@ -139,11 +139,11 @@ def questions(rows: list[Row]) -> Iterator[str]:
     yield table(head, lines, numbers=3)
 
 
-def mistakes(of: Class) -> Iterator[str]:
+def tabulate_mistakes(of: Class) -> Iterator[str]:
     """Yield a table of the rules broken first and the misconceptions, with their counts."""
     met: Counter[tuple[str, str]] = Counter()
     for entry in of.entries:
-        record = record_of(entry, of.out)
+        record = read_record(entry, of.out)
         for question in record["questions"] if record is not None else ():
             if question.get("reason"):
                 met[question["question"], question["reason"]] += 1
@@ -155,13 +155,13 @@ def mistakes(of: Class) -> Iterator[str]:
     head = [get_message(f"grades.report.{key}") for key in ("question", "mistake", "count")]
     often = sorted(met.items(), key=lambda item: (-item[1], item[0]))
     lines = [
-        [breakable(name), breakable(words_of(name, reason)), str(count)]
+        [breakable(name), breakable(describe_reason(name, reason)), str(count)]
         for (name, reason), count in often
     ]
     yield table(head, lines, numbers=1)
 
 
-def words_of(question: str, reason: str) -> str:
+def describe_reason(question: str, reason: str) -> str:
     """The text of a rule or a misconception, or its key if the course has changed since."""
     try:
         return find(question).message(reason)
@@ -169,7 +169,7 @@ def words_of(question: str, reason: str) -> str:
         return reason
 
 
-def students(
+def tabulate_students(
     found: dict[tuple[str, str], Total], names: list[str], late: set[tuple[str, str]]
 ) -> Iterator[str]:
     """Yield a table of the students, with links to their pages, and marks on late submissions."""
@@ -180,13 +180,15 @@ def students(
         for name in names:
             total = found.get((student, name))
             mark = " " + get_message("grades.late_mark") if (student, name) in late else ""
-            link = quote(page_name(student, name))
-            line.append("" if total is None else f'<a href="{link}">{total_words(total)}</a>{mark}')
+            link = quote(name_page(student, name))
+            line.append(
+                "" if total is None else f'<a href="{link}">{describe_total(total)}</a>{mark}'
+            )
         lines.append(line)
     yield table([get_message("grades.report.student"), *names], lines, numbers=len(names))
 
 
-def total_words(total: Total) -> str:
+def describe_total(total: Total) -> str:
     """A total as a cell; it shows no score, rather than zero, if no question has a score."""
     if total.waiting == total.questions:
         return get_message("grades.report.all_open", most=number(total.max_score))
@@ -198,7 +200,7 @@ def total_words(total: Total) -> str:
     )
 
 
-def decisions(rows: Iterable[Row]) -> Iterator[str]:
+def tabulate_decisions(rows: Iterable[Row]) -> Iterator[str]:
     """Yield a table of the scores and comments that people gave."""
     found = [row for row in rows if row.status == DECIDED or row.comment]
     if found:

@@ -16,9 +16,9 @@ import numpy as np
 
 from ...course.release import HOUSE, solution_path
 from ..assignments.questions import assignment
-from ..collect.notebook import UnreadableSubmission, cells_in
+from ..collect.notebook import UnreadableSubmission, read_cells
 from ..collect.submissions import Submission
-from .fingerprints import Piece, pieces
+from .fingerprints import Piece, split_program
 
 ROOMS = (
     *("geometry", "graphs", "spaces", "sampling", "curves"),
@@ -73,48 +73,52 @@ def similar(
 
     most : the largest number of pairs of either kind.
     """
-    given = given_prints(house)
+    given = find_given_prints(house)
     by_name = sorted(submissions, key=lambda one: (one.student, one.file))
-    programs = [
-        program(one.student, sources, given) for one in by_name for sources in readable(one)
-    ]
-    others = [program(place, sources, given) for place, sources in of_the_course(name, house)]
-    return Similar(name, programs, *ranked(programs, [one for one in others if one.pieces], most))
+    read = ((one.student, sources) for one in by_name for sources in read_sources(one))
+    programs = [make_program(student, sources, given) for student, sources in read]
+    course = read_course_programs(name, house)
+    others = [make_program(place, sources, given) for place, sources in course]
+    pairs = rank_pairs(programs, [one for one in others if one.pieces], most)
+    return Similar(name, programs, *pairs)
 
 
-def readable(one: Submission) -> Iterator[list[str]]:
+def read_sources(one: Submission) -> Iterator[list[str]]:
     """Yield a submission's code cells, if they can be read."""
     if not one.trouble:
         try:
-            yield [cell.source for cell in cells_in(one.data)]
+            yield [cell.source for cell in read_cells(one.data)]
         except UnreadableSubmission:
             return
 
 
-def program(name: str, sources: Iterable[str], given: Collection[int]) -> Program:
+def make_program(name: str, sources: Iterable[str], given: Collection[int]) -> Program:
     """A program without the fingerprints that all were given."""
     own = (
         Piece(piece.lines, {one: at for one, at in piece.prints.items() if one not in given})
-        for piece in pieces(sources)
+        for piece in split_program(sources)
     )
     return Program(name, [piece for piece in own if piece.prints])
 
 
 @functools.cache
-def given_prints(house: Path) -> frozenset[int]:
+def find_given_prints(house: Path) -> frozenset[int]:
     """Every fingerprint of the exercises as handed out and of the lessons."""
     rooms = ("exercises", "notebooks")
     found = [file for room in rooms for file in sorted((house / room).glob("*.ipynb"))]
-    books = [[cell.source for cell in cells_in(file.read_bytes())] for file in found]
+    books = [[cell.source for cell in read_cells(file.read_bytes())] for file in found]
     return frozenset(
-        one for sources in books for piece in pieces(sources, window=1) for one in piece.prints
+        one
+        for sources in books
+        for piece in split_program(sources, window=1)
+        for one in piece.prints
     )
 
 
-def of_the_course(name: str, house: Path) -> Iterator[tuple[str, list[str]]]:
+def read_course_programs(name: str, house: Path) -> Iterator[tuple[str, list[str]]]:
     """Yield the course's own programs: the solution, the bank's wrong answers, and the library."""
     file = solution_path(name, house)
-    yield f"solutions/{file.name}", [cell.source for cell in cells_in(file.read_bytes())]
+    yield f"solutions/{file.name}", [cell.source for cell in read_cells(file.read_bytes())]
     asked = [f'"{one.exercise.name}"' for one in assignment(name, house).questions]
     bank = [
         one
@@ -126,14 +130,14 @@ def of_the_course(name: str, house: Path) -> Iterator[tuple[str, list[str]]]:
         yield one.relative_to(house).as_posix(), [one.read_text(encoding="utf-8")]
 
 
-def ranked(
+def rank_pairs(
     programs: list[Program], others: list[Program], most: int
 ) -> tuple[list[Likeness], list[Likeness]]:
     """The pairs of programs with each other, and with others, heaviest first."""
     counts = Counter(one for program in programs for one in program.prints)
     weights = {one: math.log((len(programs) + 1) / count) for one, count in counts.items()}
     places = {one: place for place, one in enumerate(sorted(weights))}
-    mine, theirs = matrix(programs, places), matrix(others, places)
+    mine, theirs = make_matrix(programs, places), make_matrix(others, places)
     by_place = np.array([weights[one] for one in places])
     if places:
         alike = (mine.multiply(by_place) @ mine.T).toarray()
@@ -144,11 +148,11 @@ def ranked(
     whole = {
         id(one): sum(weights.get(p, unseen) for p in one.prints) for one in (*programs, *others)
     }
-    each_other = heaviest(np.triu(alike, 1), programs, programs, whole, most)
-    return each_other, heaviest(like_course, programs, others, whole, most)
+    each_other = select_heaviest(np.triu(alike, 1), programs, programs, whole, most)
+    return each_other, select_heaviest(like_course, programs, others, whole, most)
 
 
-def matrix(programs: list[Program], places: dict[int, int]) -> "scipy.sparse.csr_array":  # type: ignore[name-defined] # noqa: F821
+def make_matrix(programs: list[Program], places: dict[int, int]) -> "scipy.sparse.csr_array":  # type: ignore[name-defined] # noqa: F821
     """The programs by fingerprints: 1 where a program has the fingerprint."""
     from scipy.sparse import csr_array
 
@@ -162,7 +166,7 @@ def matrix(programs: list[Program], places: dict[int, int]) -> "scipy.sparse.csr
     return csr_array((np.ones(len(pairs)), (rows, columns)), shape=(len(programs), len(places)))
 
 
-def heaviest(
+def select_heaviest(
     weights: np.ndarray,
     rows: list[Program],
     columns: list[Program],

@@ -71,7 +71,7 @@ def main() -> None:
 def practise() -> None:
     """Do once what every request does.
 
-    Python is faster the second time, and the messages are then read from their files already.
+    Python is faster the second time, and messages are read from their files only once.
     """
     import numpy as np
 
@@ -174,7 +174,7 @@ def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
 def asked(question: dict[str, Any]) -> Asked:
     """The shapes and the `call` of a question; the request spells the shapes as Python source."""
     known: dict[str, Any] = {}
-    planned = ("tasks", "drivable", "expansions") if "Task()" in question["given"] else ()
+    planned = ("tasks", "drivable", "expansions") if "ProblemShape()" in question["given"] else ()
     for name in ("shapes", "whole_shapes", "drawn", *planned):
         known |= vars(importlib.import_module(f"kinoedu.course.{name}"))
     given, wanted = (eval(question[part], known) for part in ("given", "answer"))
