@@ -187,9 +187,8 @@ def refuse_unknown(one: Submission, known: list[str]) -> Submission:
     if one.assignment or one.trouble:
         return one
     names = ", ".join(known)
-    return one._replace(
-        trouble=f"it answers no assignment that is known; its name should begin with one of: {names}"
-    )
+    trouble = f"it answers no assignment that is known; its name should begin with one of: {names}"
+    return one._replace(trouble=trouble)
 
 
 def select_assignment(only: str, submissions: list[Submission]) -> Iterator[Submission]:
