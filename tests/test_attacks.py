@@ -177,7 +177,7 @@ HARM += ["modules"] * (hasattr(builtins, "left") or "left" in vars(kinoedu))
 
 
 @needs_sandbox
-def test_what_a_notebook_says_of_itself_counts_for_nothing(box):
+def test_marks_and_points_in_a_submission_are_ignored(box):
     """Questions and points come from the solution, not from the submission.
 
     Its test cells are edited and marked as right, and their points are raised.

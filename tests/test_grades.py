@@ -149,7 +149,7 @@ def test_a_comment_alone_is_said_beside_what_the_grader_says(tmp_path):
     )
 
 
-def test_who_was_late_is_told(tmp_path):
+def test_late_submissions_are_marked(tmp_path):
     """In the report, which also counts them, and on the student's own page."""
     of = a_class(tmp_path, {"ann": record(), "bob": record()}, troubles={"cy": "the file is empty"})
     of = of._replace(entries=[entry._replace(late=entry.student != "ann") for entry in of.entries])

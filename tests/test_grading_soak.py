@@ -39,7 +39,7 @@ def test_every_submission_is_graded_once(calm):
 
 
 @pytest.mark.parametrize("workers", ["1", "2"])
-def test_whoever_is_killed_the_grades_are_the_same(calm, tmp_path, workers):
+def test_grades_do_not_depend_on_killed_processes(calm, tmp_path, workers):
     submissions, wanted = calm
     killed, status = soaked(
         submissions, tmp_path / "out", workers, every=8, grader_dies_at=SIZE // 2

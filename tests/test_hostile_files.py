@@ -111,7 +111,7 @@ def test_a_name_steers_no_terminal(tmp_path, capsys):
     assert capsys.readouterr().out.replace("\n", "").isprintable()
 
 
-def test_nothing_alike_is_said_too(tmp_path):
+def test_a_class_without_similar_programs_has_a_page(tmp_path):
     from kinoedu.grading.report.similar import Similar
     from kinoedu.grading.report.similar_page import write_similar
 
@@ -153,7 +153,7 @@ ODD += [{"nbgrader": None}, {"nbgrader": [1]}, {"data": {"text/plain": 7}}]
 
 
 @pytest.mark.parametrize("odd", ODD, ids=str)
-def test_handing_in_meets_any_notebook(odd):
+def test_handing_in_reads_any_notebook(odd):
     cells = [
         {"cell_type": "code", "source": "check(bug1)", "metadata": odd, "outputs": odd},
         {"source": odd, "outputs": [odd]},
@@ -172,7 +172,7 @@ def test_handing_in_meets_any_notebook(odd):
         None,
     ],
 )
-def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
+def test_kinds_that_were_not_finished_count_as_failed(end):
     cases = list(EXERCISE.cases(np.random.default_rng(0)))
     every_one = [run_case(EXERCISE, EXERCISE.reference, case) for case in cases]
     assert judge_outcomes(EXERCISE, cases, every_one).score == 1.0
@@ -198,7 +198,7 @@ def question(name: str) -> Question:
     return Question(find(name), list(find(name).cases(np.random.default_rng(0))), 2)
 
 
-def test_who_says_to_be_done_is_asked_for_the_rest():
+def test_a_reply_that_ends_early_has_an_answer_of_the_wrong_shape():
     line = {"question": EXERCISE.name, "case": 0, "outcome": {"kind": "Answer", "value": 0.0}}
     found = run_program(
         Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]

@@ -43,7 +43,7 @@ def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float
     ],
     ids=["silent", "chatty", "one line", "many lines", "short", "deaf"],
 )
-def test_whoever_it_talks_with_it_ends(program, end, monkeypatch):
+def test_an_exchange_ends_whatever_the_program_does(program, end, monkeypatch):
     monkeypatch.setattr(talk, "START", 20.0)
     monkeypatch.setattr(talk, "LONGEST", -18.0)  # two seconds after START
     monkeypatch.setattr(talk, "MOST_OUTPUT", 2**20)

@@ -197,7 +197,7 @@ def test_each_student_gets_their_own_notebook(tmp_path):
         write_variants(["01_geometry"], students, SECRET, tmp_path)
 
 
-def test_who_forgets_the_contracts_is_told(tmp_path):
+def test_forgotten_contracts_are_refused(tmp_path):
     """Grading is refused if most notebooks hold a contract, but not if a single one does."""
     given, plain = (
         Submission(str(n), GRAPHS, "x", data)
