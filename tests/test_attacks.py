@@ -1,6 +1,4 @@
-"""Attacks: nothing that a submission does gives it a point that it does not deserve, leaves a
-trace, or harms anybody.
-"""
+"""Attacks: a submission gets no undeserved points, leaves no trace, and harms nobody."""
 
 import json
 import os
@@ -13,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kinoedu.grading.assignments.questions import assignment, cases_of, spelled
+from kinoedu.grading.assignments.questions import assignment, cases_of, spell_case
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
@@ -22,7 +20,7 @@ NO_SANDBOX = sandbox.why_not()
 HOUSE = Path(__file__).resolve().parent.parent
 SECRET = b"a secret of the tests, no course's"
 ATTACKS = sorted((HOUSE / "tests" / "attacks").glob("*.cells"))
-HASTE = 0.2  # of the usual time for everything: 2 s a cell, 1 s a call
+HASTE = 0.2  # factor on all time limits: 2 s a cell, 1 s a call
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 
 PRELUDE = """
@@ -47,17 +45,9 @@ def point_line_distance(q, p1, p2):
 
 
 def notebook(*sources: str) -> bytes:
-    """A notebook of cells of code."""
-    cells = [
-        {
-            "cell_type": "code",
-            "metadata": {},
-            "outputs": [],
-            "execution_count": None,
-            "source": source,
-        }
-        for source in sources
-    ]
+    """A notebook with these code cells."""
+    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    cells = [{**code, "source": source} for source in sources]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
@@ -69,9 +59,7 @@ def submission(file: Path) -> tuple[bytes, float]:
 
 
 def traces() -> set[str]:
-    """What attacks would leave: processes of the sandbox's Python beside those that wait, and
-    files.
-    """
+    """The files that attacks would leave."""
     files = {
         str(file)
         for folder in (Path.cwd(), Path("/tmp"), Path("/dev/shm"), HOUSE)
@@ -85,7 +73,7 @@ def traces() -> set[str]:
 
 
 def insiders(box: Sandbox) -> int:
-    """How many processes there are below a sandbox."""
+    """The number of processes below a sandbox."""
     found, unseen = 0, [inside.process.pid for inside in box.started.values()]
     while unseen:
         try:
@@ -103,7 +91,7 @@ def insiders(box: Sandbox) -> int:
 
 @pytest.fixture(scope="module")
 def box():
-    """One sandbox for these tests."""
+    """One sandbox for all tests of this file."""
     one = Sandbox()
     yield one
     one.close()
@@ -111,9 +99,7 @@ def box():
 
 @pytest.fixture(scope="module")
 def neighbour():
-    """Another student's notebook, graded again and again beside the attacks; the scores that it
-    had.
-    """
+    """Scores of another student's notebook, which is graded again and again beside the attacks."""
     scores: list[float] = []
     over = threading.Event()
 
@@ -141,7 +127,7 @@ def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
         record["cells"]
     )[-900:]
     grade(notebook(""), assignment("01_geometry"), SECRET, box)
-    assert insiders(box) <= 2 * len(box.started)  # bubblewrap's own and Python, which waits
+    assert insiders(box) <= 2 * len(box.started)  # bubblewrap and the Python that waits
     assert traces() == set()
     assert set(neighbour) <= {5.0}
 
@@ -153,7 +139,7 @@ def test_hidden_cases_are_never_told(box):
     for asked in assignment("01_geometry").questions:
         known = cases_of(asked.exercise.name, SECRET)
         hidden = [asked.exercise.given.encode(case.given) for case in known.cases[known.seen :]]
-        shown = [spelled(asked.exercise, case) for case in known.cases[: known.seen]]
+        shown = [spell_case(asked.exercise, case) for case in known.cases[: known.seen]]
         points = [
             json.dumps(value)
             for case in hidden
@@ -178,9 +164,11 @@ builtins.left = kinoedu.left = 1
 """
     looks = """
 import os, builtins, kinoedu
-HARM += [place for place in ("/tmp/left", "/dev/shm/left", "/dev/left", "/left") if os.path.exists(place)]
+places = ("/tmp/left", "/dev/shm/left", "/dev/left", "/left")
+HARM += [place for place in places if os.path.exists(place)]
 HARM += [place for place in ("/tmp", "/dev/shm") for name in os.listdir(place)]
-HARM += ["environment"] * ("LEFT" in os.environ) + ["modules"] * (hasattr(builtins, "left") or "left" in vars(kinoedu))
+HARM += ["environment"] * ("LEFT" in os.environ)
+HARM += ["modules"] * (hasattr(builtins, "left") or "left" in vars(kinoedu))
 """
     for source in (writes, looks):
         record = grade(notebook(PRELUDE, source, HONEST), assignment("01_geometry"), SECRET, box)
@@ -189,9 +177,10 @@ HARM += ["environment"] * ("LEFT" in os.environ) + ["modules"] * (hasattr(builti
 
 
 @needs_sandbox
-def test_what_a_notebook_says_of_itself_counts_for_nothing(box):
-    """Cells for tests taken out, edited, marked as right, their points raised: what is asked and
-    worth is known outside.
+def test_marks_and_points_in_a_submission_are_ignored(box):
+    """Questions and points come from the solution, not from the submission.
+
+    Its test cells are edited and marked as right, and their points are raised.
     """
     book = json.loads((HOUSE / "exercises" / "01_geometry.ipynb").read_text(encoding="utf-8"))
     for cell in book["cells"]:
@@ -217,9 +206,7 @@ def test_what_a_notebook_says_of_itself_counts_for_nothing(box):
     reason="only root can become somebody else to try it",
 )
 def test_an_ordinary_user_is_as_safe():
-    """The same tests once more as nobody, where user namespaces must do what root's rights do
-    else.
-    """
+    """The same tests as an ordinary user, with user namespaces in the place of root's rights."""
     python = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", sys.executable]
     trial = subprocess.run(
         [*python, "-c", "import sys; print(sys.base_prefix)"], capture_output=True, text=True

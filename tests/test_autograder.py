@@ -1,5 +1,6 @@
-"""Gradescope's autograder: packed, unpacked, and run as Gradescope does, with a folder in the place
-of /autograder.
+"""Gradescope's autograder, packed, unpacked and run as Gradescope does.
+
+A temporary folder takes the place of /autograder.
 """
 
 import json
@@ -15,15 +16,14 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.grading.assignments.questions import assignment
-from kinoedu.grading.export.autograder import the_submission
+from kinoedu.grading.export.autograder import find_submission
 from kinoedu.grading.sandbox import sandbox
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME = "01_geometry"
 SOLUTION = HOUSE / "solutions" / f"{NAME}.ipynb"
-QUICK = {
-    "NUMBA_DISABLE_JIT": "1"
-}  # machine code is kept by the place of its source, and that is a new one each time
+# compiled code is stored by the path of its source, and that is new each time
+QUICK = {"NUMBA_DISABLE_JIT": "1"}
 NO_SANDBOX = sandbox.why_not()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="Gradescope's containers are Linux")
@@ -31,22 +31,16 @@ on_linux = pytest.mark.skipif(sys.platform != "linux", reason="Gradescope's cont
 
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory):
-    """The zip, by the command."""
+    """The zip, written by the command."""
     folder = tmp_path_factory.mktemp("packed")
-    command = [
-        "export",
-        "--gradescope-autograder",
-        str(folder / "autograder.zip"),
-        "--assignment",
-        NAME,
-    ]
-    assert main([*command, "--secret", str(folder / "secret")]) == 0
+    command = ["export", "--gradescope-autograder", str(folder / "autograder.zip")]
+    assert main([*command, "--assignment", NAME, "--secret", str(folder / "secret")]) == 0
     return folder / "autograder.zip"
 
 
 @pytest.fixture
 def root(packed):
-    """A folder laid out as Gradescope's container, which every user can read, as there."""
+    """A folder laid out as in Gradescope's container; every user can read it, as there."""
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
         place.chmod(0o755)
@@ -59,9 +53,7 @@ def root(packed):
 
 
 def run(root: Path, **environment: str) -> subprocess.CompletedProcess:
-    """run_autograder as Gradescope runs it, with this Python in the place of the one that setup.sh
-    would install.
-    """
+    """Run run_autograder as Gradescope does, with this Python instead of the installed one."""
     shutil.copy(root / "source" / "run_autograder", root)
     kept = {
         name: os.environ[name] for name in ("PATH", "KINOEDU_CACHE", "HOME") if name in os.environ
@@ -78,28 +70,21 @@ def run(root: Path, **environment: str) -> subprocess.CompletedProcess:
 
 
 def results(root: Path) -> dict:
-    """What it wrote."""
+    """The results that it wrote."""
     return json.loads((root / "results" / "results.json").read_text(encoding="ascii"))
 
 
 def notebook(*sources: str) -> str:
-    """A notebook of cells of code."""
-    cells = [
-        {
-            "cell_type": "code",
-            "metadata": {},
-            "outputs": [],
-            "execution_count": None,
-            "source": source,
-        }
-        for source in sources
-    ]
+    """A notebook with these code cells."""
+    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    cells = [{**code, "source": source} for source in sources]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells})
 
 
 def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
-    """Scripts at its top, the same questions, no line of an answer, no bank, no tests; the secret
-    is for its owner's eyes.
+    """The zip holds the scripts and the same questions, and no answer, no bank and no tests.
+
+    Only its owner can read the zip, since it holds the secret.
     """
     archive = zipfile.ZipFile(packed)
     names = archive.namelist()
@@ -108,11 +93,8 @@ def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
     assert packed.stat().st_mode & 0o077 == 0
     assert not any("/bank/" in name or "/tests/" in name or "__pycache__" in name for name in names)
     mine, course = assignment(NAME), assignment(NAME, root / "source" / "kinoedu-course")
-    assert (course.questions, course.by_hand, course.lent) == (
-        mine.questions,
-        mine.by_hand,
-        mine.lent,
-    )
+    assert course.questions == mine.questions
+    assert (course.by_hand, course.lent) == (mine.by_hand, mine.lent)
     asked = archive.read(f"kinoedu-course/solutions/{NAME}.ipynb").decode()
     answers = [
         cell["source"]
@@ -134,7 +116,7 @@ def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
 
 
 def test_the_scripts_are_bash():
-    """setup.sh, which needs a container and the network, is at least read by bash."""
+    """setup.sh needs a container and the network to run; here bash only parses it."""
     from kinoedu.grading.export.autograder_zip import RUN, SETUP
 
     for script in (SETUP, RUN):
@@ -143,9 +125,7 @@ def test_the_scripts_are_bash():
 
 @needs_sandbox
 def test_a_submission_is_graded_in_the_sandbox(root):
-    """The solution has all points, and so it has with its receipt beside it, as the zip of hand-in
-    is unpacked there.
-    """
+    """The solution has all points, also with the receipt of hand-in beside it."""
     shutil.copy(SOLUTION, root / "submission")
     (root / "submission" / "receipt.txt").write_text("a receipt")
     ran = run(root)
@@ -161,9 +141,7 @@ def test_a_submission_is_graded_in_the_sandbox(root):
 
 
 def test_the_wrong_file_is_named(tmp_path):
-    """Cells of another assignment under this one's name, as `grade` tells too; cells without any
-    marks are run.
-    """
+    """Cells of another assignment are refused, as `grade` does; cells without any marks are run."""
     other = (HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_bytes()
     for data, told in (
         (other, "wrong file"),
@@ -171,7 +149,7 @@ def test_the_wrong_file_is_named(tmp_path):
         (notebook("x = 1").encode(), ""),
     ):
         (tmp_path / f"{NAME}.ipynb").write_bytes(data)
-        trouble = the_submission(tmp_path, NAME).trouble
+        trouble = find_submission(tmp_path, NAME).trouble
         assert told in trouble and bool(told) == bool(trouble)
 
 
@@ -205,8 +183,9 @@ raise RuntimeError((os.getuid() == 0, readable(SECRET), writable(RESULTS), writa
     reason="only root can become somebody else, as on Gradescope",
 )
 def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
-    """Without bubblewrap nothing is graded and nothing written; with the flag a program is nobody,
-    and reads no secret.
+    """Without bubblewrap nothing is graded unless a flag says that the container is trusted.
+
+    With the flag a program runs as a user without rights, and cannot read the secret.
     """
     tools = tmp_path / "bin"
     tools.mkdir()
@@ -220,11 +199,9 @@ def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
     spy = SPY
     for word, place in places.items():
         spy = spy.replace(word, repr(place))
-    good = (
-        "def point_line_distance(q, p1, p2):\n    if (p1 == p2).all():\n        raise "
-        "ValueError\n    "
-    )
-    good += "d = p2 - p1\n    return abs(d[0] * (q - p1)[1] - d[1] * (q - p1)[0]) / (d @ d) ** 0.5"
+    good = "def point_line_distance(q, p1, p2):\n    if (p1 == p2).all():\n"
+    good += "        raise ValueError\n    d = p2 - p1\n"
+    good += "    return abs(d[0] * (q - p1)[1] - d[1] * (q - p1)[0]) / (d @ d) ** 0.5"
     (root / "submission" / f"{NAME}.ipynb").write_text(notebook(spy, good))
     refused = run(root, PATH=str(tools))
     assert refused.returncode == 2
@@ -242,13 +219,13 @@ def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
 
 
 def main_record(root: Path, tools: Path) -> str:
-    """What the spying cell raised, from the record of the grade itself."""
+    """The message of the spying cell, from the record of the grade itself."""
     code = (
         "import sys, tempfile; from pathlib import Path\n"
-        "from kinoedu.grading.export.autograder import the_submission\n"
+        "from kinoedu.grading.export.autograder import find_submission\n"
         "from kinoedu.grading.judge.running import grade_all, local\n"
         "if __name__ == '__main__':\n"
-        f"    one = the_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
+        f"    one = find_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
         "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), "
         "trusted=True)[0]\n"
         "    print(found.grade['cells'][0]['trouble']['message'])\n"
@@ -273,8 +250,9 @@ def main_record(root: Path, tools: Path) -> str:
 
 @needs_sandbox
 def test_what_a_student_can_mend_is_told(root):
-    """Nothing, no notebook, two of them: no points, and the reason; a wrong answer has its smallest
-    case and a hint.
+    """No file, no notebook or two of them give no points and the reason.
+
+    A wrong answer gets its smallest case and a hint.
     """
     submission = root / "submission"
     for files, words in (
@@ -301,14 +279,9 @@ def test_what_a_student_can_mend_is_told(root):
 
 
 def test_an_autograder_is_for_one_assignment(tmp_path, capsys):
-    """Refused without its name, and with one that is none."""
-    command = [
-        "export",
-        "--gradescope-autograder",
-        str(tmp_path / "a.zip"),
-        "--secret",
-        str(tmp_path / "secret"),
-    ]
+    """The command is refused without an assignment, and with an unknown one."""
+    command = ["export", "--gradescope-autograder", str(tmp_path / "a.zip")]
+    command += ["--secret", str(tmp_path / "secret")]
     assert main(command) == 2
     assert main([*command, "--assignment", "99_nothing"]) == 2
     assert "99_nothing" in capsys.readouterr().err

@@ -1,5 +1,6 @@
-"""What is made of graded submissions: tables, pages and exports that are safe, the same on every
-run, and tell no hidden case.
+"""Tables, pages and exports of graded submissions.
+
+They are safe, equal on every run, and reveal no hidden case.
 """
 
 import csv
@@ -20,11 +21,11 @@ from kinoedu.grading.collect.handing_in import hand_in
 from kinoedu.grading.collect.notebook import UnreadableSubmission
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
-from kinoedu.grading.judge.class_list import Class, Entry, read_class, with_earlier, write_class
-from kinoedu.grading.judge.running import keep
-from kinoedu.grading.regrading import changes_between
+from kinoedu.grading.judge.class_list import Class, Entry, add_earlier, read_class, write_class
+from kinoedu.grading.judge.running import write_result
+from kinoedu.grading.regrading import find_changes
 from kinoedu.grading.report.decisions import read_decisions
-from kinoedu.grading.report.feedback_page import file_name, page_name
+from kinoedu.grading.report.feedback_page import file_name, name_page
 from kinoedu.grading.report.writing import write_all
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.support.csv_cells import harmless, unharmed
@@ -34,10 +35,12 @@ NAME, HAND = "01_geometry", "02_bug_algorithms"
 NO_SANDBOX = sandbox.why_not()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 HOSTILE = "</pre></style><script>alert(1)</script>"
+COLUMNS = "student,assignment,question,score,comment\n"
+ANNS = "ann,01_geometry,exposing_case,{},\n"
 
 
 def question(name: str, score: float, most: float, **more) -> dict:
-    """A question's record, as grading.grade makes it."""
+    """A question's record, as `grade` makes it."""
     status = "right" if score == most else "partly right" if score else "wrong"
     return {
         "question": name,
@@ -51,7 +54,7 @@ def question(name: str, score: float, most: float, **more) -> dict:
 
 
 def record(name: str = NAME, *, share: float = 1.0, message: str = "A rule.") -> dict:
-    """A graded notebook with a share of each question's points."""
+    """The record of a graded notebook with a fraction of each question's points."""
     return {
         "status": "graded",
         "message": "",
@@ -74,7 +77,7 @@ def a_class(
     name: str = NAME,
     troubles: dict[str, str] | None = None,
 ) -> Class:
-    """A class as grade_class leaves it."""
+    """A class as `grade_class` leaves it."""
     (out / "results").mkdir(parents=True, exist_ok=True)
     entries = []
     for number, (student, kept) in enumerate(sorted(records.items())):
@@ -82,7 +85,7 @@ def a_class(
             Entry(student, name, f"{student}.ipynb", str(out), "", student, f"key{number}", "")
         )
         if kept is not None:
-            keep(out / "results" / f"key{number}.json", kept)
+            write_result(out / "results" / f"key{number}.json", kept)
     entries += [
         Entry(student, name, "x.ipynb", str(out), "", student, "", why)
         for student, why in (troubles or {}).items()
@@ -93,12 +96,12 @@ def a_class(
 
 
 def table(file: Path) -> list[dict[str, str]]:
-    """A CSV file as rows by name."""
+    """A CSV file as rows by column name."""
     return list(csv.DictReader(io.StringIO(file.read_text(encoding="utf-8"))))
 
 
 def failing() -> dict:
-    """A record with a failure that everybody may see, said in hostile words."""
+    """A record with a failure that everybody may see, whose texts hold HTML."""
     given = {"q": [2.0, 3.0], "p1": [0.0, 0.0], "p2": [4.0, 0.0]}
     raised = {
         "kind": "Raised",
@@ -128,17 +131,12 @@ def failing() -> dict:
 
 
 def test_a_comment_alone_is_said_beside_what_the_grader_says(tmp_path):
-    """On the student's page, whether the answer is right or wrong, in the table and in the report;
-    no score changes.
-    """
+    """It is on the student's page, in the table and in the report, and changes no score."""
     of = a_class(tmp_path, {"ann": failing()})
-    said = (
-        "student,assignment,question,score,comment\nann,{0},point_line_distance,,see "
-        "<me>\nann,{0},exposing_case,,well done\n"
-    )
-    (tmp_path / "overrides.csv").write_text(said.format(NAME), encoding="utf-8")
+    lines = f"ann,{NAME},point_line_distance,,see <me>\nann,{NAME},exposing_case,,well done\n"
+    (tmp_path / "overrides.csv").write_text(COLUMNS + lines, encoding="utf-8")
     write_all(of)
-    page = (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+    page = (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
     assert "see &lt;me&gt;" in page and "A rule" in page and "well done" in page
     report = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "see &lt;me&gt;" in report and "well done" in report
@@ -151,8 +149,8 @@ def test_a_comment_alone_is_said_beside_what_the_grader_says(tmp_path):
     )
 
 
-def test_who_was_late_is_told(tmp_path):
-    """In the report, where they are counted, and on the student's own page."""
+def test_late_submissions_are_marked(tmp_path):
+    """In the report, which also counts them, and on the student's own page."""
     of = a_class(tmp_path, {"ann": record(), "bob": record()}, troubles={"cy": "the file is empty"})
     of = of._replace(entries=[entry._replace(late=entry.student != "ann") for entry in of.entries])
     write_class(of)
@@ -163,14 +161,12 @@ def test_who_was_late_is_told(tmp_path):
         name: (tmp_path / "feedback" / name / f"{NAME}.html").read_text(encoding="utf-8")
         for name in ("ann", "bob")
     }
-    assert ["late" in pages[name].partition("</style>")[2] for name in ("ann", "bob")] == [
-        False,
-        True,
-    ]
+    assert "late" not in pages["ann"].partition("</style>")[2]
+    assert "late" in pages["bob"].partition("</style>")[2]
 
 
 def test_cells_of_a_table_are_no_formulas():
-    """Whatever is in a cell, no spreadsheet computes it, and what it said can be had back."""
+    """No spreadsheet computes a cell, and its text can be restored."""
     for text in ("=1+1", "+1", "-1", "@x", "'=x", "\t=x", "\n@x", " =x"):
         assert harmless(text)[0] == "'", text
     for text in ("ann", "=ann", "'tis", "O'Hara", "'=x", ""):
@@ -178,29 +174,27 @@ def test_cells_of_a_table_are_no_formulas():
 
 
 def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
-    """What could not be read or was not graded has no score, and says why; the sum of rows is
-    questions times students.
+    """Submissions that were not graded have no scores but a reason.
+
+    The number of rows is questions times students.
     """
     of = a_class(tmp_path, {"=ann": record(), "bob": None}, troubles={"cy": "the file is empty"})
     write_all(of)
     rows = table(tmp_path / "grades.csv")
     asked = len(assignment(NAME).questions)
-    assert [
-        len([row for row in rows if row["student"] == name]) for name in ("'=ann", "bob", "cy")
-    ] == [asked] * 3
-    assert {(row["score"], row["status"]) for row in rows if row["student"] == "bob"} == {
-        ("", "not graded")
-    }
-    assert {
-        (row["score"], row["status"], row["message"]) for row in rows if row["student"] == "cy"
-    } == {("", "unreadable", "the file is empty")}
-    assert sum(float(row["score"]) for row in rows if row["student"] == "'=ann") == sum(
-        one.points for one in assignment(NAME).questions
+    ann, bob, cy = (
+        [row for row in rows if row["student"] == name] for name in ("'=ann", "bob", "cy")
     )
+    assert len(ann) == len(bob) == len(cy) == asked
+    assert {(row["score"], row["status"]) for row in bob} == {("", "not graded")}
+    assert {row["score"] for row in cy} == {""}
+    assert {(row["status"], row["message"]) for row in cy} == {("unreadable", "the file is empty")}
+    points = sum(one.points for one in assignment(NAME).questions)
+    assert sum(float(row["score"]) for row in ann) == points
 
 
 def test_the_same_class_is_written_in_the_same_bytes(tmp_path):
-    """Also when it is written again over itself, and when its pictures are kept or drawn."""
+    """Also when it is written again, and whether its pictures are kept or drawn."""
     of = a_class(tmp_path, {"ann": failing(), "bob": failing(), "cy": record(share=0.5)})
     write_all(of)
     once = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
@@ -210,8 +204,9 @@ def test_the_same_class_is_written_in_the_same_bytes(tmp_path):
 
 
 def test_pages_escape_whatever_they_are_told(tmp_path):
-    """A program's words, a student's name and a comment are text on every page; the picture is
-    there.
+    """A program's message, a student's name and a comment are plain text on every page.
+
+    The picture is there as well.
     """
     student = f"<img src=x onerror=alert(1)>{HOSTILE}"
     write_all(a_class(tmp_path, {student: failing(), "\ud800": record()}, troubles={"cy": HOSTILE}))
@@ -221,110 +216,72 @@ def test_pages_escape_whatever_they_are_told(tmp_path):
         text = page.read_text(encoding="utf-8")
         assert "<script" not in text and "<img src=x" not in text
         assert text.count("</style>") == 1
-    told = (tmp_path / page_name(student, NAME)).read_text(encoding="utf-8")
+    told = (tmp_path / name_page(student, NAME)).read_text(encoding="utf-8")
     assert "data:image/png;base64," in told and "np.array([2.0, 3.0])" in told and "Cell 3" in told
 
 
 def test_a_picture_that_cannot_be_drawn_loses_no_page(tmp_path):
-    """A record whose case is of another shape than the exercise's has no case and no picture."""
+    """A record whose case does not have the exercise's shape gives neither case nor picture."""
     broken = failing()
     for one in broken["questions"]:
         if one["failure"]:
             one["failure"]["case"]["given"] = {"q": "?"}
     write_all(a_class(tmp_path, {"ann": broken}))
-    assert "data:image" not in (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
+    assert "data:image" not in (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
 
 
 def test_file_names_are_safe_and_apart():
-    """No two students share a page, on disks that do not tell Ann from ann either; none leaves the
-    folder.
-    """
-    names = [
-        "ann",
-        "Ann",
-        "ANN",
-        "../ann",
-        "a/b",
-        "a\\b",
-        "",
-        ".",
-        "..",
-        "con",
-        "nul.txt",
-        "ann.",
-        "ann ",
-        "Zoë",
-        "Zoe",
-        "x" * 300,
-        "\udcff",
-    ]
+    """No two students share a page, even on disks that ignore case; no name leaves the folder."""
+    names = ["ann", "Ann", "ANN", "../ann", "a/b", "a\\b", "", ".", "..", "con", "nul.txt"]
+    names += ["ann.", "ann ", "Zoë", "Zoe", "x" * 300, "\udcff"]
     made = [file_name(name).lower() for name in names]
     assert len(set(made)) == len(names)
     for name in made:
-        assert (
-            0 < len(name) < 64
-            and name[0] not in ".-"
-            and not set(name) & set("/\\: ")
-            and name.isascii()
-        )
+        assert 0 < len(name) < 64 and name.isascii()
+        assert name[0] not in ".-" and not set(name) & set("/\\: ")
 
 
 def test_overrides_hold_and_are_never_written(tmp_path):
-    """A score and a comment of a person's appear in the table, on the page and in exports; their
-    file stays as it is.
+    """A person's score and comment are in the table, on the page and in exports.
+
+    The file with these decisions stays as it is.
     """
     of = a_class(tmp_path, {"ann": record(share=0.0), "bob": record()})
-    text = (
-        "\ufeffstudent,assignment,question,score,comment\r\nann,01_geometry,exposing_case,2.5,seen "
-        "<b>it</b>\r\n"
-    )
+    text = "\ufeffstudent,assignment,question,score,comment\r\n"
+    text += "ann,01_geometry,exposing_case,2.5,seen <b>it</b>\r\n"
     text += "bob,01_geometry,exposing_case,,well done\r\n"
     (tmp_path / "overrides.csv").write_text(text, encoding="utf-8", newline="")
     rows = {row[:3]: row for row in write_all(of)}
     assert rows["ann", NAME, "exposing_case"].score == 2.5
     assert rows["ann", NAME, "exposing_case"].status == "set by hand"
     assert rows["bob", NAME, "exposing_case"].score == 3.0
-    assert "seen &lt;b&gt;it" in (tmp_path / page_name("ann", NAME)).read_text(encoding="utf-8")
-    assert "well done" in (tmp_path / page_name("bob", NAME)).read_text(encoding="utf-8")
+    assert "seen &lt;b&gt;it" in (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
+    assert "well done" in (tmp_path / name_page("bob", NAME)).read_text(encoding="utf-8")
     export_csv(list(rows.values()), tmp_path / "totals.csv")
     assert [row[NAME] for row in table(tmp_path / "totals.csv")] == ["2.5", "25"]
-    by_hand = "student,assignment,question,score,comment\nann,01_geometry,exposing_case,1,\nbob,01_geometry,exposing_case,1,\n"
+    by_hand = COLUMNS + "".join(f"{name},{NAME},exposing_case,1,\n" for name in ("ann", "bob"))
     (tmp_path / "by_hand.csv").write_text(by_hand, encoding="utf-8")
     assert [row.score for row in write_all(of) if row.question == "exposing_case"] == [2.5, 1.0]
     assert (tmp_path / "overrides.csv").read_bytes().decode("utf-8") == text
 
 
 @pytest.mark.parametrize(
-    ("lines", "said"),
+    ("text", "message"),
     [
         ("student,question,score\n", "no column 'assignment'"),
-        (
-            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,much,\n",
-            "line 2",
-        ),
-        (
-            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,nan,\n",
-            "a score is a number",
-        ),
-        (
-            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,-1,\n",
-            "a score is a number",
-        ),
-        (
-            "student,assignment,question,score,comment\nann,01_geometry,exposing_case,1,\nann,01_geometry,exposing_case,2,\n",
-            "leave one",
-        ),
-        (
-            "student,assignment,question,score,comment\nann,01_geometry,exposing,1,\n",
-            "no row for ann",
-        ),
+        (COLUMNS + ANNS.format("much"), "line 2"),
+        (COLUMNS + ANNS.format("nan"), "a score is a number"),
+        (COLUMNS + ANNS.format("-1"), "a score is a number"),
+        (COLUMNS + ANNS.format("1") + ANNS.format("2"), "leave one"),
+        (COLUMNS + "ann,01_geometry,exposing,1,\n", "no row for ann"),
     ],
+    ids=["no column", "no number", "not finite", "negative", "twice", "no such question"],
 )
-def test_a_wrong_override_is_refused_by_its_line(tmp_path, lines, said):
-    """Nothing that somebody decided is passed over in silence."""
+def test_a_wrong_override_is_refused_by_its_line(tmp_path, text, message):
+    """No decision is ignored silently."""
     of = a_class(tmp_path, {"ann": record()})
-    (tmp_path / "overrides.csv").write_text(lines, encoding="utf-8")
-    with pytest.raises(InvalidParameter, match=said):
+    (tmp_path / "overrides.csv").write_text(text, encoding="utf-8")
+    with pytest.raises(InvalidParameter, match=message):
         write_all(of)
 
 
@@ -339,8 +296,9 @@ CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,01 Geometry (991),Other 
 
 
 def test_canvas_gets_its_own_table_back(tmp_path):
-    """Whole totals stand in the one column; all else is as it was; nobody gets another's score, who
-    is not sure is named.
+    """Only complete totals are filled in, and all other cells stay as they are.
+
+    A student who is not known, or not unique, gets no score and is listed.
     """
     of = a_class(
         tmp_path,
@@ -377,9 +335,7 @@ def test_gradescope_results_sum_up(tmp_path):
 
 
 def test_regrading_says_whose_score_changed_and_why(tmp_path):
-    """A judge's other verdict, another file, a new student and one who is gone; and what a person
-    decided is named.
-    """
+    """Reasons are a new verdict, another file, a new student, and a student who is gone."""
     before = a_class(
         tmp_path / "old",
         {"ann": record(share=0.0), "bob": record(), "cy": record(), "eve": record(share=0.0)},
@@ -395,7 +351,7 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
         "student,assignment,question,score\nann,01_geometry,exposing_case,1\n"
     )
     found = list(
-        changes_between(before, after._replace(entries=entries), read_decisions(tmp_path / "new"))
+        find_changes(before, after._replace(entries=entries), read_decisions(tmp_path / "new"))
     )
     why = {change.student: change.why for change in found}
     assert why["ann"] == "right; before: wrong: A rule."
@@ -409,38 +365,37 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
 
 
 def test_grades_of_other_folders_stay():
-    """One folder of grades holds several assignments; the same student's same assignment is
-    replaced.
-    """
+    """One folder of grades holds several assignments; a student's new file replaces the old one."""
     old = [
         Entry(name, lesson, "f", "one", "", "d", "k", "")
         for name in ("ann", "bob")
         for lesson in (NAME, HAND)
     ]
     new = [Entry("ann", NAME, "g", "two", "", "d", "k", "")]
-    kept = with_earlier(new, old)
+    kept = add_earlier(new, old)
     assert [(one.student, one.assignment, one.file) for one in kept] == [
         ("ann", NAME, "g"),
         ("ann", HAND, "f"),
         ("bob", NAME, "f"),
         ("bob", HAND, "f"),
     ]
-    assert with_earlier(new, [one._replace(folder="two") for one in old]) == new
+    assert add_earlier(new, [one._replace(folder="two") for one in old]) == new
 
 
 def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
-    """Scores of the judge are in its gradebook, the prose waits there, and a person's score and
-    comment come back to the table.
+    """The gradebook holds the judge's scores, and answers in prose wait there.
+
+    A person's score and comment come back into the table.
     """
     pytest.importorskip("nbgrader")
     from nbgrader.api import Gradebook
 
     from kinoedu.grading.export.nbgrader_course import (
-        address,
         export_nbgrader,
+        name_database,
         scores_from_nbgrader,
     )
-    from kinoedu.grading.judge.class_list import digest_of
+    from kinoedu.grading.judge.class_list import digest_submission
 
     submissions, out = tmp_path / "in" / "ann", tmp_path / "out"
     submissions.mkdir(parents=True)
@@ -465,7 +420,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     of = a_class(out, {"ann": record(HAND)}, HAND)
     of = of._replace(
         entries=[
-            entry._replace(folder=str(tmp_path / "in"), digest=digest_of(one))
+            entry._replace(folder=str(tmp_path / "in"), digest=digest_submission(one))
             for entry in of.entries
         ]
     )
@@ -474,22 +429,18 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     shown = (tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb").read_text(
         encoding="utf-8"
     )
-    assert (tmp_path / "course" / "source" / HAND).is_dir()  # or formgrader lists nothing to grade
-    assert (
-        "<script" not in shown
-        and "1 < 2 &lt;/pre" in shown
-        and "plain" in shown
-        and '"points": 99' not in shown
-    )
+    assert (tmp_path / "course" / "source" / HAND).is_dir()  # else formgrader lists nothing
+    assert "<script" not in shown and "1 < 2 &lt;/pre" in shown
+    assert "plain" in shown and '"points": 99' not in shown
     whose = ("flowchart_bug1", HAND, HAND, "ann")
-    with Gradebook(address(tmp_path / "course")) as gradebook:
+    with Gradebook(name_database(tmp_path / "course")) as gradebook:
         grade = gradebook.find_grade(*whose)
         assert grade.needs_manual_grade
         assert gradebook.find_grade("check_bug1", HAND, HAND, "ann").auto_score > 0
         grade.manual_score, grade.needs_manual_grade = 3.0, False
         gradebook.find_comment(*whose).manual_comment = "neat"
         gradebook.db.commit()
-    export_nbgrader(of, write_all(of), tmp_path / "course")  # what was graded there stays
+    export_nbgrader(of, write_all(of), tmp_path / "course")  # scores given there are kept
     assert scores_from_nbgrader(of, tmp_path / "course") == 1
     (row,) = [row for row in write_all(of) if row.question == "flowchart_bug1"]
     assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
@@ -499,9 +450,7 @@ NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
 
 
 def test_a_receipt_says_what_is_answered(tmp_path):
-    """An untouched exercise has no answer, a solution all; the zip is what collect takes for the
-    student's.
-    """
+    """An untouched exercise has no answers, a solution has all; `collect` reads the zip."""
     for room, done in (("exercises", 0), ("solutions", 6)):
         folder = tmp_path / room / "ann"
         folder.mkdir(parents=True)
@@ -516,7 +465,7 @@ def test_a_receipt_says_what_is_answered(tmp_path):
 
 
 def test_what_cannot_be_graded_is_not_packed(tmp_path):
-    """A file that is empty, or named like no exercise, is refused before it is handed in."""
+    """An empty file, or one with the name of no exercise, is refused."""
     for name, wrong in ((f"{NAME}.ipynb", UnreadableSubmission), ("lunch.ipynb", InvalidParameter)):
         (tmp_path / name).write_text("")
         with pytest.raises(wrong):
@@ -525,7 +474,7 @@ def test_what_cannot_be_graded_is_not_packed(tmp_path):
 
 
 def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_path):
-    """An answer typed into the exercise as it was handed out, and one without its colon."""
+    """An answer whose check was never run, and one with a syntax error."""
     book = json.loads((HOUSE / "exercises" / f"{NAME}.ipynb").read_text(encoding="utf-8"))
     typed = {
         "line_through_points": "def line_through_points(p1, p2):\n    return 1",
@@ -537,19 +486,14 @@ def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_p
         )
     (tmp_path / f"{NAME}.ipynb").write_text(json.dumps(book), encoding="utf-8")
     answers = hand_in(tmp_path / f"{NAME}.ipynb", tmp_path / "z.zip", NOW).answers
-    assert (
-        answers["line_through_points"][0]
-        and "has not been run" in answers["line_through_points"][1]
-    )
-    assert (
-        not answers["exposing_case"][0] and "expected ':' (line 1)" in answers["exposing_case"][1]
-    )
+    is_answered, remark = answers["line_through_points"]
+    assert is_answered and "has not been run" in remark
+    is_answered, remark = answers["exposing_case"]
+    assert not is_answered and "expected ':' (line 1)" in remark
 
 
 def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):
-    """It is refused before it is handed in, and has no score; it is graded where its own assignment
-    is asked for.
-    """
+    """It cannot be handed in, and has no score, unless its own assignment is graded."""
     (tmp_path / "ann").mkdir()
     wrong = tmp_path / "ann" / f"{NAME}.ipynb"
     wrong.write_bytes((HOUSE / "exercises" / f"{HAND}.ipynb").read_bytes())
@@ -563,9 +507,7 @@ def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):
 
 @needs_sandbox
 def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
-    """Grade, stop at nothing, grade again from what is kept, export; regrade finds nothing changed,
-    without walls as well.
-    """
+    """Grading from kept results, and regrading without a sandbox, change no score."""
     for student in ("ann", "bob"):
         (tmp_path / "in" / student).mkdir(parents=True)
     (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_bytes(
@@ -574,16 +516,8 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     (tmp_path / "in" / "bob" / f"{NAME}.ipynb").write_bytes(b"")
     secret = tmp_path / "secret"
     secret.write_text("11" * 32)
-    command = [
-        "grade",
-        str(tmp_path / "in"),
-        "--out",
-        str(tmp_path / "out"),
-        "--secret",
-        str(secret),
-        "--workers",
-        "1",
-    ]
+    command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out")]
+    command += ["--secret", str(secret), "--workers", "1"]
     assert main(command) == 1
     out, _ = capsys.readouterr()
     assert out.startswith("1 graded, 0 not graded, 1 unreadable") and "bob" in out
@@ -595,22 +529,10 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
         {"student": "ann", NAME: "25"},
         {"student": "bob", NAME: ""},
     ]
-    assert (
-        main(
-            [
-                "regrade",
-                str(tmp_path / "out"),
-                "--out",
-                str(tmp_path / "new"),
-                "--trust",
-                "--workers",
-                "1",
-            ]
-        )
-        == 1
-    )
-    said = capsys.readouterr()
-    assert "0 scores changed" in said.out and "WITHOUT A SANDBOX" in said.err
+    regrade = ["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new")]
+    assert main([*regrade, "--trust", "--workers", "1"]) == 1
+    printed = capsys.readouterr()
+    assert "0 scores changed" in printed.out and "WITHOUT A SANDBOX" in printed.err
     assert (tmp_path / "new" / "grades.csv").read_bytes() == first
     secret.write_text("22" * 32)
     assert main(command) == 2
@@ -618,22 +540,11 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
 
 
 def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):
-    """Refused, with how to get one; nothing is written."""
+    """The command is refused, says how to go on, and writes nothing."""
     monkeypatch.setattr(sys, "platform", "darwin")
     (tmp_path / "in" / "ann").mkdir(parents=True)
     (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_text("{}")
-    assert (
-        main(
-            [
-                "grade",
-                str(tmp_path / "in"),
-                "--out",
-                str(tmp_path / "out"),
-                "--secret",
-                str(tmp_path / "s"),
-            ]
-        )
-        == 2
-    )
+    command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out")]
+    assert main([*command, "--secret", str(tmp_path / "s")]) == 2
     assert "--trust" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()

@@ -1,4 +1,4 @@
-"""Grading: programs are shut in, judged outside, and a class is graded once whatever happens."""
+"""Grading: programs are isolated and judged outside, and each submission is graded once."""
 
 import io
 import json
@@ -14,7 +14,7 @@ import pytest
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
 from kinoedu.grading.assignments.questions import assignment, cases_of
-from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, cells_in
+from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, read_cells
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
@@ -27,30 +27,22 @@ needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there
 
 
 def notebook(*sources: str) -> bytes:
-    """A notebook of cells of code."""
-    cells = [
-        {
-            "cell_type": "code",
-            "metadata": {},
-            "outputs": [],
-            "execution_count": None,
-            "source": source,
-        }
-        for source in sources
-    ]
+    """A notebook with these code cells."""
+    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    cells = [{**code, "source": source} for source in sources]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
 @pytest.fixture(scope="module")
 def box():
-    """One sandbox for these tests."""
+    """One sandbox for all tests of this file."""
     one = Sandbox()
     yield one
     one.close()
 
 
 def graded(box: Sandbox, *sources: str) -> dict:
-    """The questions of lesson 1 by name, for cells of code."""
+    """The questions of lesson 1 by name, for these code cells."""
     record = grade(notebook(*sources), assignment("01_geometry"), SECRET, box)
     return {question["question"]: question for question in record["questions"]} | {
         "cells": record["cells"]
@@ -60,9 +52,7 @@ def graded(box: Sandbox, *sources: str) -> dict:
 @needs_sandbox
 @pytest.mark.parametrize("name", assignments())
 def test_a_right_notebook_has_every_point(box, name):
-    """Every assignment of the course can be graded, and its solution is right also on cases that
-    nobody has seen.
-    """
+    """Every assignment can be graded, and its solution is right on hidden cases too."""
     record = grade(
         (HOUSE / "solutions" / f"{name}.ipynb").read_bytes(), assignment(name), SECRET, box
     )
@@ -127,8 +117,10 @@ def test_hidden_cases_do_not_show():
     ("name", "seeds"), [("bug1", (1031, 1058, 1088, 1112, 1187)), ("bug_base", (1042, 1132, 1171))]
 )
 def test_no_secret_makes_a_right_bug_wrong(name, seeds):
-    """Worlds once drawn with these seeds were grazed, or left in doubt which way back is the
-    shorter, and took a point from the course's own solution."""
+    """The worlds of these seeds once cost the course's own solution a point.
+
+    The bug grazed an obstacle there, or it was unclear which way back is shorter.
+    """
     book = json.loads((HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_text(encoding="utf-8"))
     given = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
     sources = [
@@ -162,7 +154,7 @@ def test_no_secret_makes_a_right_bug_wrong(name, seeds):
 )
 def test_what_is_no_notebook_is_refused_by_name(data):
     with pytest.raises(UnreadableSubmission):
-        cells_in(data)
+        read_cells(data)
 
 
 def test_submissions_are_found_as_they_are_laid_out(tmp_path):
@@ -190,8 +182,9 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
 
 
 def test_who_was_late_is_known_from_canvas(tmp_path):
-    """From the mark before its file, a notebook or not; a student's own file that is named so says
-    nothing.
+    """From the mark before the file's name, also if it is no notebook.
+
+    A student's own file of such a name has no effect.
     """
     for place in (
         "doecarl_LATE_123_456_01_geometry-2.ipynb",
@@ -210,7 +203,7 @@ def test_who_was_late_is_known_from_canvas(tmp_path):
 
 
 def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
-    """All is in one folder there, and whose each submission is stands beside them."""
+    """It has one outer folder, and a list of the owners beside the submissions."""
     about = "".join(
         f"submission_{n}:\n  :submitters:\n  - :sid: '{sid}'\n" for n, sid in ((1, "77"), (2, "88"))
     )
@@ -228,7 +221,7 @@ def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
 
 
 def test_one_assignment_of_several(tmp_path):
-    """Other assignments are left alone; who handed in nothing else is named."""
+    """Other assignments are skipped; students who handed in nothing else are listed."""
     for place in (
         "ann/01_geometry.ipynb",
         "ann/02_bug_algorithms.ipynb",
@@ -244,9 +237,7 @@ def test_one_assignment_of_several(tmp_path):
 
 
 def test_nobody_hands_in_for_another(tmp_path):
-    """A student's own files are the student's, whatever they are called, and whoever they say is
-    their owner.
-    """
+    """A student's files stay the student's, whatever their names or contents claim."""
     data, other = notebook("x = 1"), notebook("x = 2")
     box = io.BytesIO()
     with zipfile.ZipFile(box, "w") as archive:
@@ -257,7 +248,8 @@ def test_nobody_hands_in_for_another(tmp_path):
         "bob/01_geometry.ipynb": data,
         "eve/bob_123_456_01_geometry.ipynb": other,
         "fay/Bob_12_assignsubmission_file_/01_geometry.ipynb": other,
-        "gil/submission_metadata.yml": b"{bob: {':submitters': [{':sid': nobody}]}, gil: {':submitters': [{':sid': bob}]}}",
+        "gil/submission_metadata.yml": b"{bob: {':submitters': [{':sid': nobody}]}, "
+        b"gil: {':submitters': [{':sid': bob}]}}",
         "gil/01_geometry.ipynb": other,
         "hal/hal.zip": box.getvalue(),
     }
@@ -273,7 +265,7 @@ def test_nobody_hands_in_for_another(tmp_path):
 
 
 def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path):
-    """Links, pipes, bombs and paths upwards."""
+    """Links, pipes, zip bombs, and paths that lead upwards."""
     bomb, deep = io.BytesIO(), io.BytesIO()
     with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("01_geometry.ipynb", b" " * (MOST_BYTES + 10))
@@ -291,34 +283,26 @@ def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path)
     (tmp_path / "gil" / "01_geometry.ipynb").symlink_to("/dev/zero")
     found = {one.student: one for one in collect(tmp_path)}
     assert found["ann"].trouble == ""
-    assert {name for name, one in found.items() if one.trouble} == {
-        "bob",
-        "cat",
-        "dan",
-        "fay",
-        "gil",
-    }
+    troubled = {name for name, one in found.items() if one.trouble}
+    assert troubled == {"bob", "cat", "dan", "fay", "gil"}
     assert all(one.data == b"" for one in found.values() if one.trouble)
 
 
 @needs_sandbox
 def test_the_order_of_a_set_of_words_is_no_matter_of_chance():
-    """Each sandbox of its own, and each tells the same hash of a word."""
-    said = []
+    """Two sandboxes compute the same hash of a word."""
+    messages = []
     for _ in range(2):
         box = Sandbox()
-        said.append(
-            graded(box, "raise ValueError(hash('kinoedu'))")["cells"][0]["trouble"]["message"]
-        )
+        (cell,) = graded(box, "raise ValueError(hash('kinoedu'))")["cells"]
+        messages.append(cell["trouble"]["message"])
         box.close()
-    assert said[0] == said[1]
+    assert messages[0] == messages[1]
 
 
 @needs_sandbox
 def test_a_python_that_is_a_copy_is_shut_in_too(tmp_path, monkeypatch):
-    """In an environment of copies Python is a file that is not in the sandbox; the one that it was
-    copied from is.
-    """
+    """The copy is not in the sandbox, so the Python that it was copied from is used."""
     monkeypatch.setattr(
         sys, "executable", shutil.copy(os.path.realpath(sys.executable), tmp_path / "python")
     )
@@ -327,9 +311,7 @@ def test_a_python_that_is_a_copy_is_shut_in_too(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("seed", [5038, 5073, 5489])
 def test_no_secret_makes_a_right_tree_give_up_early(seed):
-    """Half as many failures in a row left some trees in a corner, and that took a point from the
-    course's own solution.
-    """
+    """With half as many failures in a row the course's own solution lost a point on these."""
     exercise = find("rrt_on_terrain")
     case = next(case for case in exercise.cases(np.random.default_rng(0)) if case.kind == "sealed")
     given = {**case.given, "rng": seed}

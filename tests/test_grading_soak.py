@@ -1,5 +1,6 @@
-"""Durability: a class is graded once and alike, whoever is killed meanwhile, on one worker, on two,
-and on Dask's.
+"""A class is graded once and with equal grades, whichever processes are killed meanwhile.
+
+It is graded by one worker, by two, and by Dask's.
 """
 
 import importlib.util
@@ -19,20 +20,13 @@ from grading_soak import class_of, grader, results, soaked  # noqa: E402
 NO_SANDBOX = sandbox.why_not()
 pytestmark = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 SIZE = 30
-BRIEF = [
-    "exits",
-    "forged_lines",
-    "memory",
-    "output",
-    "processes",
-    "signals",
-    "broken_python",
-]  # attacks that take no time
+# attacks that end at once
+BRIEF = ["exits", "forged_lines", "memory", "output", "processes", "signals", "broken_python"]
 
 
 @pytest.fixture(scope="module")
 def calm(tmp_path_factory):
-    """A class, and its results undisturbed, on two workers."""
+    """A class, and its results when two workers are not disturbed."""
     folder = tmp_path_factory.mktemp("calm")
     class_of(SIZE, folder / "class", 0.2, BRIEF)
     assert grader(folder / "class", folder / "out", "2").wait() == 0
@@ -45,7 +39,7 @@ def test_every_submission_is_graded_once(calm):
 
 
 @pytest.mark.parametrize("workers", ["1", "2"])
-def test_whoever_is_killed_the_grades_are_the_same(calm, tmp_path, workers):
+def test_grades_do_not_depend_on_killed_processes(calm, tmp_path, workers):
     submissions, wanted = calm
     killed, status = soaked(
         submissions, tmp_path / "out", workers, every=8, grader_dies_at=SIZE // 2
@@ -81,12 +75,14 @@ if __name__ == "__main__":
     from kinoedu.grading.judge.running import dask, grade_all
     from kinoedu.grading.collect.submissions import collect
     out = Path(sys.argv[2])
-    with LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None, silence_logs=50) as cluster:
+    how = dict(n_workers=2, threads_per_worker=2, dashboard_address=None, silence_logs=50)
+    with LocalCluster(**how) as cluster:
         def kill():
             while len(results(out)) < 5:
                 time.sleep(0.05)
             os.kill(next(iter(cluster.workers.values())).pid, signal.SIGKILL)
         threading.Thread(target=kill, daemon=True).start()
-        graded = grade_all(collect(Path(sys.argv[1])), out, SECRET, place=dask(cluster.scheduler_address))
+        place = dask(cluster.scheduler_address)
+        graded = grade_all(collect(Path(sys.argv[1])), out, SECRET, place=place)
         assert all(one.grade is not None for one in graded), [one.trouble for one in graded]
 """

@@ -1,5 +1,6 @@
-"""Files, answers and programs made to break their reader, or by clumsy hands: the rest of the class
-is graded, and nobody gains.
+"""Files, answers and programs that would break a reader, on purpose or by accident.
+
+The rest of the class is graded, and nobody gains points.
 """
 
 import io
@@ -14,18 +15,18 @@ from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Misshapen, Raised
 from kinoedu.grading.collect.found import MOST_OF_ONE
-from kinoedu.grading.collect.handing_in import answers_in
-from kinoedu.grading.collect.marks import most_marks, shared_marks
+from kinoedu.grading.collect.handing_in import find_answers
+from kinoedu.grading.collect.marks import choose_by_marks, count_shared_marks
 from kinoedu.grading.collect.notebook import (
     MOST_PARTS,
     Cell,
     UnreadableSubmission,
-    notebook_in,
-    source_of,
+    extract_source,
+    parse_notebook,
 )
 from kinoedu.grading.collect.submissions import collect
-from kinoedu.grading.judge import answers as asking
-from kinoedu.grading.judge.answers import Question, answers
+from kinoedu.grading.judge import answers as judge_answers
+from kinoedu.grading.judge.answers import Question, run_program
 from kinoedu.grading.sandbox import talk
 from kinoedu.grading.sandbox.sandbox import Reply
 from kinoedu.grading.sandbox.talk import Talk
@@ -35,7 +36,7 @@ EXERCISE = find("point_line_distance")
 
 
 def packed(way: int, **files: bytes) -> bytes:
-    """A zip with files, in its bytes."""
+    """The bytes of a zip with these files."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", way) as archive:
         for name, data in files.items():
@@ -44,7 +45,7 @@ def packed(way: int, **files: bytes) -> bytes:
 
 
 def spoilt(data: bytes) -> bytes:
-    """With nonsense where the compressed bytes begin."""
+    """The bytes with invalid ones where the compressed data begins."""
     return data[:50] + b"\xff" * 10 + data[60:]
 
 
@@ -110,7 +111,7 @@ def test_a_name_steers_no_terminal(tmp_path, capsys):
     assert capsys.readouterr().out.replace("\n", "").isprintable()
 
 
-def test_nothing_alike_is_said_too(tmp_path):
+def test_a_class_without_similar_programs_has_a_page(tmp_path):
     from kinoedu.grading.report.similar import Similar
     from kinoedu.grading.report.similar_page import write_similar
 
@@ -125,8 +126,8 @@ def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part
     many = ",".join([part] * (MOST_PARTS // part.count(part[0]) + 1))
     data = f'{{"nbformat": 4, "cells": [], "more": [{many}]}}'.encode()
     with pytest.raises(UnreadableSubmission, match="more numbers and words"):
-        notebook_in(data)
-    assert most_marks(shared_marks(data, ["01_geometry"])) == ""
+        parse_notebook(data)
+    assert choose_by_marks(count_shared_marks(data, ["01_geometry"])) == ""
 
 
 @pytest.mark.parametrize(
@@ -144,30 +145,22 @@ def test_a_notebook_that_would_fill_the_memory_is_refused_before_it_is_read(part
     ],
 )
 def test_only_lines_for_a_notebook_are_left_out(source, wanted):
-    assert source_of({"source": source}) == wanted
+    assert extract_source({"source": source}) == wanted
 
 
-@pytest.mark.parametrize(
-    "odd",
-    [
-        None,
-        7,
-        "text",
-        [],
-        [None],
-        {"nbgrader": None},
-        {"nbgrader": [1]},
-        {"data": {"text/plain": 7}},
-    ],
-)
-def test_handing_in_meets_any_notebook(odd):
+ODD = [None, 7, "text", [], [None]]
+ODD += [{"nbgrader": None}, {"nbgrader": [1]}, {"data": {"text/plain": 7}}]
+
+
+@pytest.mark.parametrize("odd", ODD, ids=str)
+def test_handing_in_reads_any_notebook(odd):
     cells = [
         {"cell_type": "code", "source": "check(bug1)", "metadata": odd, "outputs": odd},
         {"source": odd, "outputs": [odd]},
         odd,
     ]
     data = json.dumps({"nbformat": 4, "cells": cells}).encode()
-    assert not any(answered for answered, _ in answers_in(data, "01_geometry").values())
+    assert not any(answered for answered, _ in find_answers(data, "01_geometry").values())
 
 
 @pytest.mark.parametrize(
@@ -179,7 +172,7 @@ def test_handing_in_meets_any_notebook(odd):
         None,
     ],
 )
-def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
+def test_kinds_that_were_not_finished_count_as_failed(end):
     cases = list(EXERCISE.cases(np.random.default_rng(0)))
     every_one = [run_case(EXERCISE, EXERCISE.reference, case) for case in cases]
     assert judge_outcomes(EXERCISE, cases, every_one).score == 1.0
@@ -189,13 +182,13 @@ def test_who_gives_up_has_no_kind_that_was_not_asked_to_its_end(end):
 
 
 class Liar:
-    """A sandbox in which a program ends as it likes, having said what it likes."""
+    """A sandbox whose program returned these lines and ended this way."""
 
     def __init__(self, parts: list[list[dict]], end: str) -> None:
         self.reply, self.asked = Reply(parts, end), 0
 
     def ask(self, *_: object) -> Reply:
-        """The same each time."""
+        """Return the same reply each time, and count the requests."""
         self.asked += 1
         return self.reply
 
@@ -205,18 +198,18 @@ def question(name: str) -> Question:
     return Question(find(name), list(find(name).cases(np.random.default_rng(0))), 2)
 
 
-def test_who_says_to_be_done_is_asked_for_the_rest():
+def test_a_reply_that_ends_early_has_an_answer_of_the_wrong_shape():
     line = {"question": EXERCISE.name, "case": 0, "outcome": {"kind": "Answer", "value": 0.0}}
-    found = answers(
+    found = run_program(
         Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]
     ).outcomes
     assert isinstance(found[EXERCISE.name][-1], Misshapen) and len(found[EXERCISE.name]) == 2
 
 
 def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):
-    monkeypatch.setattr(asking, "LONGEST", -1.0)
+    monkeypatch.setattr(judge_answers, "LONGEST", -1.0)
     liar = Liar([[{"ready": True}]], "late")
-    found = answers(
+    found = run_program(
         liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]
     ).outcomes
     assert liar.asked == 0 and list(found.values()) == [[Late(False)]] * 2

@@ -1,5 +1,6 @@
-"""Programs that are alike are found whatever was renamed, moved or remarked; what all were given is
-no sign; nothing is scored.
+"""Copies are found though names, comments and order were changed.
+
+Code that all students were given is no sign of copying, and no score depends on the result.
 """
 
 import csv
@@ -11,9 +12,15 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.grading.collect.notebook import cells_in
+from kinoedu.grading.collect.notebook import read_cells
 from kinoedu.grading.collect.submissions import Submission
-from kinoedu.grading.report.fingerprints import RUN, WINDOW, crc, pieces, prints
+from kinoedu.grading.report.fingerprints import (
+    RUN,
+    WINDOW,
+    hash_text,
+    select_fingerprints,
+    split_program,
+)
 from kinoedu.grading.report.similar import similar
 from kinoedu.grading.report.similar_page import write_similar
 
@@ -78,17 +85,9 @@ def point_segment_distance(q, p1, p2):
 
 
 def notebook(*sources: str) -> bytes:
-    """A notebook of cells of code."""
-    cells = [
-        {
-            "cell_type": "code",
-            "metadata": {},
-            "outputs": [],
-            "execution_count": None,
-            "source": source,
-        }
-        for source in sources
-    ]
+    """A notebook with these code cells."""
+    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
+    cells = [{**code, "source": source} for source in sources]
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
@@ -98,7 +97,7 @@ def handed_in(student: str, *sources: str) -> Submission:
 
 
 def by_chance(rng: random.Random) -> str:
-    """A function that nobody else writes."""
+    """A random function that nobody else writes."""
     steps = [
         f"    s = s {rng.choice('+-*/')} a{rng.choice('+-*/')}{rng.randint(2, 10**6)}"
         for _ in range(25)
@@ -107,13 +106,14 @@ def by_chance(rng: random.Random) -> str:
 
 
 def named(found) -> list[tuple[str, str]]:
-    """The pairs of a list."""
+    """The pairs of a list, by name."""
     return [(one.first.name, one.second.name) for one in found]
 
 
 def test_a_copy_is_found_in_disguise():
-    """Other names, comments, annotations, layout and order: the pair leads, as wholly alike; who
-    wrote otherwise is not in it.
+    """Names, comments, annotations, layout and order differ, and the pair comes first.
+
+    Students with other programs are in no pair with these two.
     """
     rng = random.Random(1)
     others = [handed_in(f"s{n}", by_chance(rng), CLOSED_FORM) for n in range(8)]
@@ -125,7 +125,7 @@ def test_a_copy_is_found_in_disguise():
 
 
 def test_what_many_write_weighs_less_than_what_two_share():
-    """Eight have much in common, two of them something less long as well: that outweighs it."""
+    """Two students share a short function beside the code of all eight; their pair weighs most."""
     all_of_them = [
         handed_in(f"s{n}", OWN_WAY, HELPER, *([CLOSED_FORM] if n in (3, 6) else []))
         for n in range(8)
@@ -139,11 +139,9 @@ def test_what_many_write_weighs_less_than_what_two_share():
     "given", ["exercises/09_trees", "exercises/02_bug_algorithms", "notebooks/01_geometry"]
 )
 def test_what_all_were_given_is_taken_out(given):
-    """An exercise as it is handed out, and a lesson, have code in them, and nothing in common with
-    themselves.
-    """
+    """An exercise as handed out, or a lesson, has nothing in common with itself."""
     data = (HOUSE / f"{given}.ipynb").read_bytes()
-    assert pieces([cell.source for cell in cells_in(data)])
+    assert split_program([cell.source for cell in read_cells(data)])
     found = similar(
         NAME, [Submission(student, NAME, "x.ipynb", data) for student in ("ann", "bob")]
     )
@@ -152,9 +150,7 @@ def test_what_all_were_given_is_taken_out(given):
 
 
 def test_the_courses_own_programs_are_recognised():
-    """The solution in the solution, and a function of the library in the file that it stands in,
-    under other names.
-    """
+    """A solution, and a function of the library under other names, are found in their files."""
     solved = Submission(
         "ann", NAME, "x.ipynb", (HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes()
     )
@@ -180,9 +176,7 @@ NONSENSE = [
 
 @pytest.mark.parametrize("bad", NONSENSE, ids=range(len(NONSENSE)))
 def test_what_python_cannot_read_counts_by_its_lines(bad):
-    """It breaks nothing, the cells beside it count, and two who hand in the same lines are
-    found.
-    """
+    """The other cells are compared too, and two students with the same lines are found."""
     found = similar(
         NAME,
         [
@@ -204,8 +198,9 @@ def test_what_python_cannot_read_counts_by_its_lines(bad):
 
 
 def test_whatever_two_share_that_is_long_enough_is_seen():
-    """The law of winnowing, on words by chance: a common stretch of RUN + WINDOW - 1 words has a
-    common fingerprint.
+    """The law of winnowing on random words.
+
+    A common stretch of RUN + WINDOW - 1 words has a common fingerprint.
     """
     rng = random.Random(3)
     for _ in range(200):
@@ -217,15 +212,17 @@ def test_whatever_two_share_that_is_long_enough_is_seen():
             for _ in range(2)
         )
         first, second = (
-            prints([(crc(str(word)), at) for at, word in enumerate(said)], WINDOW)
+            select_fingerprints(
+                [(hash_text(str(word)), at) for at, word in enumerate(said)], WINDOW
+            )
             for said in (one, other)
         )
         assert first.keys() & second.keys()
 
 
 def test_shared_lines_are_where_they_are_said_to_be():
-    """The lines of a fingerprint lie in its piece, and together they cover what the piece does."""
-    (piece,) = pieces([OWN_WAY])
+    """The lines of a fingerprint are in its piece, and together they cover its statements."""
+    (piece,) = split_program([OWN_WAY])
     assert piece.lines[0].startswith("def point_segment_distance")
     covered = {line for first, last in piece.prints.values() for line in range(first, last + 1)}
     assert covered <= set(range(len(piece.lines)))
@@ -233,9 +230,7 @@ def test_shared_lines_are_where_they_are_said_to_be():
 
 
 def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
-    """A page for each pair, a table without formulas, hostile names and programs escaped, and old
-    pages gone.
-    """
+    """Each pair has a page, names and programs are escaped, and old pages are removed."""
     evil = OWN_WAY.replace("# walk", "'</pre><script>alert(1)</script>' # walk")
     submissions = [
         handed_in("=ann<b>", evil),
@@ -263,16 +258,14 @@ def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
     assert not any("score" in column for column in rows[0])
     page = (tmp_path / rows[0]["page"]).read_text(encoding="utf-8")
     assert page.count("<mark>") >= 10
-    shown = [
-        line for line in page.splitlines() if line.startswith("<pre") and line != "<pre></pre>"
-    ]
-    assert shown and all(
-        line.startswith('<pre title="') for line in shown
-    )  # a narrow page says above each whose it is
+    pieces_shown = [line for line in page.splitlines() if line.startswith("<pre")]
+    assert set(pieces_shown) - {"<pre></pre>"}
+    # narrow pages show the title, which names the author, above each piece
+    assert all(line.startswith(('<pre title="', "<pre></pre>")) for line in pieces_shown)
 
 
 def test_the_command_says_where_to_look(tmp_path, capsys):
-    """By the command, with one file that cannot be read; and an empty folder is refused."""
+    """One file cannot be read; an empty folder is refused."""
     for student, data in (("ann", notebook(OWN_WAY)), ("bob", notebook(DISGUISED)), ("cy", b"{")):
         (tmp_path / "in" / student).mkdir(parents=True)
         (tmp_path / "in" / student / f"{NAME}.ipynb").write_bytes(data)

@@ -1,4 +1,4 @@
-"""Talk: whatever is said at the other end, or not said, it ends in time."""
+"""An exchange with a process ends in time, whatever the process does."""
 
 import os
 import subprocess
@@ -11,7 +11,7 @@ from kinoedu.grading.sandbox import talk
 
 
 def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float]:
-    """What is heard of a program that may do anything with its two files."""
+    """The lines from a program, how the exchange ended, and its seconds."""
     (read_asking, write_asking), (read_answer, write_answer) = os.pipe(), os.pipe()
     process = subprocess.Popen(
         [sys.executable, "-Ic", program], stdin=read_asking, stdout=write_answer
@@ -43,9 +43,9 @@ def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float
     ],
     ids=["silent", "chatty", "one line", "many lines", "short", "deaf"],
 )
-def test_whoever_it_talks_with_it_ends(program, end, monkeypatch):
+def test_an_exchange_ends_whatever_the_program_does(program, end, monkeypatch):
     monkeypatch.setattr(talk, "START", 20.0)
-    monkeypatch.setattr(talk, "LONGEST", -18.0)  # two seconds after the start that is allowed
+    monkeypatch.setattr(talk, "LONGEST", -18.0)  # two seconds after START
     monkeypatch.setattr(talk, "MOST_OUTPUT", 2**20)
     _, ended, took = talked(program)
     assert ended == end

@@ -1,5 +1,7 @@
-"""Contracts of one's own: each is accepted by its own judge and rejected by the other's, said where
-it is asked, graded as said.
+"""Students' own contracts.
+
+A program is accepted by its own contract's judge only. A contract is stated in the notebook, and
+grades follow it.
 """
 
 import json
@@ -17,13 +19,13 @@ from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import assignment, cases_of
 from kinoedu.grading.collect.submissions import Submission
 from kinoedu.grading.judge.contracts import (
-    choice,
-    choices,
-    personal,
+    add_contracts,
+    apply_contracts,
+    choose_contract,
+    choose_contracts,
     refuse_forgotten,
-    with_variants,
 )
-from kinoedu.grading.judge.running import key_of
+from kinoedu.grading.judge.running import compute_key
 from kinoedu.grading.judge.variants import write_variants
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.planners import bug1, bug2
@@ -35,7 +37,7 @@ GRAPHS, BUGS = "04_graph_search", "02_bug_algorithms"
 
 
 def tree(choose):
-    """A breadth-first tree by levels, in which each node chooses its parent."""
+    """A breadth-first tree by levels, in which `choose` picks each node's parent."""
 
     def bfs_tree(neighbours, start):
         parent, level, seen = [-1] * len(neighbours), {start}, {start}
@@ -76,9 +78,7 @@ def judged(exercise, function, seed=0):
 
 @pytest.mark.parametrize("name", ["bfs_tree", "bug1", "bug2"])
 def test_a_contract_accepts_its_own_and_no_other(name):
-    """Every contract's program is right by itself and in the exercise without contracts, and wrong
-    by every other contract.
-    """
+    """Each contract's program is right for it and for the plain exercise, and wrong for others."""
     variants = EXERCISES[name].variants
     assert len(variants) > 1
     for mine in variants:
@@ -86,16 +86,15 @@ def test_a_contract_accepts_its_own_and_no_other(name):
         for other in variants:
             report = judged(find(name, other), PROGRAMS[name, mine])
             assert report.is_right == (mine == other), (mine, other, report.failure)
-            if (
-                mine != other
-            ):  # all that is wrong is the contract, and no misconception is made of that
+            if mine != other:  # only the contract is broken, and no misconception is reported
                 assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 
 @pytest.mark.parametrize("variant", ["smallest", "largest"])
 def test_a_tree_by_no_contract_is_no_misconception(variant):
-    """Who takes the parent that comes first misses the contract, and is told nothing else,
-    whichever cases are drawn.
+    """A program that takes the first parent breaks the contract, whichever cases are drawn.
+
+    No misconception is reported.
     """
     for seed in range(20):
         report = judged(
@@ -110,7 +109,7 @@ def test_a_tree_by_no_contract_is_no_misconception(variant):
     "exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name
 )
 def test_every_contract_has_words_of_its_own(exercise):
-    """And is said where a program breaks it."""
+    """A program that breaks the contract gets its text."""
     words = [find(exercise.name, variant).contract for variant in exercise.variants]
     assert len(set(words)) == len(words)
     assert exercise.contract == ""
@@ -124,7 +123,7 @@ def test_every_contract_has_words_of_its_own(exercise):
 
 
 def test_an_unknown_contract_is_refused():
-    """By name, with those that there are."""
+    """The message lists the contracts that exist."""
     with pytest.raises(InvalidParameter, match="left, right"):
         find("bug2", "backwards")
     with pytest.raises(InvalidParameter, match="none"):
@@ -132,19 +131,22 @@ def test_an_unknown_contract_is_refused():
 
 
 def test_contracts_follow_from_secret_and_student():
-    """The same for the same, whatever the capitals; about as many of each; others for another
-    secret; none where there are none.
+    """Upper case does not matter; all are about as frequent; another secret gives others.
+
+    An assignment without contracts has none.
     """
     students = [f"student{n}" for n in range(400)]
-    first = [choice(EXERCISES["bug2"], SECRET, student) for student in students]
+    first = [choose_contract(EXERCISES["bug2"], SECRET, student) for student in students]
     assert first == [
-        choice(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students
+        choose_contract(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students
     ]
     assert 150 < first.count("left") < 250
-    assert first != [choice(EXERCISES["bug2"], b"another", student) for student in students]
-    assert first != [choice(EXERCISES["bug1"], SECRET, student) for student in students]
-    assert choices(assignment("01_geometry"), SECRET, "ann") == ()
-    task = with_variants(assignment(GRAPHS), (("bfs_tree", "largest"),))
+    assert first != [
+        choose_contract(EXERCISES["bug2"], b"another", student) for student in students
+    ]
+    assert first != [choose_contract(EXERCISES["bug1"], SECRET, student) for student in students]
+    assert choose_contracts(assignment("01_geometry"), SECRET, "ann") == ()
+    task = apply_contracts(assignment(GRAPHS), (("bfs_tree", "largest"),))
     assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == [
         "largest"
     ]
@@ -154,22 +156,23 @@ def test_contracts_follow_from_secret_and_student():
 
 
 def test_hidden_cases_and_results_know_the_contract():
-    """Results of the same bytes under other contracts are other results; without contracts they are
-    where they always were.
-    """
+    """Equal bytes under another contract have another result."""
     one = Submission("ann", GRAPHS, "x.ipynb", b"{}")
     keys = {
-        key_of(one._replace(variants=(("bfs_tree", variant),)), SECRET)
+        compute_key(one._replace(variants=(("bfs_tree", variant),)), SECRET)
         for variant in ("smallest", "largest")
     }
-    assert len(keys | {key_of(one, SECRET)}) == 3
+    assert len(keys | {compute_key(one, SECRET)}) == 3
     assert cases_of("bfs_tree", SECRET, "largest").cases != cases_of("bfs_tree", SECRET).cases
-    assert personal(one, SECRET).variants == choices(assignment(GRAPHS), SECRET, "ann")
+    assert add_contracts(one, SECRET).variants == choose_contracts(
+        assignment(GRAPHS), SECRET, "ann"
+    )
 
 
 def test_each_student_gets_their_own_notebook(tmp_path):
-    """The statement says the contract before the answer, the check names it, all else is as it was;
-    a table says whose is which.
+    """The contract stands before the answer and in the check; nothing else changes.
+
+    A table lists which student has which contract.
     """
     students = [f"s{n}" for n in range(12)]
     assert write_variants([GRAPHS], students, SECRET, tmp_path) == 12
@@ -177,7 +180,7 @@ def test_each_student_gets_their_own_notebook(tmp_path):
         (Path(__file__).parent.parent / "exercises" / f"{GRAPHS}.ipynb").read_text(encoding="utf-8")
     )
     for student in students:
-        mine = choice(EXERCISES["bfs_tree"], SECRET, student)
+        mine = choose_contract(EXERCISES["bfs_tree"], SECRET, student)
         book = json.loads((tmp_path / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
         sources = ["".join(cell["source"]) for cell in book["cells"]]
         at = next(at for at, cell in enumerate(book["cells"]) if cell["id"] == "contract_bfs_tree")
@@ -194,10 +197,8 @@ def test_each_student_gets_their_own_notebook(tmp_path):
         write_variants(["01_geometry"], students, SECRET, tmp_path)
 
 
-def test_who_forgets_the_contracts_is_told(tmp_path):
-    """Most notebooks give one, and nobody said so: refused; a student who writes so alone stops
-    nobody.
-    """
+def test_forgotten_contracts_are_refused(tmp_path):
+    """Grading is refused if most notebooks hold a contract, but not if a single one does."""
     given, plain = (
         Submission(str(n), GRAPHS, "x", data)
         for n, data in enumerate((b'check(bfs_tree, variant="largest")', b"{}"))
@@ -225,26 +226,19 @@ def bfs_tree(neighbours, start):
 
 @needs_sandbox
 def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
-    """By the commands: two students with other contracts hand in the same program; it is right for
-    one. Regraded it stays so.
+    """Two students with different contracts hand in one program; it is right for one.
+
+    Regrading does not change that.
     """
     secret = tmp_path / "secret"
     secret.write_text(SECRET.hex())
     names = {
-        choice(EXERCISES["bfs_tree"], SECRET, name): name
+        choose_contract(EXERCISES["bfs_tree"], SECRET, name): name
         for name in ("ann", "bob", "cy", "dan", "eve")
     }
     (tmp_path / "students.txt").write_text("\n".join(names.values()) + "\n")
-    command = [
-        "release",
-        GRAPHS,
-        "--variants",
-        str(tmp_path / "students.txt"),
-        "--out",
-        str(tmp_path / "hand"),
-        "--secret",
-        str(secret),
-    ]
+    command = ["release", GRAPHS, "--variants", str(tmp_path / "students.txt")]
+    command += ["--out", str(tmp_path / "hand"), "--secret", str(secret)]
     assert main(command) == 0
     for student in names.values():
         book = json.loads(
@@ -255,16 +249,8 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
                 cell["source"] = ANSWER.replace("CHOOSE", "max")
         (tmp_path / "in" / student).mkdir(parents=True)
         (tmp_path / "in" / student / f"{GRAPHS}.ipynb").write_text(json.dumps(book))
-    grade = [
-        "grade",
-        str(tmp_path / "in"),
-        "--out",
-        str(tmp_path / "out"),
-        "--secret",
-        str(secret),
-        "--workers",
-        "1",
-    ]
+    grade = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out")]
+    grade += ["--secret", str(secret), "--workers", "1"]
     assert main(grade) == 2
     assert "--variants" in capsys.readouterr().err
     assert main([*grade, "--variants"]) == 0
@@ -280,8 +266,6 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
         encoding="utf-8"
     )
     assert find("bfs_tree", "smallest").contract in page
-    assert (
-        main(["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new"), "--workers", "1"])
-        == 0
-    )
+    regrade = ["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new")]
+    assert main([*regrade, "--workers", "1"]) == 0
     assert "0 scores changed" in capsys.readouterr().out

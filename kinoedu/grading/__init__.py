@@ -1,6 +1,6 @@
-"""Grading, by stage. Students' programs run where they can do no harm, and are judged elsewhere.
+"""Grading, by stage. Students' programs run in a sandbox and are judged outside it.
 
-`assignments` knows the questions, `collect` reads what was handed in, `sandbox` runs it, `judge`
-compares the answers with the truth, `report` writes the pages, and `export` the tables for other
-programs. `class_grading` takes a whole class through all stages.
+`assignments` defines the questions, `collect` finds and reads the submissions, `sandbox` runs them,
+`judge` compares the answers with the reference, `report` writes the pages, and `export` writes
+tables for other programs. `class_grading` takes a class through all stages.
 """

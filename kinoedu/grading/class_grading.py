@@ -1,4 +1,4 @@
-"""Grade a folder of submissions into GRADES."""
+"""Grade a folder of submissions."""
 
 from itertools import islice
 from pathlib import Path
@@ -7,8 +7,16 @@ from typing import NamedTuple
 from ..errors import InvalidParameter
 from .assignments.questions import course_secret
 from .collect.submissions import Submission, collect
-from .judge.class_list import FILE, Class, entry_of, mark_of, read_class, with_earlier, write_class
-from .judge.contracts import personal, refuse_forgotten
+from .judge.class_list import (
+    FILE,
+    Class,
+    add_earlier,
+    make_entry,
+    mark_secret,
+    read_class,
+    write_class,
+)
+from .judge.contracts import add_contracts, refuse_forgotten
 from .judge.running import Place, Progress, grade_all, local
 from .report.decisions import read_decisions
 from .report.writing import write_all
@@ -16,8 +24,13 @@ from .sandbox.sandbox import why_not
 
 
 class Run(NamedTuple):
-    """How a class is graded: where its secret is, where the work is done, whether without a
-    sandbox, who hears of it, and whether each student has contracts of their own.
+    """How a class is graded.
+
+    secret_file : the file with the course's secret.
+    place : where notebooks are graded, such as `running.local()`.
+    trusted : whether programs run without a sandbox.
+    grading, writing : called with the progress of each stage.
+    variants : whether each student has contracts of their own.
     """
 
     secret_file: Path
@@ -29,7 +42,7 @@ class Run(NamedTuple):
 
 
 def require_sandbox(trusted: bool) -> None:
-    """Raises InvalidParameter where programs cannot be shut in and are not trusted either."""
+    """Raise InvalidParameter if programs are not trusted and cannot be run in a sandbox."""
     reason = "" if trusted else why_not()
     if reason:
         raise InvalidParameter(
@@ -40,22 +53,39 @@ def require_sandbox(trusted: bool) -> None:
 
 
 def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
-    """Grade what is in a folder or zip, keep it beside what GRADES has of other folders, and write
-    what people read.
+    """Grade the submissions in a folder or zip, and write the tables and pages.
 
-    Raises InvalidParameter, and OSError where nothing can be written.
+    Grades of other folders that `out` already holds are kept.
+
+    Parameters
+    ----------
+    folder : the folder or zip of submissions.
+    only : the one assignment to grade, or "" for all.
+    out : the folder of the grades.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the submissions, the secret or a decision cannot be used.
+    OSError
+        Where a file cannot be written.
     """
     return grade_found([(folder, only, collect(folder, only))], out, run)
 
 
 def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, run: Run) -> Class:
-    """The same, of submissions that were collected."""
+    """Grade submissions that are collected already; otherwise like `grade_class`.
+
+    Parameters
+    ----------
+    sources : for each folder its path, its one assignment ("" for all) and its submissions.
+    """
     require_sandbox(run.trusted)
     if not any(found for _, _, found in sources):
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
     earlier = read_class(out) if (out / FILE).exists() else None
     secret = course_secret(run.secret_file)
-    if earlier is not None and earlier.secret_mark != mark_of(secret):
+    if earlier is not None and earlier.secret_mark != mark_secret(secret):
         raise InvalidParameter(
             f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
             "or another folder"
@@ -64,7 +94,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     variants = run.variants or (earlier is not None and earlier.variants)
     submissions = [one for _, _, found in sources for one in found]
     if variants:
-        submissions = [personal(one, secret) for one in submissions]
+        submissions = [add_contracts(one, secret) for one in submissions]
     else:
         refuse_forgotten(submissions)
     out.mkdir(parents=True, exist_ok=True)
@@ -74,12 +104,14 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         )
     )
     entries = [
-        entry_of(one, folder, only, secret)
+        make_entry(one, folder, only, secret)
         for folder, only, found in sources
         for one in islice(graded, len(found))
     ]
-    kept = with_earlier(entries, earlier.entries if earlier is not None else ())
-    of = Class(out, str(run.secret_file.resolve()), mark_of(secret), run.trusted, kept, variants)
+    kept = add_earlier(entries, earlier.entries if earlier is not None else ())
+    of = Class(
+        out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept, variants
+    )
     write_class(of)
     write_all(of, run.writing)
     return of

@@ -1,6 +1,4 @@
-"""After a judge's repair: grade the same class anew beside the first, and list whose score changed
-and why.
-"""
+"""Grade a class again after a judge was corrected, and list the scores that changed and why."""
 
 import shutil
 from collections.abc import Iterator
@@ -12,7 +10,7 @@ from ..support.csv_cells import harmless, number, write_rows
 from .assignments.questions import course_secret
 from .class_grading import Run, grade_found
 from .collect.submissions import collect
-from .judge.class_list import Class, Entry, mark_of, read_class
+from .judge.class_list import Class, Entry, mark_secret, read_class
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
 from .report.rows import Row, class_rows
 
@@ -20,8 +18,9 @@ COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept"
 
 
 class Change(NamedTuple):
-    """A score that the grader gives now and did not before, and why. kept : what a person decided,
-    which still holds, or "".
+    """A score that changed, and why.
+
+    kept : the score that a person decided, which still holds, or "".
     """
 
     student: str
@@ -36,10 +35,25 @@ class Change(NamedTuple):
 def regrade(
     old: Path, out: Path, run: Run, folder: Path | None = None
 ) -> tuple[Class, list[Change]]:
-    """Grade what `old` was made of once more, into `out`; what people decided goes along. Writes
-    changes.csv beside the grades.
+    """Grade the submissions of the class in `old` again, into `out`.
 
-    folder : where the submissions are now, where they were moved. Raises InvalidParameter, OSError.
+    People's decisions are copied to `out`, and changes.csv is written beside the grades.
+
+    Parameters
+    ----------
+    folder : where the submissions are now, if they were moved.
+
+    Returns
+    -------
+    Class, list of Change
+        The class as graded now, and the scores that changed.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the class, the secret or the submissions do not fit together.
+    OSError
+        Where a file cannot be written.
     """
     before = read_class(old)
     if out.resolve() == old.resolve():
@@ -48,7 +62,7 @@ def regrade(
         )
     if (
         not run.secret_file.exists()
-        or mark_of(course_secret(run.secret_file)) != before.secret_mark
+        or mark_secret(course_secret(run.secret_file)) != before.secret_mark
     ):
         raise InvalidParameter(
             f"{old} was graded with the secret that was in {before.secret_file}; give it with "
@@ -67,13 +81,13 @@ def regrade(
         if (old / name).exists() and not (out / name).exists():
             shutil.copy(old / name, out / name)
     after = grade_found(found, out, run._replace(variants=run.variants or before.variants))
-    changes = list(changes_between(before, after, read_decisions(out)))
+    changes = list(find_changes(before, after, read_decisions(out)))
     write_changes(changes, out / "changes.csv")
     return after, changes
 
 
-def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
-    """Every score that is another, in the order of the table."""
+def find_changes(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
+    """Yield every score that differs, in the order of the table."""
     was, now = ({row[:3]: row for row in class_rows(of, {})} for of in (before, after))
     files_before, files_after = (
         {(entry.student, entry.assignment): entry for entry in of.entries} for of in (before, after)
@@ -82,50 +96,43 @@ def changes_between(before: Class, after: Class, decisions: Decisions) -> Iterat
         old, new = was.get(whose), now.get(whose)
         scores = (old.score if old else None, new.score if new else None)
         if scores[0] != scores[1] or old is None or new is None:
-            why = why_changed(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
+            why = explain_change(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
             decision = decisions.get(whose)
-            yield Change(
-                *whose,
-                *scores,
-                why,
-                "" if decision is None or decision.score is None else number(decision.score),
-            )
+            kept = number(decision.score) if decision is not None else ""
+            yield Change(*whose, *scores, why, kept)
 
 
-def why_changed(
+def explain_change(
     old: Row | None, new: Row | None, file_before: Entry | None, file_after: Entry | None
 ) -> str:
-    """In words."""
+    """The reason for a change, in words."""
     if file_after is None:
         return "the submission is no longer there"
     if file_before is None:
         return "handed in since"
     if file_before.digest != file_after.digest:
         return "another file was handed in since"
-    if old is None or new is None:
-        return (
-            "the assignment asks for this now"
-            if old is None
-            else "the assignment no longer asks for this"
-        )
-    return f"{said(new)}; before: {said(old)}"
+    if old is None:
+        return "the assignment asks for this now"
+    if new is None:
+        return "the assignment no longer asks for this"
+    return f"{describe_row(new)}; before: {describe_row(old)}"
 
 
-def said(row: Row) -> str:
-    """A row's status and message."""
+def describe_row(row: Row) -> str:
+    """A row's status and message, in words."""
     return f"{row.status}: {row.message}" if row.message and row.status != "right" else row.status
 
 
 def write_changes(changes: list[Change], file: Path) -> None:
-    """Write the list."""
-    cells = [
+    """Write the changes as a CSV file."""
+    lines = [
         [
             *map(harmless, one[:3]),
-            number(one.before),
-            number(one.after),
+            *map(number, (one.before, one.after)),
             harmless(one.why),
             one.kept,
         ]
         for one in changes
     ]
-    write_rows(file, [COLUMNS, *cells])
+    write_rows(file, [COLUMNS, *lines])

@@ -1,8 +1,8 @@
-"""What an assignment asks, and the cases that answers are judged by: the small ones that every
-student sees, and others that nobody has seen.
+"""The questions of an assignment, and the cases by which answers are judged.
 
-The hidden cases come from the course's secret, which lives outside the repository. So judges and
-solutions may be public: they tell no case.
+Every student sees the small cases; nobody sees the others. These hidden cases are drawn from the
+course's secret, which is kept outside the repository. So judges and solutions may be public: they
+reveal no case.
 """
 
 import functools
@@ -29,15 +29,17 @@ LENT = re.compile(
 
 
 class Asked(NamedTuple):
-    """A question of an assignment: its exercise and what it is worth."""
+    """A question of an assignment: its exercise and its points."""
 
     exercise: Exercise
     points: float
 
 
 class Assignment(NamedTuple):
-    """An assignment: its name, its questions, the names of the answers that people grade, with
-    their points, and the functions that it takes from the exercises' own modules, as "module:name".
+    """An assignment: its name, its questions, and what else its solution says.
+
+    by_hand : the names of the answers that people grade, with their points.
+    lent : the functions that it uses from the exercises' own modules, as "module:name".
     """
 
     name: str
@@ -48,8 +50,14 @@ class Assignment(NamedTuple):
 
 @functools.cache
 def assignment(name: str, house: Path = HOUSE) -> Assignment:
-    """An assignment, from its solution notebook: what a student hands in has no say in what is
-    asked. Raises InvalidParameter.
+    """The assignment of that name, read from its solution notebook.
+
+    A submission has no influence on the questions or their points.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is no such assignment.
     """
     book = json.loads(solution_path(name, house).read_text(encoding="utf-8"))
     marks = [
@@ -79,8 +87,12 @@ def assignment(name: str, house: Path = HOUSE) -> Assignment:
 
 
 def course_secret(file: Path) -> bytes:
-    """The course's secret; made, and kept where only you can read it, where there is none yet.
-    Raises InvalidParameter.
+    """The course's secret, made if there is none yet, in a file that only its owner can read.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the file does not hold a secret of at least 16 bytes.
     """
     if not file.exists():
         file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -101,7 +113,7 @@ def course_secret(file: Path) -> bytes:
 
 
 class Cases(NamedTuple):
-    """The cases that an answer is judged by; the first `seen` of them everybody has seen."""
+    """The cases by which an answer is judged; everybody has seen the first `seen` of them."""
 
     cases: list[Case]
     seen: int
@@ -109,19 +121,22 @@ class Cases(NamedTuple):
 
 @functools.lru_cache(maxsize=256)
 def cases_of(name: str, secret: bytes, variant: str = "") -> Cases:
-    """An exercise's cases, drawn from the secret; the same for every student of a course who has
-    the same contract. The small ones that are always asked have been seen: `check` shows them.
+    """An exercise's cases, drawn from the secret; equal for all students with the same contract.
+
+    The small cases that are always asked come first. `check` shows them to everybody.
     """
     exercise = find(name, variant)
     digest = hmac.digest(
         secret, (f"{name}:{variant}" if variant else name).encode(), hashlib.sha256
     )
     cases = list(exercise.cases(np.random.default_rng(int.from_bytes(digest))))
-    shown = {spelled(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
-    seen = [case for case in cases if spelled(exercise, case) in shown]
-    return Cases(seen + [case for case in cases if spelled(exercise, case) not in shown], len(seen))
+    shown = {spell_case(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
+    seen = [case for case in cases if spell_case(exercise, case) in shown]
+    return Cases(
+        seen + [case for case in cases if spell_case(exercise, case) not in shown], len(seen)
+    )
 
 
-def spelled(exercise: Exercise, case: Case) -> str:
+def spell_case(exercise: Exercise, case: Case) -> str:
     """A case as text."""
     return json.dumps(exercise.given.encode(case.given), sort_keys=True)

@@ -1,12 +1,10 @@
-"""Where a course's secret is unless its instructor says otherwise: with the user's own data, far
-from every repository.
-"""
+"""The usual place of a course's secret: the user's data folder, outside every repository."""
 
 from pathlib import Path
 
 
 def usual_secret() -> Path:
-    """The file; it need not be there yet."""
+    """The path of the file, which need not exist yet."""
     import platformdirs
 
     return Path(platformdirs.user_data_dir("kinoedu", appauthor=False)) / "course_secret"

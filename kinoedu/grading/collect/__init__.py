@@ -1,1 +1,1 @@
-"""Collecting: which file is whose, and what a submission's cells are; nothing of it is run."""
+"""Collecting: find whose each file is, and read the cells of a submission; nothing is run."""

@@ -1,5 +1,6 @@
-"""The files that were handed in: of a folder, of zips in it, and of a zip. A zip is read in memory,
-no further than it may be long, and nothing of it is ever unpacked to the disk.
+"""The files that were handed in: in a folder, in a zip, and in zips inside either.
+
+Zips are read in memory, up to fixed limits, and are never unpacked to the disk.
 """
 
 import io
@@ -11,11 +12,14 @@ from typing import NamedTuple
 
 from .notebook import MOST_BYTES, UnreadableSubmission, read_bytes
 
-METADATA = "submission_metadata.yml"  # what Gradescope says of its folders
+METADATA = "submission_metadata.yml"  # where Gradescope lists the owners of its folders
 MOST_MEMBERS = 10_000
-MOST_UNPACKED = 2 * 2**30  # bytes of all notebooks of a class, and here of one student
-MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES
-PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # others take what memory the file says
+MOST_UNPACKED = 2 * 2**30  # bytes of all notebooks in a class's zip
+MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES  # the same for a student's zip
+PACKED = (
+    zipfile.ZIP_STORED,
+    zipfile.ZIP_DEFLATED,
+)  # other methods allocate as much memory as the file demands
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
@@ -28,19 +32,30 @@ UNREADABLE = (
 
 
 class Found(NamedTuple):
-    """A file, its place as names from the top down, and its bytes or the trouble with it."""
+    """A file that was handed in.
+
+    place : the names of its folders and its own, from the top down.
+    data : its bytes, empty where there is trouble.
+    trouble : why it could not be read, or "".
+    """
 
     place: tuple[str, ...]
     data: bytes
     trouble: str = ""
 
 
-def files_in(folder: Path) -> Iterator[Found]:
-    """Every file in a folder, also those in its zips; in a stable order. What is no plain file has
-    that trouble.
+def read_files(folder: Path) -> Iterator[Found]:
+    """Yield every file in a folder or zip, and in zips inside it, in a stable order.
+
+    A file that is not a plain file comes with that trouble.
+
+    Raises
+    ------
+    UnreadableSubmission
+        Where `folder` is a file that cannot be read.
     """
     if folder.is_file():
-        yield from unpacked(Found((folder.name,), read_bytes(folder)), top=True)
+        yield from unpack(Found((folder.name,), read_bytes(folder)), top=True)
         return
     for file in sorted(folder.rglob("*")):
         place = file.relative_to(folder).parts
@@ -53,19 +68,21 @@ def files_in(folder: Path) -> Iterator[Found]:
         except UnreadableSubmission as trouble:
             yield Found(place, b"", str(trouble))
         else:
-            yield from unpacked(Found(place, data))
+            yield from unpack(Found(place, data))
 
 
 def is_read(name: str) -> bool:
-    """Whether a file is opened at all: what else lies beside a notebook takes no memory and is no
-    trouble, whatever it is.
+    """Whether a file is opened at all.
+
+    Other files beside a notebook take no memory and cause no trouble.
     """
     return name.lower().endswith((".ipynb", ".zip")) or name == METADATA
 
 
-def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
-    """A file, or what is in it where it is a zip; a zip in a zip only where the first is a whole
-    class.
+def unpack(file: Found, *, top: bool = False) -> Iterator[Found]:
+    """Yield the file, or the files inside it if it is a zip.
+
+    A zip inside a zip is opened only where the outer one holds a whole class (`top`).
     """
     if not file.place[-1].lower().endswith(".zip"):
         yield file
@@ -73,16 +90,19 @@ def unpacked(file: Found, *, top: bool = False) -> Iterator[Found]:
     above = () if top else file.place
     try:
         with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
-            for member in members_of(archive, top=top):
+            for member in list_members(archive, top=top):
                 place = (*above, *PurePosixPath(member.filename.replace("\\", "/")).parts)
-                inner = member_of(archive, member, place)
-                yield from unpacked(inner) if top and not inner.trouble else [inner]
+                inner = read_member(archive, member, place)
+                yield from unpack(inner) if top and not inner.trouble else [inner]
     except (*UNREADABLE, UnreadableSubmission) as error:
         yield Found(file.place, b"", f"the zip cannot be read: {error}")
 
 
-def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
-    """The files of a class's zip, or the notebooks of a student's. Raises UnreadableSubmission."""
+def list_members(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
+    """The files in a class's zip (`top`), or the notebooks in a student's.
+
+    Raises UnreadableSubmission where there are too many, or no notebook.
+    """
     most, most_bytes = (MOST_MEMBERS, MOST_UNPACKED) if top else (MOST_OF_ONE, MOST_UNPACKED_OF_ONE)
     members = [
         one
@@ -101,8 +121,8 @@ def members_of(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo]:
     return members
 
 
-def member_of(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
-    """One file of a zip, read no further than it may be long."""
+def read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
+    """One file of a zip, read up to the limit on its size."""
     if any(part.startswith(".") or part == "__MACOSX" for part in place):
         return Found((*place[:-1], ".skipped"), b"")
     if not is_read(place[-1]):

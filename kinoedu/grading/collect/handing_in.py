@@ -1,6 +1,4 @@
-"""What a student hands in: one zip with the notebook as it is and a receipt that says what is in
-it. Nothing is run.
-"""
+"""Pack what a student hands in: one zip of the notebook and a receipt. Nothing is run."""
 
 import ast
 import hashlib
@@ -14,15 +12,17 @@ from ...course.lessons import EXERCISES
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.whole_files import written_whole
-from .notebook import cells_in, joined, notebook_in, read_bytes
+from .notebook import join_text, parse_notebook, read_bytes, read_cells
 
 UNTOUCHED = "YOUR ANSWER HERE"
 
 
 class Receipt(NamedTuple):
-    """What was packed: the assignment, the notebook's SHA-256, when, and for each question whether
-    there is an answer and what its check said last, or why Python cannot read it ("" where there is
-    nothing to say).
+    """What was packed and when.
+
+    sha256 : the digest of the notebook.
+    answers : for each question whether it is answered, and a remark: the last message of its check,
+        or why Python cannot read it, or "".
     """
 
     assignment: str
@@ -45,13 +45,25 @@ class Receipt(NamedTuple):
 
 
 def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
-    """Check a notebook and pack it. Raises UnreadableSubmission where it could not be graded,
-    InvalidParameter for no exercise.
+    """Check a notebook, and pack it with a receipt.
+
+    Returns
+    -------
+    Receipt
+
+    Raises
+    ------
+    UnreadableSubmission
+        Where the notebook could not be graded.
+    InvalidParameter
+        Where it is not a notebook of the exercise that its name says.
     """
-    data, assignment = read_bytes(file), assignment_of(file)
-    answers = answers_in(data, assignment)
+    data, assignment = read_bytes(file), find_assignment(file)
+    answers = find_answers(data, assignment)
     asked = {
-        EXERCISES[name].lesson for name in marks_in(notebook_in(data)["cells"]) if name in EXERCISES
+        EXERCISES[name].lesson
+        for name in find_marks(parse_notebook(data)["cells"])
+        if name in EXERCISES
     }
     if asked and assignment not in asked:
         raise InvalidParameter(
@@ -68,7 +80,7 @@ def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
     return receipt
 
 
-def assignment_of(file: Path) -> str:
+def find_assignment(file: Path) -> str:
     """The assignment that a notebook answers, by its name. Raises InvalidParameter."""
     lessons = sorted({exercise.lesson for exercise in EXERCISES.values()})
     found = [lesson for lesson in lessons if file.stem.lower().startswith(lesson)]
@@ -80,24 +92,25 @@ def assignment_of(file: Path) -> str:
     return max(found, key=len)
 
 
-def answers_in(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
-    """For each question whether it is answered, and what its check said last. Raises
-    UnreadableSubmission.
+def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
+    """Whether each question is answered, and the last message of its check.
+
+    Raises UnreadableSubmission.
     """
-    sources = [cell.source for cell in cells_in(data)]
-    written, broken = written_functions(sources), broken_functions(sources)
-    book = notebook_in(data)["cells"]
-    said = said_by_checks(book)
+    sources = [cell.source for cell in read_cells(data)]
+    written, broken = find_written_functions(sources), find_broken_functions(sources)
+    book = parse_notebook(data)["cells"]
+    said = read_check_messages(book)
     asked = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
     answers = {
         name: (True, said.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
         for name in asked
     }
-    return answers | {name: (is_touched, "") for name, is_touched in by_hand(book)}
+    return answers | {name: (is_touched, "") for name, is_touched in find_prose_answers(book)}
 
 
-def broken_functions(sources: list[str]) -> dict[str, str]:
-    """The functions in cells that Python cannot read, and why it cannot."""
+def find_broken_functions(sources: list[str]) -> dict[str, str]:
+    """The functions in cells with syntax errors, each with its error message."""
     found: dict[str, str] = {}
     for source in sources:
         try:
@@ -110,10 +123,8 @@ def broken_functions(sources: list[str]) -> dict[str, str]:
     return found
 
 
-def written_functions(sources: list[str]) -> dict[str, bool]:
-    """The functions that a notebook defines, and whether each has more in it than what it was given
-    with.
-    """
+def find_written_functions(sources: list[str]) -> dict[str, bool]:
+    """The functions that a notebook defines, and whether each has been written by the student."""
     found = {}
     for source in sources:
         try:
@@ -136,45 +147,49 @@ def written_functions(sources: list[str]) -> dict[str, bool]:
 
 
 def is_stub(step: ast.stmt) -> bool:
-    """Whether a function begins with what stands for an answer."""
+    """Whether a function's first statement is the placeholder for an answer."""
     return isinstance(step, ast.Raise) and "NotImplementedError" in ast.dump(step)
 
 
-def said_by_checks(cells: list[Any]) -> dict[str, str]:
-    """The first line of what each check() left in the notebook."""
+def read_check_messages(cells: list[Any]) -> dict[str, str]:
+    """The first line of the output of each check() that is stored in the notebook."""
     said = {}
     for cell in cells:
-        outputs = table(cell).get("outputs")
-        called = re.match(r"\s*check\((\w+)", joined(table(cell).get("source")))
+        outputs = as_table(cell).get("outputs")
+        called = re.match(r"\s*check\((\w+)", join_text(as_table(cell).get("source")))
         if called and isinstance(outputs, list) and outputs:
-            text = joined(table(table(outputs[0]).get("data")).get("text/plain")).partition("\n")[0]
-            stale = text == get_message(
-                "check.unanswered", name=called[1]
-            )  # the exercise as it was handed out
+            text = join_text(
+                as_table(as_table(outputs[0]).get("data")).get("text/plain")
+            ).partition("\n")[0]
+            # the output that the exercise was handed out with
+            stale = text == get_message("check.unanswered", name=called[1])
             said[called[1]] = (
                 get_message("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
             )
     return said
 
 
-def marks_in(cells: list[Any]) -> set[str]:
+def find_marks(cells: list[Any]) -> set[str]:
     """The names that nbgrader's marks give to cells."""
     found = (
-        table(table(table(cell).get("metadata")).get("nbgrader")).get("grade_id") for cell in cells
+        as_table(as_table(as_table(cell).get("metadata")).get("nbgrader")).get("grade_id")
+        for cell in cells
     )
     return {str(name) for name in found if name}
 
 
-def by_hand(cells: list[Any]) -> list[tuple[str, bool]]:
-    """The answers that people grade, and whether each was touched."""
-    marked = [(cell, table(table(table(cell).get("metadata")).get("nbgrader"))) for cell in cells]
+def find_prose_answers(cells: list[Any]) -> list[tuple[str, bool]]:
+    """The answers that people grade, and whether the student changed each."""
+    marked = [
+        (cell, as_table(as_table(as_table(cell).get("metadata")).get("nbgrader"))) for cell in cells
+    ]
     return [
-        (str(mark["grade_id"]), UNTOUCHED not in joined(cell.get("source")))
+        (str(mark["grade_id"]), UNTOUCHED not in join_text(cell.get("source")))
         for cell, mark in marked
         if mark.get("grade") and mark.get("solution") and "grade_id" in mark
     ]
 
 
-def table(data: Any) -> dict[str, Any]:
-    """A table of a notebook; what else stands in its place is an empty one."""
+def as_table(data: Any) -> dict[str, Any]:
+    """`data` if it is a table, else an empty one."""
     return data if isinstance(data, dict) else {}

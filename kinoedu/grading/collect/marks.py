@@ -1,36 +1,35 @@
-"""Which assignment a file answers: by its name, else by the marks that nbgrader left in its
-cells.
-"""
+"""Which assignment a file answers: by its name, or by the marks that nbgrader left in its cells."""
 
 import re
 from pathlib import PurePosixPath
 
-from .notebook import UnreadableSubmission, notebook_in
+from .notebook import UnreadableSubmission, parse_notebook
 
-COPIED = re.compile(
-    r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE
-)  # what a download or a second try adds to a name
+# what a download or a second upload adds to a name
+COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)
 
 
-def assignment_of(name: str, place: tuple[str, ...], data: bytes, known: list[str]) -> str:
-    """The assignment that a file answers: by its name, by its folder, else by the marks of its
-    cells; "" where none fits.
+def find_assignment(name: str, place: tuple[str, ...], data: bytes, known: list[str]) -> str:
+    """The assignment that a file answers, or "" where none fits.
+
+    Its name decides, then its folders' names, then the start of its name, then the marks in its
+    cells.
     """
     stem = COPIED.sub("", PurePosixPath(name).stem)
-    for candidate in (stem, *map(unzipped, reversed(place[:-1]))):
+    for candidate in (stem, *map(strip_zip, reversed(place[:-1]))):
         if candidate in known:
             return candidate
     starts = [candidate for candidate in known if stem.lower().startswith(candidate.lower())]
     if starts:
         return max(starts, key=len)
-    return most_marks(shared_marks(data, known))
+    return choose_by_marks(count_shared_marks(data, known))
 
 
-def shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
-    """How many questions of each assignment stand in a notebook's marks."""
+def count_shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
+    """How many questions of each assignment have a mark in the notebook."""
     from ..assignments.questions import assignment
 
-    marks = marks_in(data)
+    marks = find_marks(data)
     return (
         {
             name: sum(asked.exercise.name in marks for asked in assignment(name).questions)
@@ -41,12 +40,10 @@ def shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
     )
 
 
-def marks_in(data: bytes) -> set[str]:
-    """The names that nbgrader gave a notebook's cells; none where it cannot be read, or was made
-    elsewhere.
-    """
+def find_marks(data: bytes) -> set[str]:
+    """The names that nbgrader gave to a notebook's cells; none where it cannot be read."""
     try:
-        cells = notebook_in(data)["cells"]
+        cells = parse_notebook(data)["cells"]
         return {
             cell["metadata"]["nbgrader"]["grade_id"]
             for cell in cells
@@ -56,12 +53,12 @@ def marks_in(data: bytes) -> set[str]:
         return set()
 
 
-def most_marks(shared: dict[str, int]) -> str:
-    """The assignment of most of them; "" where there are none."""
+def choose_by_marks(shared: dict[str, int]) -> str:
+    """The assignment with the most marks; "" where there are none."""
     best = max(shared, key=lambda name: shared[name], default="")
     return best if best and shared[best] else ""
 
 
-def unzipped(name: str) -> str:
-    """A name without the ending of a zip."""
+def strip_zip(name: str) -> str:
+    """A file's name without ".zip" at its end."""
     return name[: -len(".zip")] if name.lower().endswith(".zip") else name

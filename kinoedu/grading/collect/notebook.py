@@ -1,5 +1,6 @@
-"""A submission's cells, read with care: a notebook may be empty, cut off, no notebook at all, or
-made to break its reader.
+"""Read a submission's cells safely.
+
+The file may be empty, cut off, not a notebook, or made to break its reader.
 """
 
 import ast
@@ -12,32 +13,34 @@ from typing import Any, NamedTuple
 
 from ...errors import KinoeduError
 
-MOST_BYTES = 60 * 2**20  # a notebook's pictures and all
-MOST_PARTS = (
-    2**21
-)  # commas and brackets: each may be a value, and takes far more memory than a byte
+MOST_BYTES = 60 * 2**20  # of a notebook with its pictures
+MOST_PARTS = 2**21  # commas and brackets; each may be a value, which takes far more than a byte
 MOST_SOURCE = 2**20  # characters of code
 MOST_CELLS = 2_000
-UNHEARD = ("%", "!", "?")  # how lines begin that are for a notebook only
-ALL_THE_SAME = ("%%time", "%%capture")  # first lines of cells that are run as they are
-LONGEST = 200_000  # characters of a cell to be read as Python
+UNHEARD = ("%", "!", "?")  # the starts of lines that only a notebook understands
+ALL_THE_SAME = ("%%time", "%%capture")  # first lines of cells that otherwise are Python
+LONGEST = 200_000  # characters of a cell that is parsed
 
 
 class Cell(NamedTuple):
-    """A cell of code: its number in the notebook, from 1, and its source."""
+    """A cell of code: its number among all cells of the notebook, from 1, and its source."""
 
     number: int
     source: str
 
 
 class UnreadableSubmission(KinoeduError):
-    """A file is not a notebook that can be graded; the message says why, for the student who handed
-    it in.
-    """
+    """A file is not a notebook that can be graded; the message tells the student why."""
 
 
 def read_bytes(file: Path) -> bytes:
-    """The bytes of a plain file, not too many. Raises UnreadableSubmission."""
+    """The bytes of a plain file of at most MOST_BYTES.
+
+    Raises
+    ------
+    UnreadableSubmission
+        Where it is a link, a pipe or the like, is too large, or cannot be opened.
+    """
     try:
         handle = os.open(
             file, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
@@ -56,14 +59,22 @@ def read_bytes(file: Path) -> bytes:
         return stream.read(MOST_BYTES)
 
 
-def cells_in(data: bytes) -> list[Cell]:
-    """The cells of code of a notebook in their order, numbered among all cells from 1. Raises
-    UnreadableSubmission.
+def read_cells(data: bytes) -> list[Cell]:
+    """The code cells of a notebook that are not empty, numbered among all cells from 1.
 
-    >>> cells_in(b'{"nbformat": 4, "cells": [{"cell_type": "code", "source": ["x = 1\\\\n", "%time x"]}]}')
+    Raises
+    ------
+    UnreadableSubmission
+        Where it is no notebook of version 4, or a large one.
+
+    Examples
+    --------
+    >>> cell = b'{"cell_type": "code", "source": ["x = 1\\\\n", "%time x"]}'
+    >>> book = b'{"nbformat": 4, "cells": [' + cell + b"]}"
+    >>> read_cells(book)
     [Cell(number=1, source='x = 1\\n')]
     """
-    cells = notebook_in(data)["cells"]
+    cells = parse_notebook(data)["cells"]
     if not isinstance(cells, list) or len(cells) > MOST_CELLS:
         raise UnreadableSubmission(
             f"a notebook has a list of at most {MOST_CELLS:,} cells, and this has not"
@@ -73,7 +84,7 @@ def cells_in(data: bytes) -> list[Cell]:
         for number, cell in enumerate(cells, 1)
         if isinstance(cell, dict) and cell.get("cell_type") == "code"
     ]
-    found = [Cell(number, source_of(cell)) for number, cell in codes]
+    found = [Cell(number, extract_source(cell)) for number, cell in codes]
     if sum(len(cell.source) for cell in found) > MOST_SOURCE:
         raise UnreadableSubmission(
             f"the notebook holds more than {MOST_SOURCE:,} characters of code"
@@ -81,8 +92,8 @@ def cells_in(data: bytes) -> list[Cell]:
     return [cell for cell in found if cell.source.strip()]
 
 
-def notebook_in(data: bytes) -> dict[str, Any]:
-    """A notebook of version 4 as JSON has it. Raises UnreadableSubmission."""
+def parse_notebook(data: bytes) -> dict[str, Any]:
+    """A notebook of version 4 as JSON data. Raises UnreadableSubmission."""
     if not data.strip():
         raise UnreadableSubmission("the file is empty")
     if sum(map(data.count, (b",", b"[", b"{"))) > MOST_PARTS:
@@ -103,29 +114,25 @@ def notebook_in(data: bytes) -> dict[str, Any]:
     return book
 
 
-def source_of(cell: dict[str, Any]) -> str:
-    """A cell's code as Python reads it: without the lines that only a notebook understands, and
-    what no file can hold replaced.
-    """
+def extract_source(cell: dict[str, Any]) -> str:
+    """A cell's code without notebook commands, with characters that no file can hold replaced."""
     lines = (
-        joined(cell.get("source"))
+        join_text(cell.get("source"))
         .encode("utf-8", "replace")
         .decode("utf-8")
         .splitlines(keepends=True)
     )
     if lines and lines[0].startswith("%%"):
         lines = lines[1:] if lines[0].split()[0] in ALL_THE_SAME else []
-    left = [
-        lines,
-        [line for line in lines if not line.startswith(UNHEARD)],
-    ]  # within brackets or text such lines are Python's
+    # the first that Python can parse: within brackets or text such lines belong to Python
+    left = [lines, [line for line in lines if not line.startswith(UNHEARD)]]
     left += [[line for line in lines if not line.lstrip().startswith(UNHEARD)]]
     sources = list(dict.fromkeys(map("".join, left)))
     return next(filter(is_python, sources[:-1]), sources[-1])
 
 
 def is_python(source: str) -> bool:
-    """Whether Python can read it."""
+    """Whether Python can parse the source."""
     if len(source) > LONGEST:
         return False
     try:
@@ -137,7 +144,7 @@ def is_python(source: str) -> bool:
     return True
 
 
-def joined(text: Any) -> str:
-    """Text, of which notebooks may make a list of lines; what else stands in its place is none."""
+def join_text(text: Any) -> str:
+    """The text of a cell, or of its list of lines; what is not text is dropped."""
     parts = text if isinstance(text, list) else [text]
     return "".join(part for part in parts if isinstance(part, str))

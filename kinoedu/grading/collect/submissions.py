@@ -1,24 +1,25 @@
-"""Which file is whose: a folder of submissions as nbgrader, Canvas, Moodle or Gradescope lay it
-out, or as a teacher does by hand.
+"""Find whose each file is, in a folder of submissions.
+
+The folder may be laid out by nbgrader, Canvas, Moodle or Gradescope, or by hand:
 
     student/assignment.ipynb, student/assignment/assignment.ipynb    by hand, nbgrader
     name_12345_67890_file.ipynb, name_LATE_12345_67890_file.ipynb    Canvas
     Full Name_12345_assignsubmission_file_/file.ipynb                Moodle
     submission_12345/file.ipynb beside submission_metadata.yml       Gradescope
 
-Any of them may be a zip, and a student's file may be a zip.
+Each of these folders may be a zip, and so may a student's file.
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from ...course.release import HOUSE, assignments
 from ...errors import InvalidParameter
 from ...support.csv_cells import one_line
-from .found import METADATA, Found, files_in
-from .marks import assignment_of, most_marks, shared_marks, unzipped
+from .found import METADATA, Found, read_files
+from .marks import choose_by_marks, count_shared_marks, find_assignment, strip_zip
 from .notebook import MOST_BYTES
 
 CANVAS = re.compile(
@@ -26,13 +27,15 @@ CANVAS = re.compile(
 )
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
-LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a file's place, files in a sentence
+LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a path, files in a message
 
 
 class Submission(NamedTuple):
-    """What a student handed in: the bytes of a notebook, or the trouble with it. `file` is where it
-    was, for people to read. `variants` are the student's own contracts, as pairs of a question and
-    a name, where the class has such. `late` : Canvas marked it so.
+    """What a student handed in: the bytes of a notebook, or the trouble with it.
+
+    file : where it was found, for people to read.
+    variants : the student's own contracts, as pairs of a question and a name, if the class has any.
+    late : whether Canvas marked it as late.
     """
 
     student: str
@@ -45,35 +48,48 @@ class Submission(NamedTuple):
 
 
 def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
-    """All submissions in a folder or zip, ordered by student and assignment; of one assignment
-    where `only` names it.
+    """All submissions in a folder or zip, ordered by student and assignment.
 
-    Every file that may be a submission comes back: what cannot be read, is handed in twice or
-    belongs to no assignment has its trouble with it, and so has who handed in something and no
-    notebook. Raises InvalidParameter.
+    Every file that may be a submission is returned. A file has a `trouble` if it cannot be read,
+    was handed in twice, or belongs to no assignment. A student who handed in files but no notebook
+    has a submission with that trouble.
+
+    Parameters
+    ----------
+    only : the one assignment to collect, or "" for all.
+    house : the folder of the course.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is no such folder or no such assignment.
+    UnreadableSubmission
+        Where `folder` is a file that cannot be read.
     """
     if not folder.exists():
         raise InvalidParameter(f"there is no folder {folder}")
     known = assignments(house)
     if only and only not in known:
         raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
-    found = unwrapped(list(files_in(folder)), known)
-    owners = gradescope_owners(found)
-    submissions = [submission_of(file, owners, known, only) for file in found if is_candidate(file)]
-    submissions += without_notebook(found, {one.student for one in submissions}, owners, known)
-    submissions = (
-        [*only_for(only, submissions)] if only else [*map(known_or_troubled(known), submissions)]
-    )
-    return sorted(
-        without_doubles(submissions), key=lambda one: (one.student, one.assignment, one.file)
-    )
+    found = remove_outer_folders(list(read_files(folder)), known)
+    owners = read_gradescope_owners(found)
+    submissions = [
+        make_submission(file, owners, known, only) for file in found if is_candidate(file)
+    ]
+    have = {one.student for one in submissions}
+    submissions += find_missing_notebooks(found, have, owners, known)
+    mine = (refuse_unknown(one, known) for one in submissions)
+    kept = merge_doubles(select_assignment(only, submissions) if only else mine)
+    return sorted(kept, key=lambda one: (one.student, one.assignment, one.file))
 
 
-def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
-    """Files without the folders that hold all of them: what stands first in a place then is the
-    instructor's, and all after that may be a student's own, who is not asked there whose it is. A
-    folder of assignments, or of one zip, is a lone student's. What Gradescope says of its folders
-    stands beside them.
+def remove_outer_folders(files: list[Found], known: list[str]) -> list[Found]:
+    """The files without the outer folders that hold all of them.
+
+    The first name of a place then comes from the instructor. All later names may come from the
+    student, so they never decide whose a file is. A folder of assignments, or of one zip, belongs
+    to a single student and is not removed. Gradescope's metadata stands beside the folders and does
+    not count.
     """
     places = [file.place for file in files if not file.place[-1].startswith(".")]
     if any(GRADESCOPE.match(place[1]) for place in places if len(place) > 2):
@@ -92,62 +108,67 @@ def unwrapped(files: list[Found], known: list[str]) -> list[Found]:
 
 
 def is_candidate(file: Found) -> bool:
-    """Whether a file may be a submission: a notebook, or what could not be opened."""
+    """Whether a file may be a submission: a notebook, or a file that could not be opened."""
     return file.place[-1].lower().endswith(".ipynb") or (
         bool(file.trouble) and not file.place[-1].startswith(".")
     )
 
 
-def submission_of(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
-    """Whose a file is, and which assignment it answers; "" where that cannot be known. Named like
-    one and with the cells of another it is the wrong file, unless it is the other that is asked
-    for.
+def make_submission(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
+    """The submission in a file, with its student and its assignment ("" if unknown).
+
+    A file that is named like one assignment and has only the cells of another is the wrong file,
+    unless `only` asks for that other one.
     """
-    student, name = owner(file.place, owners)
+    student, name = find_owner(file.place, owners)
     named, shared = (
-        assignment_of(name, file.place, file.data, known),
-        shared_marks(file.data, known),
+        find_assignment(name, file.place, file.data, known),
+        count_shared_marks(file.data, known),
     )
-    marked = most_marks(shared)
-    one = Submission(student, named, where(file), file.data, file.trouble, late=marked_late(file))
+    marked = choose_by_marks(shared)
+    one = Submission(
+        student, named, describe_place(file), file.data, file.trouble, late=is_marked_late(file)
+    )
     if not marked or not named or shared[named]:
         return one
     if only == marked:
         return one._replace(assignment=marked, trouble="")
     return one._replace(
-        trouble=f"it is named like {named}, but its cells are those of {marked}: is it the wrong file?"
+        trouble=f"it is named like {named}, but its cells are those of {marked}: "
+        "is it the wrong file?"
     )
 
 
-def marked_late(file: Found) -> bool:
-    """Whether Canvas marked a file, as in doejane_LATE_1234_56789_file.ipynb; the other systems
-    mark none.
+def is_marked_late(file: Found) -> bool:
+    """Whether Canvas marked a file as late, as in doejane_LATE_1234_56789_file.ipynb.
+
+    The other systems do not mark late files.
     """
-    canvas = CANVAS.match(unzipped(file.place[0]))
+    canvas = CANVAS.match(strip_zip(file.place[0]))
     return canvas is not None and canvas["late"] is not None
 
 
-def where(file: Found) -> str:
-    """Where a file was, in a line."""
+def describe_place(file: Found) -> str:
+    """Where a file was found, on one line of limited length."""
     return one_line("/".join(file.place)[-LONGEST_NAME:])
 
 
-def without_notebook(
+def find_missing_notebooks(
     found: list[Found], have: set[str], owners: dict[str, str], known: list[str]
 ) -> list[Submission]:
-    """Of who handed in something and no notebook, one submission that says so."""
+    """One submission with a trouble for each student who handed in files but no notebook."""
     rest: dict[str, list[Found]] = {}
     for file in found:
         if not file.place[-1].startswith(".") and (
             len(file.place) > 1 or CANVAS.match(file.place[0])
         ):
-            rest.setdefault(owner(file.place, owners)[0], []).append(file)
+            rest.setdefault(find_owner(file.place, owners)[0], []).append(file)
     lost = []
     for student, files in rest.items():
         if student not in have:
-            named = assignment_of(files[0].place[-1], files[0].place, b"", known)
-            seen = some_of([where(file) for file in files])
-            late = any(map(marked_late, files))
+            named = find_assignment(files[0].place[-1], files[0].place, b"", known)
+            seen = list_some([describe_place(file) for file in files])
+            late = any(map(is_marked_late, files))
             lost.append(
                 Submission(
                     student,
@@ -161,17 +182,20 @@ def without_notebook(
     return lost
 
 
-def known_or_troubled(known: list[str]) -> Callable[[Submission], Submission]:
-    """Gives a submission to no assignment its trouble."""
-    unknown = (
-        "it answers no assignment that is known; its name should begin with one of: "
-        f"{', '.join(known)}"
-    )
-    return lambda one: one if one.assignment or one.trouble else one._replace(trouble=unknown)
+def refuse_unknown(one: Submission, known: list[str]) -> Submission:
+    """The submission, with a trouble if it has no assignment."""
+    if one.assignment or one.trouble:
+        return one
+    names = ", ".join(known)
+    trouble = f"it answers no assignment that is known; its name should begin with one of: {names}"
+    return one._replace(trouble=trouble)
 
 
-def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
-    """What is for one assignment, or may be, and of who handed in only something else, that."""
+def select_assignment(only: str, submissions: list[Submission]) -> Iterator[Submission]:
+    """The submissions that answer, or may answer, one assignment.
+
+    A student who handed in other assignments only gets a submission with that trouble.
+    """
     answered = {one.student for one in submissions if one.assignment in ("", only)}
     for one in submissions:
         if one.assignment in ("", only):
@@ -184,17 +208,17 @@ def only_for(only: str, submissions: list[Submission]) -> Iterator[Submission]:
             )
 
 
-def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
-    """The student whom a place belongs to, and the name of the file without what was put before it.
+def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
+    """The student whose file this is, and the file's own name without the system's prefix.
 
-    >>> owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
+    >>> find_owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
     ('doejane_1234', '01_geometry-1.ipynb')
-    >>> owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
+    >>> find_owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
     ('Jane Doe_4711', '01_geometry.ipynb')
-    >>> owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
+    >>> find_owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
     ('jane', '01_geometry.ipynb')
     """
-    first, name = unzipped(place[0]), place[-1]
+    first, name = strip_zip(place[0]), place[-1]
     if first in owners:
         return owners[first], name
     if (moodle := MOODLE.match(first)) is not None:
@@ -204,9 +228,11 @@ def owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     return (first if len(place) > 1 else PurePosixPath(first).stem), name
 
 
-def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
-    """Whose each folder of a Gradescope export is, by the submission_metadata.yml beside them and
-    no other, since a student may hand in one too: submission_12345 -> the first submitter's id.
+def read_gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
+    """The id of the first submitter for each folder of a Gradescope export.
+
+    Only the submission_metadata.yml beside the folders is read, since a student may hand in a file
+    of that name too.
     """
     import yaml
 
@@ -232,9 +258,10 @@ def gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
     return owners
 
 
-def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
-    """Two files of one student for one assignment: neither is chosen, both are named; the same
-    bytes twice are one.
+def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
+    """Merge equal files of one student for one assignment; refuse different ones.
+
+    Where the files differ, none is chosen: one submission has a trouble that lists all of them.
     """
     groups: dict[tuple[str, str], list[Submission]] = {}
     for one in submissions:
@@ -243,13 +270,13 @@ def without_doubles(submissions: list[Submission]) -> Iterator[Submission]:
         if len({one.data for one in group}) == 1 or not group[0].assignment:
             yield from group[: 1 if group[0].assignment else None]
         else:
-            files = some_of([one.file for one in group])
+            files = list_some([one.file for one in group])
             wrong = f"handed in more than once, with differences: {files}; leave one"
             yield group[0]._replace(
                 data=b"", file=files, trouble=wrong, late=any(one.late for one in group)
             )
 
 
-def some_of(names: list[str]) -> str:
-    """The first few names."""
+def list_some(names: list[str]) -> str:
+    """The first few names, as one text."""
     return ", ".join(names[:MOST_NAMED] + ["..."] * (len(names) > MOST_NAMED))

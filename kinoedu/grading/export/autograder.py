@@ -1,10 +1,9 @@
-"""What Gradescope's container runs: the one submission in ROOT/submission is graded into
-ROOT/results/results.json.
+"""The program in Gradescope's container: it grades ROOT/submission into ROOT/results/results.json.
 
-The judges are those of `kinoedu grade`, and so is the sandbox, where the container lets one be
-made. Where it does not, and the instructor trusts the container to be the wall, programs run as a
-user whom the system does not know: they can neither write what the grader reads nor read the
-course's secret, but they see Gradescope's other files and whatever network the container has.
+The judges are those of `kinoedu grade`, and so is the sandbox if the container allows one. If it
+does not, and the instructor trusts the container instead, programs run as a user that the system
+does not know. They can neither write what the grader reads nor read the course's secret, but they
+see Gradescope's other files and whatever network the container has.
 """
 
 import json
@@ -19,27 +18,32 @@ from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
-from ..collect.found import files_in
-from ..collect.marks import assignment_of, marks_in, shared_marks
-from ..collect.submissions import Submission, is_candidate, without_doubles
+from ..collect.found import read_files
+from ..collect.marks import count_shared_marks, find_assignment, find_marks
+from ..collect.submissions import Submission, is_candidate, merge_doubles
 from ..judge.running import grade_all, local
 from ..judge.submission import RIGHT, Grade
-from ..report.failures import told_of
+from ..report.failures import explain_failure
 from ..report.rows import Row
 from ..sandbox.sandbox import why_not
-from .tables import gradescope_results
+from .tables import make_gradescope_results
 
-Results = dict[str, Any]  # JSON data, as Gradescope reads it
+Results = dict[str, Any]  # JSON data in Gradescope's format
 
 
 def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool = False) -> Results:
-    """Grade what was handed in for an assignment, write the results, and return them.
+    """Grade the one submission for an assignment, write the results, and return them.
 
-    What the student can mend, such as a file that is no notebook, is told and has no points; where
-    the machine is in trouble, InvalidParameter is raised and nothing is written, so that Gradescope
-    reports a failure and gives no score.
+    Errors that the student can correct, such as a file that is no notebook, are reported in the
+    results and give no points.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the machine fails. Nothing is written then, so that Gradescope reports a failure and
+        gives no score.
     """
-    one = the_submission(root / "submission", name)
+    one = find_submission(root / "submission", name)
     with tempfile.TemporaryDirectory() as results:
         found = grade_all(
             [one], Path(results), secret, place=local(1), trusted=is_trusted(container_is_wall)
@@ -48,15 +52,16 @@ def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool =
         raise InvalidParameter(
             f"this could not be graded, and has no score: {found.trouble}; run it again"
         )
-    answer = results_of(name, found.grade, one.trouble)
+    answer = make_results(name, found.grade, one.trouble)
     with written_whole(root / "results" / "results.json") as part:
         part.write_text(json.dumps(answer, indent=1) + "\n", encoding="ascii")
     return answer
 
 
 def is_trusted(container_is_wall: bool) -> bool:
-    """Whether to run without a sandbox: where none can be made and its place is taken. Raises
-    InvalidParameter.
+    """Whether to run without a sandbox: there is none, and the container takes its place.
+
+    Raises InvalidParameter where there is no sandbox and the container may not take its place.
     """
     reason = why_not()
     if not reason:
@@ -74,29 +79,31 @@ def is_trusted(container_is_wall: bool) -> bool:
     return True
 
 
-def the_submission(folder: Path, name: str) -> Submission:
-    """The notebook in a folder: the one that answers the assignment, or the only one. What stands
-    in its way is its trouble.
+def find_submission(folder: Path, name: str) -> Submission:
+    """The notebook in a folder: the one that answers the assignment, or else the only one.
+
+    Where there is none, or several, the submission has that trouble.
     """
-    found = [file for file in files_in(folder) if is_candidate(file)] if folder.is_dir() else []
+    found = [file for file in read_files(folder) if is_candidate(file)] if folder.is_dir() else []
     mine = [
-        file for file in found if assignment_of(file.place[-1], file.place, file.data, [name])
+        file for file in found if find_assignment(file.place[-1], file.place, file.data, [name])
     ] or found
     if not mine:
         return Submission("", name, "", b"", get_message("gradescope.nothing", name=name))
     one = next(
-        without_doubles(
+        merge_doubles(
             [Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]
         )
     )
-    if marks_in(one.data) and not any(shared_marks(one.data, [name]).values()):
+    if find_marks(one.data) and not any(count_shared_marks(one.data, [name]).values()):
         return one._replace(trouble=get_message("gradescope.wrong_file", name=name))
     return one
 
 
-def results_of(name: str, record: Grade | None, trouble: str) -> Results:
-    """What Gradescope shows: a test for each question; a submission that cannot be read has no
-    tests, but says why.
+def make_results(name: str, record: Grade | None, trouble: str) -> Results:
+    """The results as Gradescope shows them, with a test for each question.
+
+    A submission that cannot be read has no tests, and the reason as its output.
     """
     if record is None or record["status"] == "unreadable":
         why = trouble if record is None else record["message"]
@@ -106,37 +113,24 @@ def results_of(name: str, record: Grade | None, trouble: str) -> Results:
             "output": get_message("gradescope.unreadable", why=why),
             "tests": [],
         }
-    results = gradescope_results(row_of(name, question) for question in record["questions"])
+    results = make_gradescope_results(make_row(name, question) for question in record["questions"])
     by_hand = assignment(name).by_hand
-    said = [get_message("gradescope.by_hand", names=", ".join(by_hand))] if by_hand else []
-    said += (
-        [
-            get_message(
-                "gradescope.cells", numbers=", ".join(str(one["cell"]) for one in record["cells"])
-            )
-        ]
-        if record["cells"]
-        else []
-    )
-    return {**results, "output": "\n".join(said), "stdout_visibility": "hidden"}
+    output = [get_message("gradescope.by_hand", names=", ".join(by_hand))] if by_hand else []
+    if record["cells"]:
+        numbers = ", ".join(str(one["cell"]) for one in record["cells"])
+        output.append(get_message("gradescope.cells", numbers=numbers))
+    return {**results, "output": "\n".join(output), "stdout_visibility": "hidden"}
 
 
-def row_of(name: str, question: Grade) -> Row:
-    """A question's row, with all that its student may know as the message."""
-    said = "\n".join([question["message"], *explained(question)])
-    return Row(
-        "",
-        name,
-        question["question"],
-        question["score"],
-        question["max_score"],
-        question["status"],
-        said,
-    )
+def make_row(name: str, question: Grade) -> Row:
+    """A question's row, whose message holds all that its student may know."""
+    message = "\n".join([question["message"], *list_messages(question)])
+    scores = (question["score"], question["max_score"])
+    return Row("", name, question["question"], *scores, question["status"], message)
 
 
-def explained(question: Grade) -> Iterator[str]:
-    """The smallest case that failed, unless it is hidden, and the hint."""
+def list_messages(question: Grade) -> Iterator[str]:
+    """Yield the smallest case that failed, unless it is hidden, and the hint."""
     if question["status"] != RIGHT:
-        for title, text in told_of(question):
+        for title, text in explain_failure(question):
             yield format_entry(title, text)

@@ -1,9 +1,12 @@
-"""The zip that Gradescope makes an autograder of: setup.sh, run_autograder, the library with its
-judges, the questions of one assignment without their answers, and the secret from which hidden
-cases are drawn.
+"""The zip of which Gradescope makes an autograder.
 
-    setup.sh         run once, as root, when the container is built     kinoedu-course/   the library, start.py, the questions
-    run_autograder   run, as root, for each submission                  course_secret     for root's eyes only
+It holds the library with its judges, the questions of one assignment without their answers, the
+secret from which hidden cases are drawn, and two scripts:
+
+    setup.sh          run once, as root, when the container is built
+    run_autograder    run, as root, for each submission
+    course_secret     readable by root only
+    kinoedu-course/   the library, start.py, the questions
 """
 
 import os
@@ -18,7 +21,8 @@ FILES = ("LICENSE", "start.py", "pyproject.toml", "environment.txt")
 
 SETUP = f"""\
 #!/usr/bin/env bash
-# Run once, as root, when Gradescope builds the container: Python, bubblewrap, the course's packages; what is slow to compile.
+# Run once, as root, when Gradescope builds the container: Python, bubblewrap, \
+the course's packages; what is slow to compile.
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 export DEBIAN_FRONTEND=noninteractive
@@ -26,7 +30,8 @@ apt-get update
 apt-get install -y --no-install-recommends bubblewrap ca-certificates python3 python3-venv
 python=python3
 if ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))'; then
-    apt-get install -y --no-install-recommends python3.11 python3.11-venv  # Ubuntu 22.04 has it beside its 3.10
+    apt-get install -y --no-install-recommends python3.11 python3.11-venv  \
+# Ubuntu 22.04 has it beside its 3.10
     python=python3.11
 fi
 chmod 600 "$here/{SECRET}"
@@ -36,7 +41,8 @@ KINOEDU_CACHE="$here/cache" "$python" "$here/{COURSE}/start.py" warm
 
 RUN = f"""\
 #!/usr/bin/env bash
-# Run, as root, for each submission. `run_autograder ROOT` tries it with another folder in the place of /autograder.
+# Run, as root, for each submission. `run_autograder ROOT` tries it with another folder \
+in the place of /autograder.
 set -euo pipefail
 root="${{1:-/autograder}}"
 course="$root/source/{COURSE}"
@@ -56,10 +62,21 @@ def pack_autograder(
     container_is_wall: bool = False,
     house: Path = HOUSE,
 ) -> int:
-    """Write the zip for an assignment. Who has it has the secret. Returns the number of files;
-    raises InvalidParameter.
+    """Write the zip for an assignment. It contains the secret, so keep it private.
 
-    container_is_wall : where no sandbox can be made there, run programs without one.
+    Parameters
+    ----------
+    container_is_wall : run programs without a sandbox where none can be made in the container.
+
+    Returns
+    -------
+    int
+        The number of files.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is no such assignment.
     """
     run = RUN.replace("ASSIGNMENT", name).replace(
         "CONTAINER", " --trust-container" if container_is_wall else ""
@@ -68,23 +85,23 @@ def pack_autograder(
         Packed("setup.sh", SETUP.encode(), 0o755),
         Packed("run_autograder", run.encode(), 0o755),
         Packed(SECRET, secret.hex().encode() + b"\n", 0o600),
-        Packed(f"{COURSE}/solutions/{name}.ipynb", questions_of(solution_path(name, house))),
-        *library(house),
+        Packed(f"{COURSE}/solutions/{name}.ipynb", read_questions(solution_path(name, house))),
+        *pack_library(house),
     ]
     write_zip(zip_file, files)
     os.chmod(zip_file, 0o600)
     return len(files)
 
 
-def questions_of(file: Path) -> bytes:
+def read_questions(file: Path) -> bytes:
     """A solution notebook as the grader reads it, without the answers."""
     import nbformat
 
     return (str(nbformat.writes(remove_answers(file))) + "\n").encode()
 
 
-def library(house: Path) -> Iterator[Packed]:
-    """The library and what installs it: no solution, no bank, no tests."""
+def pack_library(house: Path) -> Iterator[Packed]:
+    """Yield the files of the library and its installer; no solution, no bank, no tests."""
     for file in [house / name for name in FILES] + sorted((house / "kinoedu").rglob("*")):
         if file.is_file() and not is_generated(file):
             yield Packed(f"{COURSE}/{file.relative_to(house).as_posix()}", file.read_bytes())

@@ -1,9 +1,9 @@
-"""nbgrader's gradebook, for the answers that people grade: scores go there, formgrader shows the
-answers, and its scores come back.
+"""nbgrader's gradebook, for the answers that people grade.
 
-A course folder is made that `nbgrader` knows: gradebook.db, nbgrader_config.py, an empty folder in
-source/ for each assignment, as formgrader lists no other, and in autograded/ the notebooks. What a
-notebook shows there is cleaned first: text and pictures stay, and no tag of HTML does.
+Scores are written to it, formgrader shows the answers, and formgrader's scores are read back. The
+course folder holds gradebook.db, nbgrader_config.py, an empty folder in source/ for each
+assignment, as formgrader lists no others, and the notebooks in autograded/. The notebooks are
+cleaned first: text and pictures remain, and no HTML tag does.
 """
 
 import json
@@ -18,9 +18,9 @@ from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
-from ..collect.notebook import UnreadableSubmission, joined, notebook_in
+from ..collect.notebook import UnreadableSubmission, join_text, parse_notebook
 from ..collect.submissions import collect
-from ..judge.class_list import Class, Entry, digest_of
+from ..judge.class_list import Class, Entry, digest_submission
 from ..report.decisions import BY_HAND, COLUMNS
 from ..report.rows import BY_HAND as TO_GRADE
 from ..report.rows import DECIDED, Row
@@ -39,10 +39,17 @@ Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
 
 def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
-    """Write scores into the gradebook and notebooks beside it; what was graded there stays. Returns
-    how many notebooks.
+    """Write scores into the gradebook and notebooks beside it; scores given there are kept.
 
-    Raises InvalidParameter where a folder of submissions is gone.
+    Returns
+    -------
+    int
+        The number of notebooks.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a folder of submissions is gone.
     """
     from nbgrader.api import Gradebook
 
@@ -53,11 +60,11 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
     for row in rows:
         mine.setdefault((row.student, row.assignment), []).append(row)
     count = 0
-    with warnings.catch_warnings(), Gradebook(address(folder)) as gradebook:
-        warnings.simplefilter("ignore")  # SQLAlchemy's remarks on how nbgrader uses it
+    with warnings.catch_warnings(), Gradebook(name_database(folder)) as gradebook:
+        warnings.simplefilter("ignore")  # SQLAlchemy's warnings about how nbgrader uses it
         for name in sorted({entry.assignment for entry in of.entries if entry.assignment}):
             add_assignment(gradebook, name)
-        for entry, data in readable(of.entries):
+        for entry, data in read_unchanged(of.entries):
             count += add_notebook(gradebook, entry, data, folder)
             for row in mine[entry.student, entry.assignment]:
                 add_score(gradebook, row)
@@ -65,13 +72,13 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
     return count
 
 
-def address(folder: Path) -> str:
-    """Where the gradebook is, as its database says it."""
+def name_database(folder: Path) -> str:
+    """The gradebook's address for its database."""
     return f"sqlite:///{(folder / 'gradebook.db').resolve()}"
 
 
-def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
-    """The entries whose files are still what was graded, and their bytes."""
+def read_unchanged(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
+    """Yield the entries whose files still are what was graded, and their bytes."""
     found = {
         (where, one.student, one.assignment): one
         for where in dict.fromkeys((entry.folder, entry.only) for entry in entries)
@@ -79,12 +86,12 @@ def readable(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
     }
     for entry in entries:
         one = found.get(((entry.folder, entry.only), entry.student, entry.assignment))
-        if entry.key and one is not None and digest_of(one) == entry.digest:
+        if entry.key and one is not None and digest_submission(one) == entry.digest:
             yield entry, one.data
 
 
-def marks_of(name: str) -> Marks:
-    """An assignment's marks, as its solution has them."""
+def read_marks(name: str) -> Marks:
+    """nbgrader's metadata of an assignment's cells, from its solution."""
     book = json.loads(solution_path(name).read_text(encoding="utf-8"))
     marked = [
         (cell, cell["metadata"]["nbgrader"])
@@ -95,10 +102,10 @@ def marks_of(name: str) -> Marks:
 
 
 def add_assignment(gradebook: Any, name: str) -> None:
-    """An assignment and its cells."""
+    """Add an assignment and its cells to the gradebook."""
     gradebook.update_or_create_assignment(name)
     gradebook.update_or_create_notebook(name, name)
-    for cell, mark in marks_of(name).items():
+    for cell, mark in read_marks(name).items():
         if mark["grade"]:
             gradebook.update_or_create_grade_cell(
                 cell, name, name, max_score=mark["points"], cell_type=mark["cell_type"]
@@ -108,13 +115,13 @@ def add_assignment(gradebook: Any, name: str) -> None:
 
 
 def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> bool:
-    """A student's notebook, for formgrader to show; whether it can be read."""
+    """Add a student's notebook for formgrader to show; return whether it can be read."""
     try:
-        book = cleaned(notebook_in(data), marks_of(entry.assignment))
+        book = clean_notebook(parse_notebook(data), read_marks(entry.assignment))
     except UnreadableSubmission:
         return False
     student, name = file_name(entry.student), entry.assignment
-    gradebook.update_or_create_student(student, last_name=printable(entry.student))
+    gradebook.update_or_create_student(student, last_name=make_printable(entry.student))
     gradebook.update_or_create_submission(name, student)
     file = folder / "autograded" / student / name / f"{name}.ipynb"
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -124,19 +131,20 @@ def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> boo
     return True
 
 
-def printable(text: str) -> str:
-    """Text that a database takes."""
+def make_printable(text: str) -> str:
+    """Text that a database accepts."""
     return text.encode("utf-8", "replace").decode("utf-8")
 
 
-def printed(text: Any) -> str:
-    """Text of a notebook that a database takes."""
-    return printable(joined(text))
+def extract_text(text: Any) -> str:
+    """The text of a cell, as a database accepts it."""
+    return make_printable(join_text(text))
 
 
 def add_score(gradebook: Any, row: Row) -> None:
-    """A score of the grader's, or a person's in its place; what people grade is marked as theirs
-    until they have.
+    """Add the score of the grader, or of the person who overruled it.
+
+    Answers that people grade are marked as waiting until they have a score.
     """
     from nbgrader.api import MissingEntry
 
@@ -154,8 +162,8 @@ def add_score(gradebook: Any, row: Row) -> None:
     grade.needs_manual_grade = False
 
 
-def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
-    """A notebook that is safe to look at, with the solution's marks and no others, each once."""
+def clean_notebook(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
+    """A notebook that is safe to open, with only the solution's marks, each once."""
     left = dict(marks)
     cells = (
         [clean_cell(cell, left) for cell in book["cells"] if isinstance(cell, dict)]
@@ -163,29 +171,31 @@ def cleaned(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
         else []
     )
     cells += [
-        markdown(NO_ANSWER, mark) for mark in left.values() if mark["grade"] and mark["solution"]
+        make_text_cell(NO_ANSWER, mark)
+        for mark in left.values()
+        if mark["grade"] and mark["solution"]
     ]
     return {"nbformat": 4, "nbformat_minor": 4, "metadata": {}, "cells": cells}
 
 
 def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
-    """One cell; it has a mark if that was not given to one before it."""
+    """One cell, with its mark unless an earlier cell has that mark."""
     metadata = cell.get("metadata")
     mine = metadata.get("nbgrader") if isinstance(metadata, dict) else None
     name = mine.get("grade_id") if isinstance(mine, dict) else None
     mark = left.pop(name, None) if isinstance(name, str) else None
-    source = printed(cell.get("source"))
+    source = extract_text(cell.get("source"))
     if cell.get("cell_type") != "code":
-        return markdown(TAG.sub("&lt;", source), mark)
+        return make_text_cell(TAG.sub("&lt;", source), mark)
     return {
-        **markdown(source, mark),
+        **make_text_cell(source, mark),
         "cell_type": "code",
         "execution_count": None,
         "outputs": list(clean_outputs(cell)),
     }
 
 
-def markdown(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
+def make_text_cell(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
     """A cell of text."""
     kept = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
     return {
@@ -196,16 +206,20 @@ def markdown(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Text and pictures that a cell has left."""
+    """Yield the text and the pictures among a cell's outputs."""
     outputs = cell.get("outputs")
     for output in outputs if isinstance(outputs, list) else ():
         if not isinstance(output, dict):
             continue
         if output.get("output_type") == "stream":
-            yield {"output_type": "stream", "name": "stdout", "text": printed(output.get("text"))}
+            yield {
+                "output_type": "stream",
+                "name": "stdout",
+                "text": extract_text(output.get("text")),
+            }
         data = output.get("data")
         shown = (
-            {kind: printed(value) for kind, value in data.items() if kind in SHOWN}
+            {kind: extract_text(value) for kind, value in data.items() if kind in SHOWN}
             if isinstance(data, dict)
             else {}
         )
@@ -214,13 +228,17 @@ def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def scores_from_nbgrader(of: Class, folder: Path) -> int:
-    """Bring what people graded in formgrader back, scores and comments, into GRADES/by_hand.csv.
-    Returns how many scores.
+    """Write the scores and comments that people gave in formgrader to GRADES/by_hand.csv.
+
+    Returns
+    -------
+    int
+        The number of scores.
     """
     from nbgrader.api import Gradebook, MissingEntry
 
     lines = []
-    with Gradebook(address(folder)) as gradebook:
+    with Gradebook(name_database(folder)) as gradebook:
         for entry in of.entries:
             for question in assignment(entry.assignment).by_hand if entry.assignment else ():
                 whose = (question, entry.assignment, entry.assignment, file_name(entry.student))

@@ -1,4 +1,4 @@
-"""Grades for other programs: a plain table, what Canvas takes back, and Gradescope's results."""
+"""Grades for other programs: a plain table, a table for Canvas, and Gradescope's results."""
 
 import csv
 import io
@@ -12,65 +12,78 @@ from ...errors import InvalidParameter
 from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
-from ..report.rows import Row, Total, totals
+from ..report.rows import Row, Total, sum_totals
 
-IDENTITIES = (
-    "Student",
-    "ID",
-    "SIS User ID",
-    "SIS Login ID",
-)  # Canvas's columns that tell who a student is
+# Canvas's columns that identify a student
+IDENTITIES = ("Student", "ID", "SIS User ID", "SIS Login ID")
 
 
 def export_csv(rows: list[Row], file: Path) -> None:
-    """A line for each student, a column for each assignment; empty where a total is not whole
-    yet.
+    """Write a row for each student and a column for each assignment.
+
+    A cell is empty while a question of that assignment has no score.
     """
-    found = totals(rows)
+    found = sum_totals(rows)
     names = sorted({name for _, name in found if name})
     lines = [
-        [harmless(student), *(whole_score(found.get((student, name))) for name in names)]
+        [harmless(student), *(format_complete_total(found.get((student, name))) for name in names)]
         for student in sorted({row.student for row in rows})
     ]
     write_rows(file, [["student", *names], *lines])
 
 
-def whole_score(total: Total | None) -> str:
-    """A total that leaves nothing open, as a cell."""
+def format_complete_total(total: Total | None) -> str:
+    """A total as a cell; "" while a question has no score."""
     return "" if total is None or total.waiting else number(total.score)
 
 
 def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "") -> list[str]:
-    """The instructor's own export from Canvas with the assignments' columns filled in: those that
-    are named like an assignment, or for the only assignment that there is `column`. Cells of
-    students without a whole total stay as they are.
+    """Fill in the assignments' columns of a gradebook that was exported from Canvas.
 
-    Returns the students of the grades whom Canvas does not have. Raises InvalidParameter.
+    A column belongs to the assignment of its name. Cells of students with a question that has no
+    score yet stay as they are.
+
+    Parameters
+    ----------
+    template : the export from Canvas.
+    column : the column's name, if there is only one assignment and its column is named otherwise.
+
+    Returns
+    -------
+    list of str
+        The students in the grades who are not in Canvas.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `template` is no export from Canvas, or has no such column.
     """
-    lines = canvas_lines(template)
-    head, found = lines[0], totals(rows)
-    places = canvas_columns(head, sorted({name for _, name in found if name}), column, template)
-    known = canvas_students(lines)
+    lines = read_canvas(template)
+    head, found = lines[0], sum_totals(rows)
+    places = find_canvas_columns(
+        head, sorted({name for _, name in found if name}), column, template
+    )
+    known = find_canvas_students(lines)
     missing: list[str] = []
     for (student, assignment), total in found.items():
         line = known.get(student.lower())
         if line is None:
             missing.append(student)
-        elif assignment in places and whole_score(total):
+        elif assignment in places and format_complete_total(total):
             line += [""] * (len(head) - len(line))
-            line[places[assignment]] = whole_score(total)
+            line[places[assignment]] = format_complete_total(total)
     stream = io.StringIO(newline="")
-    csv.writer(stream, lineterminator="\n").writerows(
-        lines
-    )  # names as Canvas spells them, by which it knows its students
+    # names stay as Canvas spells them, since it finds its students by them
+    csv.writer(stream, lineterminator="\n").writerows(lines)
     with written_whole(file) as part:
         part.write_text(stream.getvalue(), encoding="utf-8")
     return sorted(set(missing))
 
 
-def canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
-    """Each student's line by every name that is theirs alone: id, login, and what Canvas puts
-    before a file, as in doejane_1234.
+def find_canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
+    """Each student's line, by every name that is unique to the student.
+
+    Names are the id, the login, and the prefix that Canvas gives to files, as in doejane_1234.
     """
     head, names = lines[0], dict[str, list[list[str]]]()
     for line in lines[1:]:
@@ -85,8 +98,8 @@ def canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
     return {name: found[0] for name, found in names.items() if len(found) == 1}
 
 
-def canvas_lines(template: Path) -> list[list[str]]:
-    """The rows of a Canvas export. Raises InvalidParameter."""
+def read_canvas(template: Path) -> list[list[str]]:
+    """The rows of an export from Canvas. Raises InvalidParameter."""
     try:
         lines = list(csv.reader(io.StringIO(template.read_text(encoding="utf-8-sig"), newline="")))
     except (UnicodeDecodeError, csv.Error) as error:
@@ -99,11 +112,12 @@ def canvas_lines(template: Path) -> list[list[str]]:
     return lines
 
 
-def canvas_columns(
+def find_canvas_columns(
     head: list[str], names: list[str], column: str, template: Path
 ) -> dict[str, int]:
-    """The place of each assignment's column. Canvas writes "01 Geometry (12345)" for
-    01_geometry.
+    """The place of each assignment's column. Raises InvalidParameter.
+
+    Canvas writes "01 Geometry (12345)" for 01_geometry.
     """
     plain = [re.sub(r"[^a-z0-9]", "", re.sub(r"\(\d+\)\s*$", "", name).lower()) for name in head]
     if column:
@@ -136,8 +150,12 @@ def canvas_columns(
 
 
 def export_gradescope(rows: list[Row], folder: Path) -> int:
-    """A results.json for each submission, as Gradescope's autograders write it. Returns how
-    many.
+    """Write a results.json for each submission, in the format of Gradescope's autograders.
+
+    Returns
+    -------
+    int
+        The number of files.
     """
     folder.mkdir(parents=True, exist_ok=True)
     count = 0
@@ -146,15 +164,16 @@ def export_gradescope(rows: list[Row], folder: Path) -> int:
             file = folder / f"{file_name(student)}.{file_name(assignment)}.json"
             with written_whole(file) as part:
                 part.write_text(
-                    json.dumps(gradescope_results(group), indent=1) + "\n", encoding="ascii"
+                    json.dumps(make_gradescope_results(group), indent=1) + "\n", encoding="ascii"
                 )
             count += 1
     return count
 
 
-def gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
-    """What Gradescope reads of one submission; a question without a score yet has no points, and
-    says so.
+def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
+    """The results of one submission as Gradescope reads them.
+
+    A question without a score yet has no points, and its output says so.
     """
     tests = [
         {

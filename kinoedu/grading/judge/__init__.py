@@ -1,1 +1,1 @@
-"""Judging: a student's functions are called in the sandbox, and their answers judged outside."""
+"""Judging: a student's functions run in the sandbox, and their answers are judged outside it."""

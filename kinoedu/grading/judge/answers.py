@@ -1,10 +1,10 @@
-"""From a student's cells to the outcomes of their functions: ask the sandbox, and where a program
-broke off, again for the rest.
+"""Run a student's cells and functions in the sandbox, and read the outcomes.
 
-What comes back is a stranger's word. Each line is read by the shapes that the exercise declares; a
-line that does not fit counts as no answer, and one that was not asked for as nothing at all. A
-sandbox is asked in three parts: the cells, the cases that everybody has seen, and the hidden ones.
-So what a student may read, such as an exception's message, was said before a hidden case was there.
+If a program ends the sandbox, the remaining cells and questions are run in a new one. Nothing that
+comes back is trusted. Each line is read by the shapes that the exercise declares; a line that does
+not fit counts as no answer, and a line that was not asked for is ignored. A request has three
+parts: the cells, the cases that everybody has seen, and the hidden cases. So what a student may
+read, such as an exception's message, is sent before the program has seen a hidden case.
 """
 
 import time
@@ -23,12 +23,12 @@ from ..collect.notebook import Cell
 from ..sandbox.sandbox import Reply, Sandbox
 from ..sandbox.talk import LONGEST
 
-MEMORY = 2**30  # bytes beyond what Python and the library take
+MEMORY = 2**30  # bytes, beyond those of Python and the library
 FILES = 16 * 2**20
 CELL_SECONDS = 10.0
-GRACE = 2.0  # seconds in which what inside.py stops itself must be heard of
-DRAWING = ("kinoedu.figures.plane", "matplotlib.pyplot")  # to be loaded once, not by each program
-BROKEN_CELLS = 3  # after so many cells that could not even be stopped the others are not run
+GRACE = 2.0  # seconds for inside.py to report what it stopped itself
+DRAWING = ("kinoedu.figures.plane", "matplotlib.pyplot")  # loaded once for all programs
+BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
 KNOWN = {
     name
     for module in (shapes, whole_shapes, drawn, tasks, drivable, expansions)
@@ -37,7 +37,7 @@ KNOWN = {
 
 
 class Question(NamedTuple):
-    """An exercise and the cases to ask; the first `shown` of them everybody has seen."""
+    """An exercise and the cases to ask; everybody has seen the first `shown` of them."""
 
     exercise: Exercise
     cases: list[Case]
@@ -45,23 +45,26 @@ class Question(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The function that is asked for."""
+        """The name of the function that the exercise asks for."""
         return self.exercise.name
 
 
 class Answers(NamedTuple):
-    """What came of each question, its outcomes in the order of its cases, or None where there is no
-    such function; and of each cell that failed.
+    """What came back from a program.
+
+    outcomes : for each question the outcomes of its cases in order, or None if there is no such
+        function.
+    troubles : the outcome of each cell that failed, by its number.
     """
 
     outcomes: dict[str, list[Outcome] | None]
     troubles: dict[int, Outcome]
 
 
-CELLS, SHOWN, HIDDEN = range(3)  # the parts
+CELLS, SHOWN, HIDDEN = range(3)  # the parts of a request
 
 
-def answers(
+def run_program(
     sandbox: Sandbox,
     cells: list[Cell],
     questions: list[Question],
@@ -69,11 +72,18 @@ def answers(
     *,
     patience: float = 1.0,
 ) -> Answers:
-    """Run the cells and ask the questions, as many times as it takes. Raises NoSandbox.
+    """Run the cells and ask the questions, in as many sandboxes as it takes.
 
-    lent : what the assignment takes from the exercises' own modules, as "module:name". patience :
-        how many times its usual time everything is given; a slow computer gives more. What is not
-        asked when all that time is over, however often it broke off, counts as late.
+    Parameters
+    ----------
+    lent : the functions that the assignment uses from the exercises' modules, as "module:name".
+    patience : a factor on every time limit; slow computers raise it further. Questions that are
+        left when the total time is over count as late, however often the program broke off.
+
+    Raises
+    ------
+    NoSandbox
+        Where the sandbox does not start or breaks.
     """
     patience *= slowdown()
     found = Answers({}, {})
@@ -88,28 +98,28 @@ def answers(
         longest = (
             max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
         )
-        drawn = any(own_call(question.exercise) for question in questions)
-        request = request_for(cells, questions, patience)
+        drawn = any(name_own_call(question.exercise) for question in questions)
+        request = make_request(cells, questions, patience)
         request[CELLS]["lent"] = lent
         reply = sandbox.ask(request, MAX_WAIT_FACTOR * longest + GRACE, DRAWING if drawn else ())
-        take(reply, questions, found)
+        store_reply(reply, questions, found)
         if reply.end == "done":
             break
-        cells, questions = what_remains(reply, cells, questions, found)
+        cells, questions = find_remaining(reply, cells, questions, found)
     return found
 
 
-def request_for(
+def make_request(
     cells: list[Cell], questions: list[Question], patience: float
 ) -> list[dict[str, Any]]:
-    """What inside.py reads, in its parts."""
+    """The request that inside.py reads, in its three parts."""
     sources = [question.exercise.source for question in questions]
     seconds = sum(CELL_SECONDS for _ in cells) + sum(
         len(q.cases) * q.exercise.seconds for q in questions
     )
     first = {
         "cells": [{**cell._asdict(), "seconds": CELL_SECONDS * patience} for cell in cells],
-        "questions": [question_for(question.exercise, patience) for question in questions],
+        "questions": [encode_question(question.exercise, patience) for question in questions],
         "withheld": [
             f"{source.__module__}:{source.__name__}" for source in sources if source is not None
         ],
@@ -122,15 +132,16 @@ def request_for(
     return [
         first,
         *(
-            {question.name: given_in(question, part) for question in questions}
+            {question.name: encode_cases(question, part) for question in questions}
             for part in (SHOWN, HIDDEN)
         ),
     ]
 
 
-def question_for(exercise: Exercise, patience: float) -> dict[str, Any]:
-    """One question without its cases: of an exercise only the shapes go there, and its way to call.
-    Raises InvalidParameter.
+def encode_question(exercise: Exercise, patience: float) -> dict[str, Any]:
+    """A question without its cases: its name, shapes, time limit, and how it is called.
+
+    Raises InvalidParameter where a shape is not one of kinoedu.course.
     """
     if not (is_known(exercise.given) and is_known(exercise.answer)):
         raise InvalidParameter(
@@ -139,44 +150,42 @@ def question_for(exercise: Exercise, patience: float) -> dict[str, Any]:
         )
     return {
         "name": exercise.name,
-        "call": own_call(exercise),
+        "call": name_own_call(exercise),
         "given": repr(exercise.given),
         "answer": repr(exercise.answer),
         "seconds": exercise.seconds * patience,
     }
 
 
-def own_call(exercise: Exercise) -> str:
-    """Where an exercise's own way to call is, "" where it has none."""
+def name_own_call(exercise: Exercise) -> str:
+    """Where an exercise's own `call` is defined, as "module:name"; "" where it has none."""
     call = type(exercise).call
     return "" if call is Exercise.call else f"{call.__module__}:{call.__qualname__}"
 
 
-def given_in(question: Question, part: int) -> list[Any]:
-    """The cases of a part as they travel."""
+def encode_cases(question: Question, part: int) -> list[Any]:
+    """The encoded cases of one part of the request."""
     cases = question.cases[: question.shown] if part == SHOWN else question.cases[question.shown :]
     return [question.exercise.given.encode(case.given) for case in cases]
 
 
 def is_known(shape: Any) -> bool:
-    """Whether a shape is made of those that every exercise shares, so that its repr says all of
-    it.
-    """
-    parts = (
-        shape.fields.values()
-        if isinstance(shape, shapes.Record)
-        else shape
-        if isinstance(shape, tuple)
-        else ()
-    )
+    """Whether a shape is made of shapes that all exercises share, so that its repr is complete."""
+    if isinstance(shape, shapes.Record):
+        parts = tuple(shape.fields.values())
+    elif isinstance(shape, tuple):
+        parts = shape
+    else:
+        parts = ()
     return type(shape).__name__ in KNOWN and all(
         is_known(part) for part in parts if hasattr(part, "encode")
     )
 
 
-def take(reply: Reply, questions: list[Question], found: Answers) -> None:
-    """Keep what a reply says of the cells and questions that were asked, in their order, each in
-    its part.
+def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None:
+    """Store the outcomes of the cells and questions in a reply.
+
+    Only lines that were asked for are read, each in its part of the reply and in order.
     """
     asked = {question.name: question for question in questions}
     for part, lines in enumerate(reply.parts):
@@ -184,9 +193,9 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
             name = line.get("question")
             if part == CELLS:
                 if type(line.get("cell")) is int and line.get("trouble") is not None:
-                    found.troubles[line["cell"]] = outcome_in(line["trouble"], Maybe(Truth()))
+                    found.troubles[line["cell"]] = decode_line(line["trouble"], Maybe(Truth()))
             elif isinstance(name, str) and name in asked:
-                take_outcome(line, asked[name], part, found)
+                store_outcome(line, asked[name], part, found)
     if reply.end == "done":
         found.outcomes.update({name: found.outcomes.get(name) for name in asked})
         for outcomes in (
@@ -194,12 +203,12 @@ def take(reply: Reply, questions: list[Question], found: Answers) -> None:
             for question in questions
             if is_open(question, found, HIDDEN)
         ):
-            if outcomes is not None:  # it said that it is done, and was not asked all
+            if outcomes is not None:  # the program ended its reply before all cases
                 outcomes.append(Misshapen(get_message("grading.no_outcome")))
 
 
-def take_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
-    """Keep what a line says of a case, if that is the next and one of its part."""
+def store_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
+    """Store the outcome of a case, if it is the next case and belongs to this part."""
     outcomes = found.outcomes.setdefault(question.name, [])
     if outcomes is None:
         return
@@ -207,31 +216,32 @@ def take_outcome(line: dict[str, Any], question: Question, part: int, found: Ans
     if line.get("missing") is True and not outcomes:
         found.outcomes[question.name] = None
     elif line.get("case") == len(outcomes) and first <= len(outcomes) < end:
-        outcomes.append(outcome_in(line.get("outcome"), question.exercise.answer))
+        outcomes.append(decode_line(line.get("outcome"), question.exercise.answer))
 
 
-def outcome_in(data: Any, shape: Shape) -> Outcome:
-    """The outcome that a line tells of; what tells of none is an answer of the wrong shape."""
+def decode_line(data: Any, shape: Shape) -> Outcome:
+    """The outcome in a line; an answer of the wrong shape if the line holds none."""
     try:
         return decode_outcome(data, shape)
     except (WrongShape, TypeError, ValueError, RecursionError):
         return Misshapen(get_message("grading.no_outcome"))
 
 
-def what_remains(
+def find_remaining(
     reply: Reply, cells: list[Cell], questions: list[Question], found: Answers
 ) -> tuple[list[Cell], list[Question]]:
-    """After a program broke a sandbox off: which it was is said, and left out; the rest is asked
-    again.
+    """The cells and questions to run again, after a program ended the sandbox.
+
+    The cell or question that did so gets that outcome and is left out.
     """
-    end = ending(reply)
+    end = describe_end(reply)
     part = len(reply.parts) - 1
     if part == CELLS:
         done = {line["cell"] for line in reply.parts[CELLS] if type(line.get("cell")) is int}
         culprit = next((cell for cell in cells if cell.number not in done), None)
         if culprit is not None:
             found.troubles[culprit.number] = end
-            return without(culprit, cells, done, found), questions
+            return drop_cell(culprit, cells, done, found), questions
     at = next((question for question in questions if is_open(question, found, part)), questions[0])
     if is_open(at, found, HIDDEN):
         found.outcomes[at.name] = [*(found.outcomes.get(at.name) or []), end]
@@ -245,9 +255,10 @@ def what_remains(
     return cells, left
 
 
-def without(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
-    """The cells to run without one that could not be stopped; after several of that kind no more
-    than were ever done.
+def drop_cell(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
+    """The cells to run again, without the one that could not be stopped.
+
+    After BROKEN_CELLS such cells only those that finished before are run.
     """
     broken = sum(
         isinstance(trouble, Late) or is_stopped(trouble) for trouble in found.troubles.values()
@@ -258,7 +269,7 @@ def without(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) ->
 
 
 def is_open(question: Question, found: Answers, part: int) -> bool:
-    """Whether a question still has cases up to a part that may be asked."""
+    """Whether a question has more cases to ask, up to the end of a part."""
     outcomes = found.outcomes.get(question.name, [])
     if outcomes is None or (
         outcomes and (isinstance(outcomes[-1], Late) or is_unwritten(outcomes[-1]))
@@ -267,17 +278,13 @@ def is_open(question: Question, found: Answers, part: int) -> bool:
     return len(outcomes) < (len(question.cases) if part == HIDDEN else question.shown)
 
 
-def ending(reply: Reply) -> Outcome:
-    """How a sandbox ended, as the outcome of what was running then."""
+def describe_end(reply: Reply) -> Outcome:
+    """The outcome of the running cell or case when the sandbox ended."""
     if reply.end == "late":
         return Late(left_running=False)
-    key = (
-        "grading.flood"
-        if reply.end == "flood"
-        else "grading.ended"
-        if reply.status >= 0
-        else "grading.stopped"
-    )
+    key = "grading.ended" if reply.status >= 0 else "grading.stopped"
+    if reply.end == "flood":
+        key = "grading.flood"
     return Raised([STOPPED], get_message(key, status=reply.status), [], "")
 
 
@@ -285,5 +292,5 @@ STOPPED = "Stopped"
 
 
 def is_stopped(outcome: Outcome) -> bool:
-    """Whether a program ended the very process that ran it."""
+    """Whether a program ended the process that ran it."""
     return isinstance(outcome, Raised) and outcome.kinds == [STOPPED]

@@ -1,10 +1,9 @@
-"""What is kept of a graded class: who handed in what, from where, and which result is whose; in
-GRADES/class.json.
+"""What GRADES/class.json keeps of a graded class: each submission and the name of its result.
 
-class.json        this list                     results/     a file for each notebook graded, named by its content
-grades.csv        a row for each question       report.html  the class at a glance
+class.json        this list                     results/     a file per notebook, named by its key
+grades.csv        a row for each question       report.html  an overview of the class
 feedback/         a page for each student       pictures/    of cases that failed, each drawn once
-overrides.csv     what people decided           by_hand.csv  what people graded in nbgrader
+overrides.csv     scores that people decided    by_hand.csv  scores that people gave in nbgrader
 """
 
 import hashlib
@@ -16,7 +15,7 @@ from typing import NamedTuple
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
 from ..collect.submissions import Submission
-from .running import Graded, kept, key_of
+from .running import Graded, compute_key, read_result
 from .submission import Grade
 
 FILE = "class.json"
@@ -25,10 +24,13 @@ FILE = "class.json"
 class Entry(NamedTuple):
     """One submission of a graded class.
 
-    file : where it was in `folder`, the folder or zip that was collected, of one assignment where
-        `only` names it. digest : of its bytes. key : its result's name; "" where it could not be
-        read, and then `trouble` says why. Where there is a key and no result, `trouble` is the
-        machine's. late : Canvas marked the file so.
+    file : where it was in `folder`.
+    folder : the folder or zip that was collected.
+    only : the one assignment that was collected from it, or "".
+    digest : of the file's bytes.
+    key : the name of its result; "" where the file could not be read, and `trouble` says why.
+    trouble : if there is a key and no result, this is the machine's trouble.
+    late : whether Canvas marked the file as late.
     """
 
     student: str
@@ -43,9 +45,13 @@ class Entry(NamedTuple):
 
 
 class Class(NamedTuple):
-    """A graded class: its folder, the secret's file and what tells that secret from others, whether
-    the sandbox was left out, the entries, by student and assignment, and whether each student has
-    contracts of their own.
+    """A graded class.
+
+    out : the folder of the grades.
+    secret_file, secret_mark : the file of the course's secret, and a mark to recognise that secret.
+    trusted : whether programs ran without a sandbox.
+    entries : the submissions, ordered by student and assignment.
+    variants : whether each student has contracts of their own.
     """
 
     out: Path
@@ -56,32 +62,29 @@ class Class(NamedTuple):
     variants: bool = False
 
 
-def entry_of(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
-    """What is kept of a submission."""
-    mine, key = one.submission, "" if one.submission.trouble else key_of(one.submission, secret)
+def make_entry(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
+    """The entry of a graded submission."""
+    mine = one.submission
     where = (mine.file, str(folder.resolve()), only)
-    trouble = "" if one.grade is not None else one.trouble
-    return Entry(mine.student, mine.assignment, *where, digest_of(mine), key, trouble, mine.late)
+    key = "" if mine.trouble else compute_key(mine, secret)
+    result = (digest_submission(mine), key, "" if one.grade is not None else one.trouble)
+    return Entry(mine.student, mine.assignment, *where, *result, mine.late)
 
 
-def digest_of(one: Submission) -> str:
-    """What tells a submission from an earlier one of the same student."""
+def digest_submission(one: Submission) -> str:
+    """The digest of a submission's bytes, which differs from that of an earlier file."""
     return hashlib.sha256(one.data).hexdigest()
 
 
-def mark_of(secret: bytes) -> str:
-    """What tells one secret from another, and tells neither."""
+def mark_secret(secret: bytes) -> str:
+    """A mark by which a secret is recognised, and which does not reveal it."""
     return hashlib.sha256(b"mark" + secret).hexdigest()[:16]
 
 
-def with_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
-    """New entries, and the earlier ones of other folders that are not of the same students and
-    assignments.
-    """
-    sources, pairs = (
-        {(one.folder, one.only) for one in entries},
-        {(one.student, one.assignment) for one in entries},
-    )
+def add_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
+    """The new entries, and earlier ones of other folders with other students or assignments."""
+    sources = {(one.folder, one.only) for one in entries}
+    pairs = {(one.student, one.assignment) for one in entries}
     others = [
         one
         for one in earlier
@@ -91,7 +94,7 @@ def with_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
 
 
 def write_class(of: Class) -> None:
-    """Keep it."""
+    """Write class.json."""
     data = {**of._asdict(), "entries": [entry._asdict() for entry in of.entries]}
     del data["out"]
     with written_whole(of.out / FILE) as part:
@@ -99,7 +102,13 @@ def write_class(of: Class) -> None:
 
 
 def read_class(out: Path) -> Class:
-    """What was kept. Raises InvalidParameter."""
+    """The class that was graded into a folder.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there is none, or its file is damaged.
+    """
     try:
         data = json.loads((out / FILE).read_text(encoding="ascii"))
         return Class(out, **{**data, "entries": [Entry(**entry) for entry in data["entries"]]})
@@ -113,6 +122,6 @@ def read_class(out: Path) -> Class:
         ) from error
 
 
-def record_of(entry: Entry, out: Path) -> Grade | None:
-    """The result of an entry; None where there is none."""
-    return kept(out / "results" / f"{entry.key}.json") if entry.key else None
+def read_record(entry: Entry, out: Path) -> Grade | None:
+    """The result of an entry, or None where there is none."""
+    return read_result(out / "results" / f"{entry.key}.json") if entry.key else None

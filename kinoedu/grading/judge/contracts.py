@@ -1,8 +1,7 @@
-"""Each student has a contract of their own: which way a bug turns, which of two parents a node
-takes. What is right for one is wrong for another, so a copy does not pass.
+"""Contracts of each student's own, such as which way a bug turns or which parent a node takes.
 
-Which contract is whose follows from the course's secret and the student's id, at release and at
-grading alike.
+A program that is right for one student is wrong for another, so a copy does not pass. A student's
+contract follows from the course's secret and the student's id, both at release and at grading.
 """
 
 import hashlib
@@ -15,25 +14,25 @@ from ...errors import InvalidParameter
 from ..assignments.questions import Assignment, assignment
 from ..collect.submissions import Submission
 
-Choices = tuple[tuple[str, str], ...]  # pairs of a question and the name of a contract
-MARK = b"variant="  # in a notebook that gives its student a contract
+Choices = tuple[tuple[str, str], ...]  # pairs of a question and its contract's name
+MARK = b"variant="  # stands in a notebook with contracts of its student
 
 
-def choice(exercise: Exercise, secret: bytes, student: str) -> str:
-    """The contract of a student; capitals and blanks round an id do not matter."""
+def choose_contract(exercise: Exercise, secret: bytes, student: str) -> str:
+    """The contract of a student; upper case and spaces around an id do not matter."""
     text = f"variant:{exercise.name}:{student.strip().casefold()}"
     digest = hmac.digest(secret, text.encode("utf-8", "surrogatepass"), hashlib.sha256)
     return exercise.variants[int.from_bytes(digest) % len(exercise.variants)]
 
 
-def choices(task: Assignment, secret: bytes, student: str) -> Choices:
-    """A student's contracts for the questions of an assignment that have any."""
+def choose_contracts(task: Assignment, secret: bytes, student: str) -> Choices:
+    """A student's contracts for those questions of an assignment that have any."""
     asked = [one.exercise for one in task.questions if one.exercise.variants]
-    return tuple((exercise.name, choice(exercise, secret, student)) for exercise in asked)
+    return tuple((exercise.name, choose_contract(exercise, secret, student)) for exercise in asked)
 
 
-def with_variants(task: Assignment, chosen: Choices) -> Assignment:
-    """An assignment with a student's contracts."""
+def apply_contracts(task: Assignment, chosen: Choices) -> Assignment:
+    """The assignment with a student's contracts."""
     mine = dict(chosen)
     named = ((one, one.exercise.name) for one in task.questions)
     return task._replace(
@@ -43,18 +42,19 @@ def with_variants(task: Assignment, chosen: Choices) -> Assignment:
     )
 
 
-def personal(one: Submission, secret: bytes) -> Submission:
-    """A submission with its student's contracts."""
+def add_contracts(one: Submission, secret: bytes) -> Submission:
+    """The submission with its student's contracts."""
     return (
-        one._replace(variants=choices(assignment(one.assignment), secret, one.student))
+        one._replace(variants=choose_contracts(assignment(one.assignment), secret, one.student))
         if one.assignment
         else one
     )
 
 
 def refuse_forgotten(submissions: Iterable[Submission]) -> None:
-    """Raise InvalidParameter where most notebooks give their student a contract, and nobody said
-    so.
+    """Raise InvalidParameter if most notebooks hold contracts of their students.
+
+    It is called where contracts were not asked for.
     """
     readable = [one for one in submissions if not one.trouble]
     if 2 * sum(MARK in one.data for one in readable) > len(readable):

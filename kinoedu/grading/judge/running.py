@@ -1,9 +1,8 @@
-"""Grade a whole class: what is missing of it, on all workers, each result kept as soon as it is
-there.
+"""Grade a whole class on all workers, and keep each result as soon as it is there.
 
-A result is a file named by what was handed in, what was asked, the course's secret and kinoedu's
-sources. A run that was stopped, even killed, goes on where it was; nothing is graded twice; trouble
-of the machine is tried again and then said, never scored.
+The name of a result's file follows from the submission, the questions, the course's secret and
+kinoedu's sources. So a run that was stopped, even killed, continues where it was, and nothing is
+graded twice. A failure of the machine is tried again and then reported; it never gives a score.
 """
 
 import atexit
@@ -27,12 +26,12 @@ from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
 from ..collect.submissions import Submission
 from ..sandbox.sandbox import NoSandbox, Sandbox, without_walls
-from .contracts import with_variants
+from .contracts import apply_contracts
 from .submission import Grade, grade, is_late
 
 TRIES = 5
-TRIES_BESIDE = 2  # of them beside other jobs
-PATIENT = 3.0  # times its usual time, for what took too long beside others
+TRIES_BESIDE = 2  # of these while other jobs run
+PATIENT = 3.0  # factor on time limits, for jobs that took too long beside others
 
 Progress = Callable[[int, int], None]
 
@@ -50,7 +49,7 @@ class Job(NamedTuple):
 
 
 class Graded(NamedTuple):
-    """A submission and its grade, or None and why there is none."""
+    """A submission and its grade, or None and the reason."""
 
     submission: Submission
     grade: Grade | None
@@ -66,99 +65,104 @@ def grade_all(
     progress: Progress | None = None,
     trusted: bool = False,
 ) -> list[Graded]:
-    """Grade submissions, in their order. Whoever works, the grades are the same.
+    """Grade submissions; the grades do not depend on the workers.
 
-    out : the folder of the results. place : where to work, by default `local()`. trusted : run the
-        programs without a sandbox.
-    Raises OSError where `out` cannot be written.
+    Parameters
+    ----------
+    out : the folder of the grades; results are kept in `out`/results.
+    place : where to work, by default `local()`.
+    progress : called with the number of finished notebooks and of all.
+    trusted : run the programs without a sandbox.
+
+    Returns
+    -------
+    list of Graded
+        In the order of the submissions.
+
+    Raises
+    ------
+    OSError
+        Where `out` cannot be written.
     """
     results = out / "results"
     results.mkdir(parents=True, exist_ok=True)
     readable = [one for one in submissions if not one.trouble]
-    jobs = {
-        key: job_of(one, key, secret, trusted) for one in readable for key in [key_of(one, secret)]
-    }
-    known = {key: record for key in jobs if (record := kept(results / f"{key}.json")) is not None}
+    keyed = ((compute_key(one, secret), one) for one in readable)
+    jobs = {key: make_job(one, key, secret, trusted) for key, one in keyed}
+    kept = {key: read_result(results / f"{key}.json") for key in jobs}
+    known = {key: record for key, record in kept.items() if record is not None}
     tell = progress or (lambda done, everything: None)
     tell(len(known), len(jobs))
     troubles: dict[str, str] = {}
     missing = [job for key, job in jobs.items() if key not in known]
-    for patience, alone in (
-        (1.0, False),
-        (PATIENT, True),
-    ):  # what was late beside others is asked again, alone and with patience
+    # what was late beside other jobs is graded again, alone and with more time
+    for patience, alone in ((1.0, False), (PATIENT, True)):
         late = []
-        for job, record, trouble in worked(missing, place or local(), 1 if alone else None):
+        for job, record, trouble in run_jobs(missing, place or local(), 1 if alone else None):
             if record is None:
                 troubles[job.key] = trouble
             elif patience == 1.0 and is_late(record):
                 late.append(job._replace(patience=PATIENT))
                 continue
             else:
-                keep(results / f"{job.key}.json", record)
+                write_result(results / f"{job.key}.json", record)
                 known[job.key] = record
             tell(len(known) + len(troubles), len(jobs))
         missing = late
-    return [graded(one, known, troubles, secret) for one in submissions]
+    return [attach_grade(one, known, troubles, secret) for one in submissions]
 
 
-def job_of(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
-    """What is to be done for a submission."""
+def make_job(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
+    """The job that grades a submission."""
     return Job(key, one.assignment, one.data, secret, trusted=trusted, variants=one.variants)
 
 
-def graded(
+def attach_grade(
     one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes
 ) -> Graded:
-    """A submission with what came of it."""
+    """A submission with its grade, or with the reason why there is none."""
     if one.trouble:
         return Graded(one, None, one.trouble)
-    key = key_of(one, secret)
+    key = compute_key(one, secret)
     return Graded(one, known.get(key), troubles.get(key, ""))
 
 
-def key_of(one: Submission, secret: bytes) -> str:
-    """The name of a result: the same for the same bytes, questions, contracts, secret and
-    sources.
-    """
+def compute_key(one: Submission, secret: bytes) -> str:
+    """The name of a result; equal for equal bytes, questions, contracts, secret and sources."""
     parts = [
         one.assignment.encode(),
         one.data,
         hashlib.sha256(secret).digest(),
-        sources(one.assignment),
+        digest_sources(one.assignment),
     ]
     parts += [repr(one.variants).encode()] if one.variants else []
-    return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()[
-        :40
-    ]
+    digests = b"".join(hashlib.sha256(part).digest() for part in parts)
+    return hashlib.sha256(digests).hexdigest()[:40]
 
 
 @functools.cache
-def sources(name: str) -> bytes:
-    """What a grade depends on beside the submission."""
+def digest_sources(name: str) -> bytes:
+    """The digest of kinoedu's sources and the assignment's solution, which a grade depends on."""
     return source_digest(HOUSE / "kinoedu").encode() + solution_path(name).read_bytes()
 
 
-def kept(file: Path) -> Grade | None:
-    """A result kept before; None where there is none or it is damaged."""
+def read_result(file: Path) -> Grade | None:
+    """The result in a file, or None where there is none or it is damaged."""
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return (
-        record
-        if isinstance(record, dict) and {"status", "questions", "cells"} <= set(record)
-        else None
-    )
+    is_whole = isinstance(record, dict) and {"status", "questions", "cells"} <= set(record)
+    return record if is_whole else None
 
 
-def keep(file: Path, record: Grade) -> None:
-    """Keep a result, whole or not at all."""
+def write_result(file: Path, record: Grade) -> None:
+    """Write a result, completely or not at all."""
     with written_whole(file) as part:
         part.write_text(json.dumps(record, indent=1, sort_keys=True) + "\n", encoding="utf-8")
 
 
-Place = Callable[[int | None], Any]  # how many workers, None for all -> a context with an Executor
+Place = Callable[[int | None], Any]  # number of workers, None for all -> context of an Executor
 
 
 def local(workers: int | None = None) -> Place:
@@ -176,7 +180,7 @@ def local(workers: int | None = None) -> Place:
 
 
 def end_with_parent() -> None:
-    """See to it that this process ends when its parent does, even one that was killed."""
+    """Make this process end when its parent ends, even if the parent is killed."""
 
     def watch() -> None:
         parent = multiprocessing.parent_process()
@@ -188,7 +192,7 @@ def end_with_parent() -> None:
 
 
 def dask(address: str) -> Place:
-    """The workers of a Dask cluster, each with this very kinoedu and a sandbox."""
+    """The workers of a Dask cluster; each needs the same kinoedu and a sandbox."""
 
     @contextmanager
     def place(most: int | None) -> Iterator[Executor]:
@@ -203,12 +207,13 @@ def dask(address: str) -> Place:
     return place
 
 
-def worked(
+def run_jobs(
     jobs: Iterable[Job], place: Place, most: int | None
 ) -> Iterator[tuple[Job, Grade | None, str]]:
-    """Every job with its record, as they come; one whose worker is lost or whose machine is in
-    trouble is tried again, and alone after the second time, so that whatever ends workers takes no
-    other job with it.
+    """Yield each job with its record, or None and the reason, as jobs are completed.
+
+    A job is tried again, up to TRIES times, if its worker is lost or its machine fails. After
+    TRIES_BESIDE failures it runs alone, so that a job that ends workers takes no other job with it.
     """
     left, tries = list(jobs), dict[str, int]()
     while left:
@@ -218,7 +223,7 @@ def worked(
         with place(most if calm else 1) as executor:
             completed, begun = CompletedFutures[Job](), set[str]()
             for job in now:
-                completed.add(executor.submit(work, job), job)
+                completed.add(executor.submit(grade_job, job), job)
             for job, future in completed:
                 trouble = future.exception()
                 if trouble is None:
@@ -238,9 +243,10 @@ def worked(
                     yield job, None, f"{type(trouble).__name__}: {trouble}"
 
 
-class Own(threading.local):
-    """Sandboxes for each thread that grades, as Dask's workers may have several: one with walls,
-    and one for what is trusted.
+class ThreadSandboxes(threading.local):
+    """The sandboxes of each grading thread, as a Dask worker may have several threads.
+
+    One has walls, and one is for programs that are trusted.
     """
 
     def __init__(self) -> None:
@@ -249,14 +255,14 @@ class Own(threading.local):
             atexit.register(sandbox.close)
 
 
-OWN = Own()
+SANDBOXES = ThreadSandboxes()
 
 
-def work(job: Job) -> Grade:
-    """Grade a notebook, in this process and its sandbox. Raises NoSandbox."""
-    sandbox = OWN.sandboxes[job.trusted]
+def grade_job(job: Job) -> Grade:
+    """Grade a notebook in this process and its sandbox. Raises NoSandbox."""
+    sandbox = SANDBOXES.sandboxes[job.trusted]
     try:
-        task = with_variants(assignment(job.assignment), job.variants)
+        task = apply_contracts(assignment(job.assignment), job.variants)
         return grade(job.data, task, job.secret, sandbox, patience=job.patience)
     except NoSandbox:
         sandbox.close()

@@ -1,6 +1,4 @@
-"""One submission graded: the sandbox runs it, the judges judge what comes out, and a record says
-what it is worth and why.
-"""
+"""Grade a submission: run it in the sandbox, judge the outcomes, record scores and reasons."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,36 +9,38 @@ from ...course.outcomes import Late, Outcome, encode_outcome
 from ...course.shapes import Maybe, Truth
 from ...messages import get_message
 from ..assignments.questions import Asked, Assignment, Cases, cases_of
-from ..collect.notebook import Cell, UnreadableSubmission, cells_in
+from ..collect.notebook import Cell, UnreadableSubmission, read_cells
 from ..sandbox.sandbox import Sandbox
-from .answers import Answers, Question, answers, is_stopped
+from .answers import Answers, Question, is_stopped, run_program
 
-RIGHT, PARTLY, WRONG, UNANSWERED, LATE, STOPPED = (
-    "right",
-    "partly right",
-    "wrong",
-    "not answered",
-    "too late",
-    "stopped",
-)
-Grade = dict[str, Any]  # JSON data: what is kept of a graded submission
+RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
+UNANSWERED, LATE, STOPPED = "not answered", "too late", "stopped"
+Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
 
 def grade(
     data: bytes, task: Assignment, secret: bytes, sandbox: Sandbox, *, patience: float = 1.0
 ) -> Grade:
-    """Grade the bytes of a notebook. Raises NoSandbox, and nothing else.
+    """Grade the bytes of a notebook.
 
-    Returns {"status", "message", "questions", "cells"}: for each question its score, what the
-    student may read, and the case that failed, where everybody has seen that case.
+    Returns
+    -------
+    dict
+        "status", "message", "questions" and "cells". Each question has its score, what the student
+        may read, and the case that failed if everybody has seen that case.
+
+    Raises
+    ------
+    NoSandbox
+        Where the sandbox does not start or breaks; nothing else is raised.
     """
     try:
-        cells = cells_in(data)
+        cells = read_cells(data)
     except UnreadableSubmission as trouble:
         return {
             "status": "unreadable",
             "message": str(trouble),
-            "questions": [blank(asked) for asked in task.questions],
+            "questions": [make_blank_record(asked) for asked in task.questions],
             "cells": [],
         }
     asked = {
@@ -48,18 +48,20 @@ def grade(
         for one in task.questions
     }
     to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
-    found = answers(sandbox, cells, to_ask, task.lent, patience=patience)
-    questions = [judged(one, known, found.outcomes[name]) for name, (one, known) in asked.items()]
+    found = run_program(sandbox, cells, to_ask, task.lent, patience=patience)
+    questions = [
+        judge_question(one, known, found.outcomes[name]) for name, (one, known) in asked.items()
+    ]
     return {
         "status": "graded",
         "message": "",
         "questions": questions,
-        "cells": troubles(found, cells),
+        "cells": encode_troubles(found, cells),
     }
 
 
-def blank(asked: Asked) -> Grade:
-    """A question to which there is no answer."""
+def make_blank_record(asked: Asked) -> Grade:
+    """The record of a question without an answer."""
     variant = {"variant": asked.exercise.variant} if asked.exercise.variant else {}
     return variant | {
         "question": asked.exercise.name,
@@ -72,69 +74,59 @@ def blank(asked: Asked) -> Grade:
     }
 
 
-def judged(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Grade:
-    """A question's grade."""
+def judge_question(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Grade:
+    """The record of a question with its outcomes."""
     if not outcomes:
-        return blank(asked)
+        return make_blank_record(asked)
     report = judge_outcomes(asked.exercise, known.cases, outcomes)
     if report.unwritten and report.failure is not None and report.failure.number == 0:
-        return blank(asked)
+        return make_blank_record(asked)
     late = any(isinstance(outcome, Late) for outcome in outcomes)
-    record = blank(asked) | {
+    record = make_blank_record(asked) | {
         "score": asked.points * report.score,
-        "status": status_of(report),
+        "status": name_status(report),
         "message": get_message("grading.right"),
         "late": late,
     }
     if report.failure is None:
         return record
-    return record | told(asked, report, hidden=report.failure.number >= known.seen)
+    return record | describe_failure(asked, report, hidden=report.failure.number >= known.seen)
 
 
-def status_of(report: Report) -> str:
-    """In a word or two."""
+def name_status(report: Report) -> str:
+    """A report's status, in a word or two."""
     if report.is_right:
         return RIGHT
     if report.score > 0.0:
         return PARTLY
     outcome = report.failure.outcome if report.failure is not None else None
-    return (
-        LATE
-        if isinstance(outcome, Late)
-        else STOPPED
-        if outcome is not None and is_stopped(outcome)
-        else WRONG
-    )
+    if isinstance(outcome, Late):
+        return LATE
+    return STOPPED if outcome is not None and is_stopped(outcome) else WRONG
 
 
-def told(asked: Asked, report: Report, *, hidden: bool) -> Grade:
-    """What a student may know of a failure: the rule and the hint; and the case, unless it is a
-    hidden one.
-    """
+def describe_failure(asked: Asked, report: Report, *, hidden: bool) -> Grade:
+    """What a student may know of a failure: rule, hint, and the case unless it is hidden."""
     failure, exercise = report.failure, asked.exercise
     assert failure is not None
-    shown = None if hidden else shown_failure(report)
-    message = rule_message(exercise, failure) + (
-        " " + get_message("grading.hidden") if hidden else ""
-    )
+    shown = None if hidden else encode_failure(report)
+    note = " " + get_message("grading.hidden") if hidden else ""
     return {
-        "message": message,
+        "message": rule_message(exercise, failure) + note,
         "hint": hint_message(exercise, failure),
         "failure": shown,
         "kinds": list(report.failed),
-        "reason": reason_of(failure),
+        "reason": name_reason(failure),
     }
 
 
-def reason_of(failure: JudgedCase) -> str:
-    """The key of the misconception that was recognised, or of the rule that was broken: what
-    instructors count.
-    """
+def name_reason(failure: JudgedCase) -> str:
+    """The key of the recognised misconception, or of the broken rule; instructors count these."""
     return f"slips.{failure.slip}" if failure.slip else f"rules.{failure.verdict.rule}"
 
 
-def shown_failure(report: Report) -> Grade:
-    """The failing case and its outcome as JSON data, so that its picture can be drawn later."""
+def encode_failure(report: Report) -> Grade:
+    """The failing case and its outcome as JSON data, from which its picture is drawn later."""
     failure, exercise = report.failure, report.exercise
     assert failure is not None
     case = {"kind": failure.case.kind, "given": exercise.given.encode(failure.case.given)}
@@ -146,7 +138,7 @@ def shown_failure(report: Report) -> Grade:
     }
 
 
-def troubles(found: Answers, cells: list[Cell]) -> list[Grade]:
+def encode_troubles(found: Answers, cells: list[Cell]) -> list[Grade]:
     """The cells that failed, for the student."""
     numbers = {cell.number for cell in cells}
     nothing = Maybe(Truth())
@@ -158,6 +150,6 @@ def troubles(found: Answers, cells: list[Cell]) -> list[Grade]:
 
 
 def is_late(record: Grade) -> bool:
-    """Whether something took too long, which a slow or busy machine may have caused."""
+    """Whether something took too long; the cause may be a slow or busy machine."""
     cells = [trouble["trouble"]["kind"] for trouble in record["cells"]]
     return "Late" in cells or any(question["late"] for question in record["questions"])

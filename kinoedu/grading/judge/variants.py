@@ -1,6 +1,4 @@
-"""Exercises with contracts: for each student a notebook whose statements and checks know which
-contract is theirs.
-"""
+"""Write each student a notebook whose statements and checks hold the student's own contracts."""
 
 import json
 from pathlib import Path
@@ -14,7 +12,7 @@ from ...support.csv_cells import harmless, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
 from ..assignments.questions import assignment
-from .contracts import Choices, choices
+from .contracts import Choices, choose_contracts
 
 COLUMNS = ("student", "assignment", "question", "variant")
 
@@ -22,22 +20,32 @@ COLUMNS = ("student", "assignment", "question", "variant")
 def write_variants(
     names: list[str], students: list[str], secret: bytes, out: Path, house: Path = HOUSE
 ) -> int:
-    """For each student the assignments' exercises with their own contracts, OUT/STUDENT/NAME.ipynb;
-    and who has which, as OUT/variants.csv. Returns how many notebooks. Raises InvalidParameter
-    where an assignment has no exercise with contracts.
+    """Write the exercises with each student's contracts to OUT/STUDENT/NAME.ipynb.
+
+    OUT/variants.csv lists which student has which contract.
+
+    Returns
+    -------
+    int
+        The number of notebooks.
+
+    Raises
+    ------
+    InvalidParameter
+        Where an assignment is not released, or has no exercise with contracts.
     """
-    books = {name: released(name, house) for name in names}
+    books = {name: read_released(name, house) for name in names}
     lines = []
     for student in students:
         for name, book in books.items():
-            mine = choices(assignment(name, house), secret, student)
+            mine = choose_contracts(assignment(name, house), secret, student)
             if not mine:
                 raise InvalidParameter(f"no exercise of {name} has contracts to choose from")
             file = out / file_name(student) / f"{name}.ipynb"
             file.parent.mkdir(parents=True, exist_ok=True)
             with written_whole(file) as part:
                 part.write_text(
-                    json.dumps(with_contracts(book, mine), indent=1, ensure_ascii=False) + "\n",
+                    json.dumps(insert_contracts(book, mine), indent=1, ensure_ascii=False) + "\n",
                     encoding="utf-8",
                 )
             lines += [[harmless(student), name, *pair] for pair in mine]
@@ -45,7 +53,7 @@ def write_variants(
     return len(books) * len(students)
 
 
-def released(name: str, house: Path) -> Any:
+def read_released(name: str, house: Path) -> Any:
     """The exercise as it was released. Raises InvalidParameter."""
     solution_path(name, house)
     file = house / "exercises" / f"{name}.ipynb"
@@ -54,8 +62,8 @@ def released(name: str, house: Path) -> Any:
     return json.loads(file.read_text(encoding="utf-8"))
 
 
-def with_contracts(book: Any, chosen: Choices) -> Any:
-    """An exercise in which the statement and the check of each question know a contract."""
+def insert_contracts(book: Any, chosen: Choices) -> Any:
+    """The exercise with a student's contract in the statement and the check of each question."""
     mine, cells = dict(chosen), []
     for cell in book["cells"]:
         name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")

@@ -1,9 +1,8 @@
-"""What people decide: scores that overrule the grader's, and those of answers that only people can
-grade.
+"""Scores that people decide: those that overrule the grader's, and those that only people can give.
 
-Both stand in a small table, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student,
-assignment, question, score, comment. No command of kinoedu writes to the first; the second is what
-nbgrader's gradebook says. Where both speak, the first holds.
+They stand in two tables, GRADES/overrides.csv and GRADES/by_hand.csv, with the columns student,
+assignment, question, score, comment. No command of kinoedu writes the first; the second holds the
+scores of nbgrader's gradebook. Where both have a score, the first holds.
 """
 
 import csv
@@ -20,8 +19,10 @@ COLUMNS = ("student", "assignment", "question", "score", "comment")
 
 
 class Decision(NamedTuple):
-    """A score, or None where only a comment is given; and where it is said, such as "overrides.csv,
-    line 2".
+    """What a person decided about a question.
+
+    score : None where only a comment is given.
+    said_in : where it stands, such as "overrides.csv, line 2".
     """
 
     score: float | None
@@ -29,12 +30,18 @@ class Decision(NamedTuple):
     said_in: str
 
 
-Decisions = dict[tuple[str, str, str], Decision]  # of student, assignment, question
+Decisions = dict[tuple[str, str, str], Decision]  # by student, assignment, question
 
 
 def read_decisions(out: Path) -> Decisions:
-    """All that was decided of a class. Raises InvalidParameter, with the line that is wrong."""
-    found, over = decisions_in(out / BY_HAND), decisions_in(out / OVERRIDES)
+    """All decisions about a class, from both tables.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a table cannot be read; the message names the line.
+    """
+    found, over = read_table(out / BY_HAND), read_table(out / OVERRIDES)
     for whose, decision in over.items():
         below = found.get(whose, decision)
         score = below.score if decision.score is None else decision.score
@@ -42,8 +49,8 @@ def read_decisions(out: Path) -> Decisions:
     return found
 
 
-def decisions_in(file: Path) -> Decisions:
-    """What a table says; nothing where there is none."""
+def read_table(file: Path) -> Decisions:
+    """The decisions in one table; none if there is no such file."""
     if not file.exists():
         return {}
     try:
@@ -72,12 +79,12 @@ def decisions_in(file: Path) -> Decisions:
                 f"{said_in}: {' '.join(whose)} has a line already, in {found[whose].said_in}; "
                 "leave one"
             )
-        found[whose] = Decision(score_in(row["score"], said_in), row["comment"], said_in)
+        found[whose] = Decision(parse_score(row["score"], said_in), row["comment"], said_in)
     return found
 
 
-def score_in(text: str, said_in: str) -> float | None:
-    """A score, or None for an empty cell."""
+def parse_score(text: str, said_in: str) -> float | None:
+    """The score in a cell, or None if the cell is empty. Raises InvalidParameter."""
     if not text:
         return None
     try:

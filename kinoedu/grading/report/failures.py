@@ -1,5 +1,6 @@
-"""A kept failure as the judge saw it, to be told and drawn again; each picture is drawn once,
-however many students it is for.
+"""A failure as the judge saw it, restored from a record, with its text and picture.
+
+Each picture is drawn once, however many students share the failure.
 """
 
 import functools
@@ -25,9 +26,10 @@ from ..judge.submission import Grade
 DRAWING = 20.0  # seconds
 
 
-def failure_of(question: Grade) -> tuple[Exercise, JudgedCase] | None:
-    """The exercise and the case that failed, from a question's record; None where there is none, or
-    the course has changed.
+def restore_failure(question: Grade) -> tuple[Exercise, JudgedCase] | None:
+    """The exercise and the case that failed, from a question's record.
+
+    None if nothing failed, the case is hidden, or the course has changed since.
     """
     kept: Any = question.get("failure")
     if kept is None:
@@ -36,18 +38,18 @@ def failure_of(question: Grade) -> tuple[Exercise, JudgedCase] | None:
         exercise = find(question["question"], question.get("variant", ""))
         case = Case(kept["case"]["kind"], exercise.given.decode(kept["case"]["given"]))
         outcome = decode_outcome(kept["outcome"], exercise.answer)
-        return exercise, JudgedCase(
-            case, outcome, exercise.judge(case, outcome), kept["slip"], kept["number"]
-        )
+        verdict = exercise.judge(case, outcome)
+        return exercise, JudgedCase(case, outcome, verdict, kept["slip"], kept["number"])
     except (KinoeduError, WrongShape, KeyError, TypeError):
         return None
 
 
-def told_of(question: Grade) -> list[tuple[str, str]]:
-    """What a failure's student may know beside the rule, as pairs of a title and a text: the case,
-    if everybody has seen it, the hint, and what to read again.
+def explain_failure(question: Grade) -> list[tuple[str, str]]:
+    """What a student may know of a failure beside the rule, as pairs of a title and a text.
+
+    These are the case if everybody has seen it, the hint, and the section to read again.
     """
-    found = failure_of(question)
+    found = restore_failure(question)
     told = case_lines(*found, "") if found is not None else []
     if question.get("hint"):
         told.append((get_message("check.hint"), question["hint"]))
@@ -56,16 +58,17 @@ def told_of(question: Grade) -> list[tuple[str, str]]:
     return told
 
 
-def picture_for(question: Grade, folder: Path) -> bytes | None:
-    """The failing case of a question as a PNG, from `folder`, drawn now where it is not there; None
-    where none can be drawn.
+def find_picture(question: Grade, folder: Path) -> bytes | None:
+    """The picture of a question's failing case, as PNG, or None if there is none.
+
+    It is read from `folder`, or drawn now and kept there.
     """
-    found = failure_of(question)
+    found = restore_failure(question)
     if found is None or shows_nothing(*found):
         return None
-    file = folder / f"{name_of(question)}.png"
+    file = folder / f"{name_picture(question)}.png"
     if not file.exists():
-        picture = drawn(*found)
+        picture = draw_safely(*found)
         if picture is None:
             return None
         folder.mkdir(parents=True, exist_ok=True)
@@ -75,31 +78,28 @@ def picture_for(question: Grade, folder: Path) -> bytes | None:
 
 
 def shows_nothing(exercise: Exercise, failure: JudgedCase) -> bool:
-    """Whether a picture would be empty: nothing was given, and nothing came back."""
+    """Whether a picture would be empty: there is no input and no answer."""
     return not failure.case.given and not isinstance(failure.outcome, Answer)
 
 
-def name_of(question: Grade) -> str:
-    """The same for the same exercise, contract, case, answer and sources."""
-    what = [
-        question["question"],
-        question.get("variant", ""),
-        question["failure"]["case"],
-        question["failure"]["outcome"],
-    ]
-    said = json.dumps(what, sort_keys=True)
-    return hashlib.sha256((sources() + said).encode()).hexdigest()[:40]
+def name_picture(question: Grade) -> str:
+    """The name of a picture; equal for equal exercise, contract, case, answer and sources."""
+    failure = question["failure"]
+    what = [question["question"], question.get("variant", ""), failure["case"], failure["outcome"]]
+    text = json.dumps(what, sort_keys=True)
+    return hashlib.sha256((digest_sources() + text).encode()).hexdigest()[:40]
 
 
 @functools.cache
-def sources() -> str:
-    """Of kinoedu, which draws."""
+def digest_sources() -> str:
+    """The digest of kinoedu's sources, which draw the picture."""
     return source_digest(HOUSE / "kinoedu")
 
 
-def drawn(exercise: Exercise, failure: JudgedCase) -> bytes | None:
-    """A picture; None where the exercise cannot draw what a program answered, which may be anything
-    of the right shape.
+def draw_safely(exercise: Exercise, failure: JudgedCase) -> bytes | None:
+    """The picture, or None where it cannot be drawn.
+
+    A program's answer may be anything of the right shape, so drawing may fail.
     """
     try:
         return run_within(DRAWING, lambda: draw_failure(exercise, failure))

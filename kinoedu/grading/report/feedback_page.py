@@ -1,5 +1,7 @@
-"""A student's page: what each answer is worth and why, the smallest case that failed as code and as
-a picture, and cells that failed. No hidden case is on it: the record of a grade holds none.
+"""A student's page: the score of each answer and the reasons.
+
+It shows the smallest case that failed, as code and as a picture, and the cells that failed. It
+cannot show a hidden case, since the record of a grade holds none.
 """
 
 import base64
@@ -16,20 +18,23 @@ from ...support.csv_cells import number
 from ...support.file_names import file_name
 from ..judge.answers import is_stopped
 from ..judge.submission import RIGHT, Grade
-from .failures import picture_for, told_of
+from .failures import explain_failure, find_picture
 from .pages import heading, page, paragraph
-from .rows import BY_HAND, DECIDED, Row, totals
+from .rows import BY_HAND, DECIDED, Row, sum_totals
 
 
-def page_name(student: str, assignment: str) -> str:
-    """Where a page stands in the folder of the grades."""
+def name_page(student: str, assignment: str) -> str:
+    """The path of a page in the folder of the grades."""
     return f"feedback/{file_name(student)}/{file_name(assignment or 'unknown')}.html"
 
 
-def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures: Path) -> str:
-    """The page for the rows of one submission. pictures : the folder in which they are kept."""
+def render_feedback(rows: list[Row], record: Grade | None, trouble: str, pictures: Path) -> str:
+    """The page for the rows of one submission.
+
+    pictures : the folder in which pictures are kept.
+    """
     student, assignment = rows[0].student, rows[0].assignment
-    total = totals(rows)[student, assignment]
+    total = sum_totals(rows)[student, assignment]
     body = [paragraph(student, "quiet")]
     if rows[0].late:
         body.append(paragraph(get_message("grades.late")))
@@ -42,14 +47,14 @@ def feedback_page(rows: list[Row], record: Grade | None, trouble: str, pictures:
     records = {one["question"]: one for one in record["questions"]} if record is not None else {}
     for row in rows:
         if row.question:
-            body += section(row, records.get(row.question), pictures)
+            body += render_question(row, records.get(row.question), pictures)
     if record is not None and record["cells"]:
-        body += cells(record["cells"])
+        body += render_cells(record["cells"])
     return page(assignment or get_message("grades.unknown"), body)
 
 
-def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
-    """One question."""
+def render_question(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
+    """The lines of one question."""
     share = 0.0 if row.score is None else row.score / (row.max_score or 1.0)
     kind = "" if row.score is None else "all" if share >= 1.0 else "some" if share > 0.0 else "none"
     score = (
@@ -57,7 +62,10 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
         if row.score is None
         else f"{number(row.score)} / {number(row.max_score)}"
     )
-    yield f'<section class="{kind}"><h2><span>{escape(row.question)}</span><span class="n">{score}</span></h2>'
+    yield (
+        f'<section class="{kind}"><h2><span>{escape(row.question)}</span>'
+        f'<span class="n">{score}</span></h2>'
+    )
     if row.score is None or row.status in (BY_HAND, DECIDED):
         yield paragraph(
             get_message(f"grades.status.{row.status.replace(' ', '_')}")
@@ -68,15 +76,15 @@ def section(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:
             yield paragraph(question["message"])
             if row.comment:
                 yield paragraph(get_message("grades.comment", comment=row.comment))
-        yield from explained(question, pictures)
+        yield from render_failure(question, pictures)
     elif row.status == RIGHT:
         yield paragraph(row.message)
     yield "</section>"
 
 
-def explained(question: Grade, pictures: Path) -> Iterator[str]:
-    """What a wrong answer met: the case, if everybody has seen it, its picture, and the hint."""
-    told = told_of(question)
+def render_failure(question: Grade, pictures: Path) -> Iterator[str]:
+    """Why an answer is wrong: the case if everybody has seen it, its picture, and the hint."""
+    told = explain_failure(question)
     if told:
         plain = (get_message("check.wanted"), get_message("check.hint"), get_message("check.read"))
         pairs = [
@@ -88,25 +96,25 @@ def explained(question: Grade, pictures: Path) -> Iterator[str]:
             + "".join(f"<dt>{escape(title)}</dt><dd>{text}</dd>" for title, text in pairs)
             + "</dl>"
         )
-    picture = picture_for(question, pictures)
+    picture = find_picture(question, pictures)
     if picture is not None:
         alt = escape(get_message("check.picture", name=question["question"]))
         yield f'<img alt="{alt}" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
 
 
-def cells(troubles: list[Grade]) -> Iterator[str]:
+def render_cells(troubles: list[Grade]) -> Iterator[str]:
     """The cells that failed, with the student's own lines."""
     yield heading(get_message("grades.cells"))
     yield paragraph(get_message("grades.cells_about"), "quiet")
     for trouble in troubles:
-        words, lines = cell_words(trouble["trouble"])
+        words, lines = describe_cell(trouble["trouble"])
         yield paragraph(get_message("grades.cell", number=trouble["cell"], words=words))
         if lines:
             yield f"<pre>{escape(chr(10).join(lines))}</pre>"
 
 
-def cell_words(data: Mapping[str, Any]) -> tuple[str, list[str]]:
-    """What came of a cell, and the lines in which it failed."""
+def describe_cell(data: Mapping[str, Any]) -> tuple[str, list[str]]:
+    """The message of a cell that failed, and the lines where it failed."""
     try:
         outcome = decode_outcome(data, Maybe(Truth()))
     except WrongShape:

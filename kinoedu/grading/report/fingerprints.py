@@ -1,12 +1,11 @@
-"""A program's fingerprints: numbers that stay the same when names, comments, layout and the order
-of functions change.
+"""A program's fingerprints, which do not change with names, comments, layout or order of functions.
 
-The program is read as Python's own syntax tree. Names that it binds itself are all one word,
-annotations, imports and documentation are left out. Of every run of so many words one number is
-made, and of neighbouring numbers the smallest is kept, so that whatever two programs share, if it
-is long enough, is seen in both. Where Python cannot read a cell, its lines count as they are.
-Nothing is run. Source: Schleimer, Wilkerson, Aiken, Winnowing: local algorithms for document
-fingerprinting, SIGMOD 2003.
+The program is read as Python's syntax tree. All names that it binds itself become one word;
+annotations, imports and docstrings are left out. Each run of RUN words gives one number, and of
+every WINDOW neighbouring numbers the smallest is kept. So a common part of two programs, if it is
+long enough, has a fingerprint in both. If Python cannot parse a cell, each of its lines gives a
+number. Nothing is run. Source: Schleimer, Wilkerson, Aiken, Winnowing: local algorithms for
+document fingerprinting, SIGMOD 2003.
 """
 
 import ast
@@ -16,17 +15,19 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 from typing import Any, NamedTuple
 
-RUN = 24  # words: about two lines; less than that many write by themselves
-WINDOW = 8  # neighbours, of which one is kept: what is RUN + WINDOW - 1 words long is always seen
-LONGEST = 200_000  # characters of a cell to be read as Python
-SHORTEST = 12  # characters of a line that counts, where Python cannot read the cell
+RUN = 24  # words, about two lines; shorter runs are often equal by chance
+WINDOW = 8  # neighbours of which one is kept; RUN + WINDOW - 1 common words are always seen
+LONGEST = 200_000  # characters of a cell that is parsed
+SHORTEST = 12  # characters of a line that counts, in a cell that Python cannot parse
 UNSAID = ("annotation", "returns", "ctx", "type_comment", "type_params")
-Lines = tuple[int, int]  # the first and the last
+Lines = tuple[int, int]  # the first and the last line
 
 
 class Piece(NamedTuple):
-    """A function, a class, or some statements in a row: its lines, and where in them, from 0, each
-    fingerprint is from.
+    """A function, a class, or consecutive statements.
+
+    lines : its source.
+    prints : its fingerprints, each with its first and last line, from 0.
     """
 
     lines: list[str]
@@ -34,33 +35,39 @@ class Piece(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """A cell's lines, and what Python reads in them; None where it cannot."""
+    """A cell's lines and its syntax tree; None where Python cannot parse it."""
 
     lines: list[str]
     tree: ast.Module | None
 
 
-def pieces(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
-    """The pieces of a program given as cells, those without fingerprints left out. window : 1 keeps
-    every fingerprint.
+def split_program(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
+    """The pieces of a program, given as cells; pieces without fingerprints are left out.
 
-    >>> text = "def {0}({1}):\\n    {2} = {1} + 1  # {0}\\n    return [{2} * {1} for _ in range({2}) if {1} > {2}]"
-    >>> one, other = (pieces([text.format(*names)]) for names in ("fgh", "uvw"))
+    window : the number of neighbours of which one is kept; 1 keeps every fingerprint.
+
+    >>> text = (
+    ...     "def {0}({1}):\\n    {2} = {1} + 1  # {0}\\n"
+    ...     "    return [{2} * {1} for _ in range({2}) if {1} > {2}]"
+    ... )
+    >>> one, other = (split_program([text.format(*names)]) for names in ("fgh", "uvw"))
     >>> one[0].prints == other[0].prints != {}
     True
     """
-    cells = [Cell(source.splitlines(), tree_of(source)) for source in sources]
-    own = {name for cell in cells if cell.tree is not None for name in bound(cell.tree)}
+    cells = [Cell(source.splitlines(), parse_cell(source)) for source in sources]
+    own = {name for cell in cells if cell.tree is not None for name in find_bound_names(cell.tree)}
     found = [
         piece
         for cell in cells
-        for piece in (by_lines(cell) if cell.tree is None else by_syntax(cell, own, window))
+        for piece in (
+            fingerprint_lines(cell) if cell.tree is None else fingerprint_syntax(cell, own, window)
+        )
     ]
     return [piece for piece in found if piece.prints]
 
 
-def tree_of(source: str) -> ast.Module | None:
-    """What Python reads in a cell; None where it cannot."""
+def parse_cell(source: str) -> ast.Module | None:
+    """The syntax tree of a cell; None where Python cannot parse it."""
     if len(source) > LONGEST:
         return None
     try:
@@ -71,8 +78,8 @@ def tree_of(source: str) -> ast.Module | None:
         return None
 
 
-def bound(tree: ast.Module) -> Iterator[str]:
-    """The names that a program binds itself, but for what it imports."""
+def find_bound_names(tree: ast.Module) -> Iterator[str]:
+    """Yield the names that a program binds itself, except by imports."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
             yield node.id if isinstance(node, ast.Name) else node.attr
@@ -82,17 +89,21 @@ def bound(tree: ast.Module) -> Iterator[str]:
             yield node.arg
 
 
-def by_lines(cell: Cell) -> Iterator[Piece]:
-    """A cell that Python cannot read: each line that is not short."""
+def fingerprint_lines(cell: Cell) -> Iterator[Piece]:
+    """Yield a cell that Python cannot parse, with a fingerprint for each longer line."""
     lines = {at: "".join(line.partition("#")[0].split()) for at, line in enumerate(cell.lines)}
     yield Piece(
         cell.lines,
-        {crc("line " + line): (at, at) for at, line in lines.items() if len(line) >= SHORTEST},
+        {
+            hash_text("line " + line): (at, at)
+            for at, line in lines.items()
+            if len(line) >= SHORTEST
+        },
     )
 
 
-def by_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
-    """Each function and each class of a cell, and what stands between them."""
+def fingerprint_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
+    """Yield each function and each class of a cell, and the statements between them."""
     assert cell.tree is not None
     numbered = enumerate(cell.tree.body)
     for _, group in groupby(
@@ -103,13 +114,15 @@ def by_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece]:
             min(node.lineno for node in (nodes[0], *getattr(nodes[0], "decorator_list", ()))) - 1
         )
         yield Piece(
-            cell.lines[first : nodes[-1].end_lineno], prints(list(words(nodes, own, first)), window)
+            cell.lines[first : nodes[-1].end_lineno],
+            select_fingerprints(list(list_words(nodes, own, first)), window),
         )
 
 
-def prints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
-    """The fingerprints of words, each with its line: of every window of neighbours the smallest,
-    the last of equal ones.
+def select_fingerprints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
+    """The fingerprints of words, each word given with its line.
+
+    Of every `window` neighbouring runs the smallest is kept; ties go to the last.
     """
     runs = [
         hash(tuple(word for word, _ in said[at : at + RUN])) for at in range(len(said) - RUN + 1)
@@ -122,17 +135,15 @@ def prints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
     return kept
 
 
-def words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[int, int]]:
-    """What a syntax tree says, word by word from the top, each as a number and with its line after
-    the first.
-    """
+def list_words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[int, int]]:
+    """Yield the words of a syntax tree from the top, as numbers, with their lines after `first`."""
     line, left = first, list[ast.AST](reversed(nodes))
     while left:
         node = left.pop()
         line = getattr(node, "lineno", line + 1) - 1
         if is_silent(node):
             continue
-        yield crc(word(node, own)), line - first
+        yield hash_text(name_node(node, own)), line - first
         below = [value for name, value in ast.iter_fields(node) if name not in UNSAID]
         children = [
             child for value in below for child in (value if isinstance(value, list) else [value])
@@ -141,29 +152,29 @@ def words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[in
 
 
 def is_silent(node: ast.AST) -> bool:
-    """Whether it says nothing of how a program works: imports, documentation."""
+    """Whether a node has no effect on how a program works: an import, a docstring."""
     text = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     return text or isinstance(node, ast.Import | ast.ImportFrom)
 
 
-def word(node: ast.AST, own: set[str]) -> str:
-    """A node as a word. What others have named, such as sqrt, keeps its name."""
+def name_node(node: ast.AST, own: set[str]) -> str:
+    """A node as a word. Names that the program does not bind itself, such as sqrt, are kept."""
     if isinstance(node, ast.Name):
         return "own" if node.id in own else node.id
     if isinstance(node, ast.Attribute):
         return ".own" if node.attr in own else f".{node.attr}"
     if isinstance(node, ast.Constant):
-        return spelled(node.value)
+        return spell_constant(node.value)
     return {"AnnAssign": "Assign"}.get(type(node).__name__, type(node).__name__)
 
 
-def spelled(value: Any) -> str:
-    """A constant: texts are all the same, and so are numbers too long to be spelled."""
+def spell_constant(value: Any) -> str:
+    """A constant as a word; all texts are equal, and so are all very long numbers."""
     if isinstance(value, str | bytes):
         return "text"
     return "long" if isinstance(value, int) and abs(value) > 10**18 else repr(value)
 
 
-def crc(text: str) -> int:
-    """The same number for the same text, in every process."""
+def hash_text(text: str) -> int:
+    """A number for a text, the same in every process."""
     return zlib.crc32(text.encode("utf-8", "replace"))

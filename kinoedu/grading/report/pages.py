@@ -1,5 +1,6 @@
-"""Pages of HTML that stand alone: one file each, no script, nothing fetched; whatever is put in is
-text and is escaped.
+"""Pages of HTML that stand alone: one file each, without scripts or anything fetched.
+
+All text is escaped.
 """
 
 import re
@@ -21,14 +22,16 @@ h2 {{ font-size: 1.2rem; margin: 2.2rem 0 .5rem }}
 p {{ margin: .4rem 0; max-width: 46rem; overflow-wrap: anywhere }}
 table {{ border-collapse: collapse }}
 .wide {{ overflow-x: auto }}
-th, td {{ text-align: left; padding: .3rem .9rem .3rem 0; border-bottom: 1px solid #E5E7EB; vertical-align: top }}
+th, td {{ text-align: left; padding: .3rem .9rem .3rem 0; border-bottom: 1px solid #E5E7EB; \
+vertical-align: top }}
 td {{ overflow-wrap: break-word }}
 .wide :is(th, td):first-child {{ position: sticky; left: 0; background: #FFFFFF }}
 td wbr {{ display: none }}
 .wide + p {{ margin-top: 2.2rem }}
 .n {{ text-align: right; font-variant-numeric: tabular-nums }}
 td.n, h2 .n {{ white-space: nowrap }}
-section {{ border-left: 6px solid {palette.OUTSIDE}; padding: .1rem 0 .3rem 1.1rem; margin: 1.6rem 0 }}
+section {{ border-left: 6px solid {palette.OUTSIDE}; padding: .1rem 0 .3rem 1.1rem; \
+margin: 1.6rem 0 }}
 section h2 {{ margin: 0; display: flex; justify-content: space-between; gap: 1rem }}
 section.all {{ border-color: {palette.START} }}
 section.some {{ border-color: {palette.PATH} }}
@@ -39,7 +42,8 @@ dd {{ margin: 0; min-width: 0; white-space: pre-wrap; overflow-wrap: anywhere }}
 code, pre {{ font: 15px/1.45 ui-monospace, Consolas, monospace }}
 pre {{ white-space: pre-wrap; overflow-wrap: anywhere; margin: .3rem 0 }}
 img, svg {{ max-width: 100%; height: auto; display: block; margin: .4rem 0 }}
-.two {{ display: grid; grid-template-columns: 1fr 1fr; gap: 0 1.2rem; margin: 1rem calc(50% - 48vw) }}
+.two {{ display: grid; grid-template-columns: 1fr 1fr; gap: 0 1.2rem; \
+margin: 1rem calc(50% - 48vw) }}
 .two > * {{ min-width: 0; margin: 0; padding: .5rem .8rem; border-bottom: 1px solid #E5E7EB }}
 mark {{ background: {palette.PATH}40; color: inherit }}
 .quiet {{ color: {palette.OBSTACLE} }}
@@ -53,7 +57,8 @@ mark {{ background: {palette.PATH}40; color: inherit }}
   .two > * {{ padding: .5rem 0 }}
   .two > h2, .two > pre:empty {{ display: none }}
   .two > pre {{ font-size: .8rem }}
-  .two > pre::before {{ content: attr(title); display: block; font: 600 1rem system-ui, sans-serif }}
+  .two > pre::before {{ content: attr(title); display: block; \
+font: 600 1rem system-ui, sans-serif }}
 }}
 @media print {{ body {{ margin: 0 }} section {{ break-inside: avoid }} }}
 """
@@ -74,7 +79,7 @@ def page(title: str, body: Iterable[str]) -> str:
 
 
 def paragraph(text: str, kind: str = "") -> str:
-    """Text on its own.
+    """A paragraph of text.
 
     >>> paragraph("a < b", "quiet")
     '<p class="quiet">a &lt; b</p>'
@@ -83,8 +88,7 @@ def paragraph(text: str, kind: str = "") -> str:
 
 
 def breakable(text: str) -> str:
-    """Text of a cell: on a narrow page a long name of a file or a function may go on in the next
-    line where its words end.
+    """Text of a cell, in which long names may be broken after _ and / on narrow pages.
 
     >>> breakable("a/b_c < d")
     'a/<wbr>b_<wbr>c &lt; d'
@@ -93,12 +97,12 @@ def breakable(text: str) -> str:
 
 
 def heading(text: str) -> str:
-    """What a part of a page is about."""
+    """The heading of a part of a page."""
     return f"<h2>{escape(text)}</h2>"
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[str]], numbers: int = 0) -> str:
-    """A table of HTML cells under a head of text; the last so many columns hold numbers."""
+    """A table of HTML cells with column names; the last `numbers` columns hold numbers."""
     names = list(head)
     kinds = ["" if at < len(names) - numbers else ' class="n"' for at in range(len(names))]
     lines = ["".join(f"<td{kind}>{cell}</td>" for kind, cell in zip(kinds, row)) for row in rows]
@@ -113,7 +117,7 @@ def table(head: Iterable[str], rows: Iterable[Iterable[str]], numbers: int = 0) 
 
 
 def write_page(file: Path, text: str) -> None:
-    """Write a page, whole or not at all; what no file can hold is replaced."""
+    """Write a page, completely or not at all; characters that no file can hold are replaced."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with written_whole(file) as part:
         part.write_bytes(text.encode("utf-8", "replace"))

@@ -1,4 +1,4 @@
-"""The class at a glance, for the instructor: GRADES/report.html."""
+"""The instructor's overview of a class: GRADES/report.html."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -10,48 +10,45 @@ from ...course.lessons import find
 from ...figures import palette
 from ...messages import get_message
 from ...support.csv_cells import number
-from ..judge.class_list import Class, record_of
-from .feedback_page import page_name
+from ..judge.class_list import Class, read_record
+from .feedback_page import name_page
 from .pages import breakable, heading, page, paragraph, table
-from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, totals
+from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, sum_totals
 
 TENTHS = 10
 
 
-def report_page(of: Class, rows: list[Row]) -> str:
-    """The page: students and assignments, how totals are spread, questions, misconceptions,
-    decisions, and what was not graded.
+def render_report(of: Class, rows: list[Row]) -> str:
+    """The page: the distribution of totals, questions, misconceptions, students and decisions.
+
+    It also lists the submissions that were not graded.
     """
-    found = {whose: total for whose, total in totals(rows).items() if whose[1]}
+    found = {whose: total for whose, total in sum_totals(rows).items() if whose[1]}
     names = sorted({assignment for _, assignment in found})
     bad = {row[:2] for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     counts = {"students": len({row.student for row in rows}), "submissions": len(of.entries)}
     graded = sum((entry.student, entry.assignment) not in bad for entry in of.entries)
     late = {(entry.student, entry.assignment) for entry in of.entries if entry.late}
-    body = [
-        paragraph(
-            get_message("grades.report.summary", **counts, graded=graded) + late_words(len(late))
-        )
-    ]
-    body += not_graded(of, rows)
+    about = get_message("grades.report.summary", **counts, graded=graded) + describe_late(len(late))
+    body = [paragraph(about)]
+    body += list_not_graded(of, rows)
     for name in names:
-        body += spread(
-            name, [total for (_, assignment), total in found.items() if assignment == name]
-        )
-    body += questions(rows)
-    body += mistakes(of)
-    body += students(found, names, late)
-    body += decisions(rows)
+        its = [total for (_, assignment), total in found.items() if assignment == name]
+        body += draw_histogram(name, its)
+    body += tabulate_questions(rows)
+    body += tabulate_mistakes(of)
+    body += tabulate_students(found, names, late)
+    body += tabulate_decisions(rows)
     return page(get_message("grades.report.title"), body)
 
 
-def late_words(count: int) -> str:
-    """How many were late, where any were."""
+def describe_late(count: int) -> str:
+    """The number of late submissions in words, or "" if there are none."""
     return " " + get_message("grades.report.late", count=count) if count else ""
 
 
-def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
-    """Each submission without scores, by name and with the reason."""
+def list_not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
+    """Yield a table of the submissions without scores, with the reasons."""
     said = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     found = [
         (entry, said[entry.student, entry.assignment])
@@ -68,49 +65,49 @@ def not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
         yield table(head, [map(breakable, reason) for reason in reasons])
 
 
-def spread(name: str, found: list[Total]) -> Iterator[str]:
-    """A histogram of the totals of an assignment, by tenths of its points; of those with any
-    score.
+def draw_histogram(name: str, found: list[Total]) -> Iterator[str]:
+    """Yield a histogram of an assignment's totals, by tenths of its points.
+
+    It counts students who have at least one score.
     """
     shares = [
         total.score / (total.max_score or 1.0) for total in found if total.waiting < total.questions
     ]
     counts = Counter(min(TENTHS - 1, int(TENTHS * share + 1e-9)) for share in shares)
     yield heading(f"{name}: {get_message('grades.report.histogram')}")
-    yield bars([counts[tenth] for tenth in range(TENTHS)], name)
+    yield draw_bars([counts[tenth] for tenth in range(TENTHS)], name)
 
 
-def bars(counts: list[int], name: str) -> str:
+def draw_bars(counts: list[int], name: str) -> str:
     """Bars with their numbers above them, as SVG."""
     wide, high, gap, top = 62, 150, 6, max([1, *counts])
     parts = []
     for at, count in enumerate(counts):
         tall, left = high * count / top, at * wide
         parts.append(
-            f'<rect x="{left + gap / 2:g}" y="{30 + high - tall:g}" width="{wide - gap}" height="{tall:g}" fill="{palette.TREE}"/>'
+            f'<rect x="{left + gap / 2:g}" y="{30 + high - tall:g}" '
+            f'width="{wide - gap}" height="{tall:g}" fill="{palette.TREE}"/>'
         )
         if count:
-            parts.append(
-                f'<text x="{left + wide / 2:g}" y="{24 + high - tall:g}" text-anchor="middle">{count}</text>'
-            )
+            middle, above = left + wide / 2, 24 + high - tall
+            parts.append(f'<text x="{middle:g}" y="{above:g}" text-anchor="middle">{count}</text>')
     for tenth in range(0, TENTHS + 1, 2):
         x, anchor = tenth * wide, "start" if tenth == 0 else "end" if tenth == TENTHS else "middle"
         parts.append(f'<text x="{x}" y="{52 + high}" text-anchor="{anchor}">{10 * tenth} %</text>')
-    line = f'<line x1="0" x2="{TENTHS * wide}" y1="{30 + high}" y2="{30 + high}" stroke="{palette.INK}"/>'
-    alt = escape(
-        get_message(
-            "grades.report.histogram_alt", assignment=name, counts=", ".join(map(str, counts))
-        )
-    )
+    full, ground = TENTHS * wide, 30 + high
+    line = f'<line x1="0" x2="{full}" y1="{ground}" y2="{ground}" stroke="{palette.INK}"/>'
+    listed = ", ".join(map(str, counts))
+    alt = escape(get_message("grades.report.histogram_alt", assignment=name, counts=listed))
     return (
-        f'<svg role="img" aria-label="{alt}" viewBox="0 0 {TENTHS * wide} {62 + high}" width="{TENTHS * wide}" '
+        f'<svg role="img" aria-label="{alt}" viewBox="0 0 {full} {62 + high}" width="{full}" '
         f'font-size="16" fill="{palette.INK}">{"".join(parts)}{line}</svg>'
     )
 
 
-def questions(rows: list[Row]) -> Iterator[str]:
-    """Of each question how many points were had on average, by how many all, and who answered at
-    all; of what is scored.
+def tabulate_questions(rows: list[Row]) -> Iterator[str]:
+    """Yield a table of the questions: how many answered, had full points, and the mean.
+
+    Only questions with a score are counted.
     """
     yield heading(get_message("grades.report.questions"))
     head = [
@@ -137,23 +134,16 @@ def questions(rows: list[Row]) -> Iterator[str]:
             if (row.assignment, row.question) == (assignment, question)
         )
         full, mean = sum(share >= 1.0 for share in shares) / len(shares), sum(shares) / len(shares)
-        lines.append(
-            [
-                breakable(assignment),
-                breakable(question),
-                f"{answered} / {len(shares)}",
-                f"{full:.0%}",
-                f"{mean:.0%}",
-            ]
-        )
+        names = [breakable(assignment), breakable(question)]
+        lines.append([*names, f"{answered} / {len(shares)}", f"{full:.0%}", f"{mean:.0%}"])
     yield table(head, lines, numbers=3)
 
 
-def mistakes(of: Class) -> Iterator[str]:
-    """How often each rule was broken first, and each misconception met."""
+def tabulate_mistakes(of: Class) -> Iterator[str]:
+    """Yield a table of the rules broken first and the misconceptions, with their counts."""
     met: Counter[tuple[str, str]] = Counter()
     for entry in of.entries:
-        record = record_of(entry, of.out)
+        record = read_record(entry, of.out)
         for question in record["questions"] if record is not None else ():
             if question.get("reason"):
                 met[question["question"], question["reason"]] += 1
@@ -165,44 +155,41 @@ def mistakes(of: Class) -> Iterator[str]:
     head = [get_message(f"grades.report.{key}") for key in ("question", "mistake", "count")]
     often = sorted(met.items(), key=lambda item: (-item[1], item[0]))
     lines = [
-        [breakable(name), breakable(words_of(name, reason)), str(count)]
+        [breakable(name), breakable(describe_reason(name, reason)), str(count)]
         for (name, reason), count in often
     ]
     yield table(head, lines, numbers=1)
 
 
-def words_of(question: str, reason: str) -> str:
-    """A rule or a misconception in words; its key where the course has changed since."""
+def describe_reason(question: str, reason: str) -> str:
+    """The text of a rule or a misconception, or its key if the course has changed since."""
     try:
         return find(question).message(reason)
     except (KeyError, ValueError):
         return reason
 
 
-def students(
+def tabulate_students(
     found: dict[tuple[str, str], Total], names: list[str], late: set[tuple[str, str]]
 ) -> Iterator[str]:
-    """A line for each student, with links to their pages, and what was late."""
+    """Yield a table of the students, with links to their pages, and marks on late submissions."""
     yield heading(get_message("grades.report.students"))
     lines = []
     for student in sorted({student for student, _ in found}):
         line = [breakable(student)]
         for name in names:
-            total, mark = (
-                found.get((student, name)),
-                " " + get_message("grades.late_mark") if (student, name) in late else "",
-            )
+            total = found.get((student, name))
+            mark = " " + get_message("grades.late_mark") if (student, name) in late else ""
+            link = quote(name_page(student, name))
             line.append(
-                ""
-                if total is None
-                else f'<a href="{quote(page_name(student, name))}">{total_words(total)}</a>{mark}'
+                "" if total is None else f'<a href="{link}">{describe_total(total)}</a>{mark}'
             )
         lines.append(line)
     yield table([get_message("grades.report.student"), *names], lines, numbers=len(names))
 
 
-def total_words(total: Total) -> str:
-    """A total as a cell; where nothing has a score it is none rather than zero."""
+def describe_total(total: Total) -> str:
+    """A total as a cell; it shows no score, rather than zero, if no question has a score."""
     if total.waiting == total.questions:
         return get_message("grades.report.all_open", most=number(total.max_score))
     score = f"{number(total.score)} / {number(total.max_score)}"
@@ -213,8 +200,8 @@ def total_words(total: Total) -> str:
     )
 
 
-def decisions(rows: Iterable[Row]) -> Iterator[str]:
-    """What people decided, and where they only said something, that."""
+def tabulate_decisions(rows: Iterable[Row]) -> Iterator[str]:
+    """Yield a table of the scores and comments that people gave."""
     found = [row for row in rows if row.status == DECIDED or row.comment]
     if found:
         yield heading(get_message("grades.report.decisions"))
@@ -222,11 +209,8 @@ def decisions(rows: Iterable[Row]) -> Iterator[str]:
             get_message(f"grades.report.{key}")
             for key in ("student", "question", "reason", "score")
         ]
-        yield table(
-            head,
-            [
-                [*map(breakable, (row.student, row.question, row.message)), number(row.score)]
-                for row in found
-            ],
-            1,
-        )
+        lines = [
+            [*map(breakable, (row.student, row.question, row.message)), number(row.score)]
+            for row in found
+        ]
+        yield table(head, lines, numbers=1)

@@ -1,4 +1,4 @@
-"""The grades as one table: a row for each question of each submission, and GRADES/grades.csv."""
+"""The grades as a table, GRADES/grades.csv: one row for each question of each submission."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -8,22 +8,20 @@ from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.csv_cells import harmless, number, write_rows
 from ..assignments.questions import assignment
-from ..judge.class_list import Class, Entry, record_of
+from ..judge.class_list import Class, Entry, read_record
 from ..judge.submission import Grade
 from .decisions import Decision, Decisions
 
-UNREADABLE, NOT_GRADED, BY_HAND, DECIDED = (
-    "unreadable",
-    "not graded",
-    "to grade by hand",
-    "set by hand",
-)
+UNREADABLE, NOT_GRADED = "unreadable", "not graded"
+BY_HAND, DECIDED = "to grade by hand", "set by hand"
 COLUMNS = ("student", "assignment", "question", "score", "max_score", "status", "message")
 
 
 class Row(NamedTuple):
-    """One question of one student; `score` is None as long as there is none. late : Canvas marked
-    what was handed in so.
+    """One question of one student.
+
+    score : None while there is none.
+    late : whether Canvas marked the submission as late.
     comment : a person's, or "".
     """
 
@@ -39,10 +37,15 @@ class Row(NamedTuple):
 
 
 def class_rows(of: Class, decisions: Decisions) -> list[Row]:
-    """All rows of a class, with what people decided. Raises InvalidParameter where a decision is
-    about nothing that there is.
+    """All rows of a class, with people's decisions applied.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a decision matches no row.
     """
-    rows = [row for entry in of.entries for row in entry_rows(entry, record_of(entry, of.out))]
+    records = ((entry, read_record(entry, of.out)) for entry in of.entries)
+    rows = [row for entry, record in records for row in list_entry_rows(entry, record)]
     there = {row[:3] for row in rows}
     for whose, decision in decisions.items():
         if whose not in there:
@@ -50,18 +53,17 @@ def class_rows(of: Class, decisions: Decisions) -> list[Row]:
                 f"{decision.said_in}: grades.csv would have no row for {' '.join(whose)}; check "
                 "the names"
             )
-    return [decided(row, decisions.get(row[:3])) for row in rows]
+    return [apply_decision(row, decisions.get(row[:3])) for row in rows]
 
 
-def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
-    """The rows of one submission, as the grader has it; where there is trouble, they say which."""
+def list_entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
+    """The grader's rows for one submission, with the reason if it could not be graded."""
     if not entry.assignment:
-        return [
-            Row(entry.student, "", "", None, 0.0, UNREADABLE, trouble_of(entry, record), entry.late)
-        ]
+        trouble = (UNREADABLE, describe_trouble(entry, record))
+        return [Row(entry.student, "", "", None, 0.0, *trouble, entry.late)]
     task = assignment(entry.assignment)
     if record is None or record["status"] == UNREADABLE:
-        trouble = (trouble_status(entry, record), trouble_of(entry, record))
+        trouble = (name_trouble(entry, record), describe_trouble(entry, record))
         told = [(asked.exercise.name, None, asked.points, *trouble) for asked in task.questions]
     else:
         told = [
@@ -72,20 +74,20 @@ def entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
     return [Row(entry.student, entry.assignment, *rest, entry.late) for rest in told]
 
 
-def trouble_status(entry: Entry, record: Grade | None) -> str:
-    """Whose the trouble is: the file's, or the machine's."""
+def name_trouble(entry: Entry, record: Grade | None) -> str:
+    """Whether the file could not be read, or the machine failed."""
     return UNREADABLE if record is not None or not entry.key else NOT_GRADED
 
 
-def trouble_of(entry: Entry, record: Grade | None) -> str:
-    """Why a submission has no scores, in words; "" where it has."""
+def describe_trouble(entry: Entry, record: Grade | None) -> str:
+    """Why a submission has no scores, in words; "" if it has."""
     if record is not None:
         return str(record["message"])
     return entry.trouble or get_message("grades.not_graded")
 
 
-def decided(row: Row, decision: Decision | None) -> Row:
-    """A row with what somebody decided."""
+def apply_decision(row: Row, decision: Decision | None) -> Row:
+    """The row with a person's decision applied."""
     if decision is None:
         return row
     row = row._replace(message=decision.comment or row.message, comment=decision.comment)
@@ -93,8 +95,11 @@ def decided(row: Row, decision: Decision | None) -> Row:
 
 
 class Total(NamedTuple):
-    """What a student has for an assignment: the sum of its scores, of how much, how many questions
-    have no score yet, of all.
+    """A student's total for an assignment.
+
+    score, max_score : sums over its questions.
+    waiting : the number of questions without a score yet.
+    questions : the number of all questions.
     """
 
     score: float
@@ -103,32 +108,25 @@ class Total(NamedTuple):
     questions: int
 
 
-def totals(rows: Iterable[Row]) -> dict[tuple[str, str], Total]:
+def sum_totals(rows: Iterable[Row]) -> dict[tuple[str, str], Total]:
     """The total for each student and assignment, in the order of the rows."""
     found: dict[tuple[str, str], Total] = {}
     for row in rows:
         before = found.get((row.student, row.assignment), Total(0.0, 0.0, 0, 0))
         sums = (before.score + (row.score or 0.0), before.max_score + row.max_score)
-        found[row.student, row.assignment] = Total(
-            *sums, before.waiting + (row.score is None), before.questions + 1
-        )
+        counts = (before.waiting + (row.score is None), before.questions + 1)
+        found[row.student, row.assignment] = Total(*sums, *counts)
     return found
 
 
 def write_grades(rows: Iterable[Row], file: Path) -> None:
-    """Write grades.csv: the same bytes for the same rows."""
-    write_rows(file, [COLUMNS, *cells(rows)])
+    """Write grades.csv; equal rows give equal bytes."""
+    write_rows(file, [COLUMNS, *format_rows(rows)])
 
 
-def cells(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
-    """Rows as text."""
+def format_rows(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
+    """Yield the rows as text."""
     for row in rows:
-        yield (
-            harmless(row.student),
-            harmless(row.assignment),
-            harmless(row.question),
-            number(row.score),
-            number(row.max_score),
-            row.status,
-            harmless(row.message),
-        )
+        names = map(harmless, (row.student, row.assignment, row.question))
+        scores = (number(row.score), number(row.max_score))
+        yield (*names, *scores, row.status, harmless(row.message))

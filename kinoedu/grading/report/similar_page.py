@@ -1,6 +1,4 @@
-"""What programs have in common, for a person to look at: a list of pairs as a page and as a table,
-and a page for each pair.
-"""
+"""Similar programs, for people to look at: a page and a table of pairs, and a page per pair."""
 
 from collections.abc import Iterable, Iterator
 from html import escape
@@ -17,112 +15,89 @@ COLUMNS = ("assignment", "first", "second", "weight", "share_of_first", "share_o
 
 
 def write_similar(found: list[Similar], folder: Path) -> int:
-    """Write similar.html, similar.csv and pairs/*.html; pages of pairs that are gone are removed.
-    Returns how many pairs.
+    """Write similar.html, similar.csv and pairs/*.html, and remove pages of earlier pairs.
+
+    Returns
+    -------
+    int
+        The number of pairs.
     """
-    pairs = [(place, of, one) for of in found for place, one in placed(of)]
+    pairs = [(place, of, one) for of in found for place, one in place_pairs(of)]
     for place, of, one in pairs:
-        write_page(folder / place, pair_page(of, one))
+        write_page(folder / place, render_pair_page(of, one))
     for file in (folder / "pairs").glob("*.html"):
         if file.relative_to(folder).as_posix() not in {place for place, _, _ in pairs}:
             file.unlink()
-    lines = [
-        [
-            *map(harmless, (of.assignment, one.first.name, one.second.name)),
-            *map(number, one[2:]),
-            place,
-        ]
-        for place, of, one in pairs
-    ]
+    lines = []
+    for place, of, one in pairs:
+        names = map(harmless, (of.assignment, one.first.name, one.second.name))
+        lines.append([*names, *map(number, one[2:]), place])
     folder.mkdir(parents=True, exist_ok=True)
     write_rows(folder / "similar.csv", [COLUMNS, *lines])
-    write_page(
-        folder / "similar.html",
-        page(
-            get_message("similar.title"),
-            [paragraph(get_message("similar.about")), *map(summary, found)],
-        ),
-    )
+    body = [paragraph(get_message("similar.about")), *map(render_pairs, found)]
+    write_page(folder / "similar.html", page(get_message("similar.title"), body))
     return len(pairs)
 
 
-def placed(of: Similar) -> Iterator[tuple[str, Likeness]]:
-    """Each likeness of an assignment, with the place of its page."""
+def place_pairs(of: Similar) -> Iterator[tuple[str, Likeness]]:
+    """Yield each pair of an assignment, with the path of its page."""
     for at, one in enumerate((*of.each_other, *of.course), 1):
         yield f"pairs/{of.assignment}-{at:04d}.html", one
 
 
-def summary(of: Similar) -> str:
+def render_pairs(of: Similar) -> str:
     """An assignment's pairs, as two tables."""
-    all_placed = list(placed(of))
-    parts = [
-        paragraph(
-            f"{of.assignment}: {get_message('similar.count', count=len(of.programs))}", "quiet"
-        )
-    ]
-    for key, pairs in (
-        ("each_other", all_placed[: len(of.each_other)]),
-        ("course", all_placed[len(of.each_other) :]),
-    ):
+    pages, middle = list(place_pairs(of)), len(of.each_other)
+    count = get_message("similar.count", count=len(of.programs))
+    parts = [paragraph(f"{of.assignment}: {count}", "quiet")]
+    columns = ("first", "second", "of_first", "of_second", "weight")
+    head = [get_message(f"similar.{column}") for column in columns]
+    for key, pairs in (("each_other", pages[:middle]), ("course", pages[middle:])):
         parts.append(heading(f"{of.assignment}: {get_message(f'similar.{key}')}"))
-        head = [
-            get_message(f"similar.{column}")
-            for column in ("first", "second", "of_first", "of_second", "weight")
-        ]
         parts.append(
-            table(head, map(row, pairs), numbers=3)
+            table(head, map(render_row, pairs), numbers=3)
             if pairs
             else paragraph(get_message("similar.nothing"), "quiet")
         )
     return "\n".join(parts)
 
 
-def row(pair: tuple[str, Likeness]) -> list[str]:
+def render_row(pair: tuple[str, Likeness]) -> list[str]:
     """A pair's cells, in HTML."""
     place, one = pair
-    first = f'<a href="{place}">{breakable(one.first.name)}</a>'
-    return [
-        first,
-        breakable(one.second.name),
-        percent(one.of_first),
-        percent(one.of_second),
-        f"{one.weight:.0f}",
-    ]
+    names = f'<a href="{place}">{breakable(one.first.name)}</a>', breakable(one.second.name)
+    return [*names, *map(format_percent, (one.of_first, one.of_second)), f"{one.weight:.0f}"]
 
 
-def percent(share: float) -> str:
-    """A share in words.
+def format_percent(share: float) -> str:
+    """A fraction as text.
 
-    >>> percent(0.996)
+    >>> format_percent(0.996)
     '100 %'
     """
     return f"{100.0 * share:.0f} %"
 
 
-def pair_page(of: Similar, one: Likeness) -> str:
-    """Two programs beside each other: only their pieces that have something in common, and there
-    marked what it is.
-    """
+def render_pair_page(of: Similar, one: Likeness) -> str:
+    """Two programs side by side: the pieces that have something in common, with it marked."""
     shared = one.first.prints & one.second.prints
     shares = get_message(
-        "similar.shares", first=percent(one.of_first), second=percent(one.of_second)
+        "similar.shares", first=format_percent(one.of_first), second=format_percent(one.of_second)
     )
-    body = [
-        paragraph(get_message("similar.about")),
-        paragraph(shares, "quiet"),
-        '<div class="two">',
-    ]
-    body += [f"<h2>{escape(name)}</h2>" for name in (one.first.name, one.second.name)]
-    for pieces in beside(one.first.pieces, one.second.pieces, shared):
-        body += map(shown, pieces, (one.first.name, one.second.name), repeat(shared))
+    names = (one.first.name, one.second.name)
+    body = [paragraph(get_message("similar.about")), paragraph(shares, "quiet")]
+    body += ['<div class="two">', *(f"<h2>{escape(name)}</h2>" for name in names)]
+    for pieces in match_pieces(one.first.pieces, one.second.pieces, shared):
+        body += map(render_piece, pieces, names, repeat(shared))
     return page(f"{of.assignment}: {get_message('similar.title')}", [*body, "</div>"])
 
 
-def beside(
+def match_pieces(
     first: Iterable[Piece], second: Iterable[Piece], shared: set[int]
 ) -> Iterator[tuple[Piece | None, Piece | None]]:
-    """The pieces that share something, each of the first with the one of the second that shares the
-    most with it.
+    """Yield the pieces with common fingerprints in pairs.
+
+    Each piece of the first is paired with that of the second that shares the most with it.
     """
     left = [piece for piece in second if shared & piece.prints.keys()]
     for piece in first:
@@ -135,19 +110,15 @@ def beside(
         yield None, other
 
 
-def shown(piece: Piece | None, name: str, shared: set[int]) -> str:
-    """A piece, and whose it is, which a narrow page says above it; or the place where the other
-    program has nothing like it.
-    """
-    return (
-        "<pre></pre>"
-        if piece is None
-        else f'<pre title="{escape(name)}">{marked(piece, shared)}</pre>'
-    )
+def render_piece(piece: Piece | None, name: str, shared: set[int]) -> str:
+    """A piece as HTML, with its author's name for narrow pages; empty if there is no piece."""
+    if piece is None:
+        return "<pre></pre>"
+    return f'<pre title="{escape(name)}">{mark_lines(piece, shared)}</pre>'
 
 
-def marked(piece: Piece, shared: set[int]) -> str:
-    """A piece's lines, those that are shared marked."""
+def mark_lines(piece: Piece, shared: set[int]) -> str:
+    """A piece's lines as HTML, with the shared ones marked."""
     common = {
         line
         for one in shared & piece.prints.keys()

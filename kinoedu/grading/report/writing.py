@@ -1,48 +1,57 @@
-"""From a graded class to what people read: grades.csv, report.html, and a page for each student."""
+"""Write what people read of a class: grades.csv, report.html, and a page for each student."""
 
 import shutil
 from pathlib import Path
 
-from ..judge.class_list import Class, Entry, record_of
+from ..judge.class_list import Class, Entry, read_record
 from ..judge.running import Progress
 from .decisions import read_decisions
-from .feedback_page import feedback_page, page_name
+from .feedback_page import name_page, render_feedback
 from .pages import write_page
-from .report_page import report_page
+from .report_page import render_report
 from .rows import Row, class_rows, write_grades
 
 
 def write_all(of: Class, progress: Progress | None = None) -> list[Row]:
-    """Write everything that people read; the same bytes for the same class. Returns the rows of
-    grades.csv.
+    """Write all tables and pages of a class; equal classes give equal bytes.
 
-    Raises InvalidParameter where a decision is wrong, OSError where nothing can be written.
+    Returns
+    -------
+    list of Row
+        The rows of grades.csv.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a decision is wrong.
+    OSError
+        Where a file cannot be written.
     """
     rows = class_rows(of, read_decisions(of.out))
     write_grades(rows, of.out / "grades.csv")
-    write_page(of.out / "report.html", report_page(of, rows))
+    write_page(of.out / "report.html", render_report(of, rows))
     mine: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         mine.setdefault((row.student, row.assignment), []).append(row)
-    pages = {page_name(*whose): whose for whose in mine}
+    pages = {name_page(*whose): whose for whose in mine}
     entries = {(entry.student, entry.assignment): entry for entry in of.entries}
     for done, (name, whose) in enumerate(pages.items(), 1):
-        write_page(of.out / name, one_page(mine[whose], entries[whose], of.out))
+        write_page(of.out / name, render_page(mine[whose], entries[whose], of.out))
         if progress is not None:
             progress(done, len(pages))
     remove_others(of.out / "feedback", {of.out / name for name in pages})
     return rows
 
 
-def one_page(rows: list[Row], entry: Entry, out: Path) -> str:
+def render_page(rows: list[Row], entry: Entry, out: Path) -> str:
     """The page of one submission."""
-    record = record_of(entry, out)
+    record = read_record(entry, out)
     trouble = entry.trouble if record is None else record["message"]
-    return feedback_page(rows, record, trouble, out / "pictures")
+    return render_feedback(rows, record, trouble, out / "pictures")
 
 
 def remove_others(folder: Path, kept: set[Path]) -> None:
-    """Remove the pages of submissions that are no longer there, lest somebody hands them out."""
+    """Remove the pages of submissions that are gone, so that nobody hands them out."""
     for file in folder.rglob("*.html"):
         if file not in kept:
             file.unlink()

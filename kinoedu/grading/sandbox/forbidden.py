@@ -1,9 +1,9 @@
-"""Calls of Linux that a student's program may not make: they start processes, reach others, open
-networks and shared memory, or ask the kernel for more than a calculation needs.
+"""System calls that a student's program may not make.
 
-Most are stopped by something else as well. This is the wall where there is none other: memory that
-no limit counts (System V's, memfd), and new user namespaces, in which everybody is root. Linux
-filters calls by a small program, see seccomp(2).
+They start processes, reach other processes, open networks or shared memory, or ask the kernel for
+more than a calculation needs. Most of them are prevented by something else as well. Two are
+prevented only here: memory that no limit counts (System V's, memfd), and new user namespaces, in
+which every user is root. Linux filters system calls by a small program; see seccomp(2).
 """
 
 import ctypes
@@ -11,67 +11,32 @@ import errno
 import platform
 import struct
 
-SECCOMP, BY_FILTER = 22, 2  # prctl's
+SECCOMP, BY_FILTER = 22, 2  # arguments of prctl
 LOAD, JUMP_IF_EQUAL, JUMP_IF_AT_LEAST, RETURN = 0x20, 0x15, 0x35, 0x06
 ALLOW, KILL, REFUSE = 0x7FFF_0000, 0x8000_0000, 0x0005_0000 | errno.EPERM
-OTHER_CALLS = 0x4000_0000  # from here on x86_64 has each call once more
+OTHER_CALLS = 0x4000_0000  # x86_64 repeats all its calls from this number on
 
-NEW = (
-    425,
-    427,
-    428,
-    429,
-    430,
-    432,
-    433,
-    434,
-    435,
-    442,
-)  # io_uring, mounts, pidfd_open, clone3: the same number everywhere
-CALLS: dict[
-    str, tuple[int, int, tuple[int, ...]]
-] = {  # the machine: its mark, clone, and what is refused
+# io_uring, mounts, pidfd_open, clone3: their numbers are the same on every machine
+NEW = (425, 427, 428, 429, 430, 432, 433, 434, 435, 442)
+# for each machine: its mark, the number of clone, and the numbers of refused calls
+CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {
     "x86_64": (
         0xC000_003E,
         56,
         (
-            *(56, 57, 58, 59, 322),  # clone, fork, vfork, execve, execveat
-            *(
-                41,
-                53,
-                101,
-                310,
-                311,
-                312,
-            ),  # socket, socketpair, ptrace, process_vm_readv, process_vm_writev, kcmp
-            *(
-                29,
-                64,
-                68,
-                240,
-                319,
-                447,
-            ),  # shmget, semget, msgget, mq_open, memfd_create, memfd_secret
-            *(
-                135,
-                155,
-                161,
-                165,
-                166,
-                272,
-                308,
-            ),  # personality, pivot_root, chroot, mount, umount2, unshare, setns
-            *(
-                248,
-                249,
-                250,
-                298,
-                321,
-                323,
-            ),  # add_key, request_key, keyctl, perf_event_open, bpf, userfaultfd
+            # clone, fork, vfork, execve, execveat
+            *(56, 57, 58, 59, 322),
+            # socket, socketpair, ptrace, process_vm_readv, process_vm_writev, kcmp
+            *(41, 53, 101, 310, 311, 312),
+            # shmget, semget, msgget, mq_open, memfd_create, memfd_secret
+            *(29, 64, 68, 240, 319, 447),
+            # personality, pivot_root, chroot, mount, umount2, unshare, setns
+            *(135, 155, 161, 165, 166, 272, 308),
+            # add_key, request_key, keyctl, perf_event_open, bpf, userfaultfd
+            *(248, 249, 250, 298, 321, 323),
         ),
     ),
-    "aarch64": (  # the same, without fork and vfork, which it has not
+    "aarch64": (  # the same calls, but for fork and vfork, which it lacks
         0xC000_00B7,
         220,
         (
@@ -87,14 +52,16 @@ MARK, FORK, REFUSED = CALLS.get(platform.machine(), (0, -1, ()))
 
 
 class Filter(ctypes.Structure):
-    """A filter as Linux wants it: how many steps, and where they are."""
+    """A filter as Linux expects it: the number of its steps, and their address."""
 
     _fields_ = [("length", ctypes.c_ushort), ("steps", ctypes.c_char_p)]
 
 
 def filtering() -> Filter:
-    """The filter of this machine. Its steps: is it this machine's way to call, and is the call one
-    of those refused?
+    """The filter of this machine.
+
+    Its steps check that the call is made in this machine's own way, and that it is not a refused
+    one.
     """
     refused = REFUSED + NEW
     steps = [(LOAD, 0, 0, 4), (JUMP_IF_EQUAL, 1, 0, MARK), (RETURN, 0, 0, KILL), (LOAD, 0, 0, 0)]

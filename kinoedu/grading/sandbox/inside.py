@@ -1,19 +1,20 @@
-"""What runs in the sandbox: a student's cells, and then their functions on cases. Nothing else ever
-runs a student's program.
+"""The program that runs in the sandbox: it runs a student's cells, and their functions on cases.
 
-`python inside.py SOCKET [MODULE...]`, started by `sandbox.py`, loads the library once, and those
-modules too, and waits. For each request it forks a process that shuts itself in, runs what it can,
-and writes a line of JSON for each cell and each case as soon as it is done; whoever reads believes
-none of it. A request comes as two files, one to read and one to write lines to:
+Students' programs are run nowhere else. `python inside.py SOCKET [MODULE...]` is started by
+`sandbox.py`. It loads the library and those modules once, and waits. For each request it forks a
+process that shuts itself in, runs what it can, and writes a line of JSON for each cell and each
+case as soon as that is done. The grader trusts none of these lines. A request comes as two files,
+one to read and one to write lines to. Its first line holds
 
     cells      the source of each cell, its number in the notebook, and its seconds
-    questions  each with its name, the shapes of what is given and answered, its seconds, and where it has a call of its own, which
+    questions  each with its name, the shapes of its arguments and its answer, its seconds, and
+               where its own `call` is defined, if it has one
     withheld   functions of the library that the questions ask for, as "module:name"
-    lent       functions of the exercises' own modules that the assignment uses, named so too
+    lent       functions of the exercises' own modules that the assignment uses, named likewise
     limits     bytes of memory, seconds of processor, bytes of files, and the user to become
 
-and then, each on a line when what was asked before is done, cases for each question: so what was
-said before could not know them.
+and each further line holds cases for each question. It is sent only when everything before is done,
+so no earlier output can depend on these cases.
 """
 
 import builtins
@@ -33,19 +34,21 @@ from typing import Any, NamedTuple
 
 PRACTICE = 50
 ALARMS = (signal.ITIMER_PROF, signal.ITIMER_REAL)
-AGAIN = 0.05  # seconds after which an alarm rings again
+AGAIN = 0.05  # seconds until an alarm is repeated
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent.parent.parent)]
 sys.path += map(str, HERE.parent.parent.parent.glob("site-packages-*"))
 
-import library  # noqa: E402  (beside this file: to import them from kinoedu would load all of it, before the mode is known)
+# Both are beside this file. To import them from kinoedu would load all of it too early.
+import library  # noqa: E402
 import shut_in  # noqa: E402
 
 
 def main() -> None:
-    """Load the library, and serve requests until nobody asks any more."""
+    """Load the library, and serve requests until the grader closes the socket."""
     grader = socket.socket(fileno=int(sys.argv[1]))
-    sys.modules["numba"] = None  # type: ignore[assignment]  # not there: the library answers the same, and starts at once
+    # without numba the library gives the same answers, and starts at once
+    sys.modules["numba"] = None  # type: ignore[assignment]
     library.open_library()
     for name in (*library.USUAL, *sys.argv[2:]):
         importlib.import_module(name)
@@ -66,8 +69,9 @@ def main() -> None:
 
 
 def practise() -> None:
-    """Do once what every request does: Python is quicker in what it has done before, and words are
-    read from their files once.
+    """Do once what every request does.
+
+    Python is faster the second time, and messages are read from their files only once.
     """
     import numpy as np
 
@@ -84,12 +88,13 @@ def practise() -> None:
     )
     cases = [{"q": [0.0, 1.0], "ring": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "r": 1.0}] * PRACTICE
     with open(os.devnull, "w", encoding="utf-8") as nowhere:
-        for function in (length, str, float):  # an answer, something of another shape, an exception
+        # an answer, a result of the wrong shape, an exception
+        for function in (length, str, float):
             answered("", exercise, cases, {"": 0}, function, Channel(nowhere))
 
 
 def ended(child: int, grader: socket.socket) -> int:
-    """Wait until the grader has heard enough, and end what still runs; how it ended."""
+    """Wait until the grader has read enough, kill what still runs, and return its exit code."""
     grader.recv(16)
     with contextlib.suppress(ProcessLookupError):
         os.kill(child, signal.SIGKILL)
@@ -97,7 +102,7 @@ def ended(child: int, grader: socket.socket) -> int:
 
 
 def serve(asking: int, answering: int) -> None:
-    """Run a request. Never returns."""
+    """Run a request in a process of its own. Never returns."""
     nowhere = os.open(os.devnull, os.O_RDWR)
     with contextlib.suppress(BaseException), os.fdopen(answering, "w", encoding="utf-8") as out:
         channel = Channel(out)
@@ -108,23 +113,23 @@ def serve(asking: int, answering: int) -> None:
                 run(map(json.loads, iter(stream.readline, "")), channel)
         except BaseException as error:
             channel.say(broken=f"{type(error).__name__}: {error}")
-    os._exit(0)  # what a program left behind, such as functions to be called at the end, has no say
+    os._exit(0)  # so functions that a program registered for the exit are not called
 
 
 class Channel:
-    """The one way out: lines of JSON. What a program prints goes nowhere."""
+    """The only output of a program: lines of JSON. What the program prints is discarded."""
 
     def __init__(self, stream: Any) -> None:
         self.stream = stream
 
     def say(self, **line: Any) -> None:
-        """Write a line, and see to it that it is on its way."""
+        """Write a line and flush it."""
         self.stream.write(json.dumps(line) + "\n")
         self.stream.flush()
 
 
 class Asked(NamedTuple):
-    """As much of an exercise as a call needs."""
+    """The part of an exercise that a call needs."""
 
     given: Any
     answer: Any
@@ -133,9 +138,7 @@ class Asked(NamedTuple):
 
 
 def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
-    """Give up every right, then run the cells and ask the questions, a part of their cases at a
-    time.
-    """
+    """Give up every right, then run the cells and the questions, part by part."""
     request = next(requests)
     library.withhold(request["withheld"])
     questions = {question["name"]: asked(question) for question in request["questions"]}
@@ -169,9 +172,7 @@ def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
 
 
 def asked(question: dict[str, Any]) -> Asked:
-    """What a question's calls need: shapes that stand in the request as Python writes them, and its
-    way to call.
-    """
+    """The shapes and the `call` of a question; the request spells the shapes as Python source."""
     known: dict[str, Any] = {}
     planned = ("tasks", "drivable", "expansions") if "ProblemShape()" in question["given"] else ()
     for name in ("shapes", "whole_shapes", "drawn", *planned):
@@ -181,7 +182,7 @@ def asked(question: dict[str, Any]) -> Asked:
 
 
 def run_cell(cell: dict[str, Any], name: str, space: dict[str, Any], channel: Channel) -> None:
-    """Run one cell; one that fails does not lose the others."""
+    """Run one cell; its failure does not end the others."""
     from kinoedu.course.outcomes import Answer, encode_outcome, outcome_of
     from kinoedu.course.shapes import Maybe, Truth
 
@@ -204,7 +205,10 @@ def answered(
     function: Any,
     channel: Channel,
 ) -> bool:
-    """Run a function on some cases, until one takes too long; whether it may be asked more."""
+    """Run a function on some cases, and return whether it may be asked more.
+
+    It stops at a case that takes too long, and at a function that is not written.
+    """
     from kinoedu.course.judging import is_unwritten, run_encoded_case
     from kinoedu.course.outcomes import Late, encode_outcome
 
@@ -223,13 +227,16 @@ def answered(
 
 
 def silent(*_: Any, **__: Any) -> None:
-    """Stands for what only a notebook can do."""
+    """Stand in for functions that only a notebook has; it does nothing."""
 
 
 def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
-    """What work() returns or raises; TimeUp where it computes for longer than `seconds` of
-    processor time, or WAITING times that pass on the wall. No thread may be started here, so alarms
-    ring, again and again until Python code stops; what does not hear them is ended from outside.
+    """Run `work` with a time limit, and return what it returns or raise what it raises.
+
+    Raises TimeUp if it computes for more than `seconds` of processor time, or waits for
+    MAX_WAIT_FACTOR times that on the clock. No thread may be started here, so signals are used.
+    They are sent again and again until Python code stops; code that never handles them is killed
+    from outside.
     """
     from kinoedu.support.time_limit import MAX_WAIT_FACTOR, TimeUp
 
@@ -249,7 +256,7 @@ def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
             try:
                 for which in ALARMS:
                     signal.setitimer(which, 0.0)
-            except TimeUp:  # it rang just now
+            except TimeUp:  # the alarm rang just now
                 continue
 
 

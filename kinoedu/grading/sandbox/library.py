@@ -1,8 +1,8 @@
-"""The library as a student's program finds it in the sandbox: only what it uses is loaded, and what
-it is to write is withheld.
+"""The library as a student's program finds it in the sandbox.
 
-Withholding stops a program from calling the answer. It does not hide it: the library is open, and
-copying is for people to judge.
+Only the modules that a program uses are loaded, and the functions that it is to write are withheld.
+Withholding prevents a program from calling the answer. It does not hide it: the library's source is
+public, and people must judge what is copied.
 """
 
 import functools
@@ -20,29 +20,27 @@ HERE = Path(__file__).resolve().parent.parent.parent
 
 
 class Withheld(Exception):
-    """A program called the very function that it is to write."""
+    """A program called the function that it is to write."""
 
 
 USUAL = (
-    *(
-        "numpy",
-        "numpy.ma",
-        "numpy.random",
-    ),  # the last two numpy would load at their first use, in each program again
-    *(
-        "kinoedu.geometry",
-        "kinoedu.course.judging",
-        "kinoedu.course.drawn",
-        "kinoedu.course.whole_shapes",
-    ),
+    "numpy",
+    # numpy would load these two at their first use, in every program anew
+    "numpy.ma",
+    "numpy.random",
+    "kinoedu.geometry",
+    "kinoedu.course.judging",
+    "kinoedu.course.drawn",
+    "kinoedu.course.whole_shapes",
 )
 JUDGES, LESSONS = "kinoedu.course.lessons", HERE / "course" / "lessons"
-WITHHELD: set[tuple[str, ...]] = set()  # modules and names
+WITHHELD: set[tuple[str, ...]] = set()  # pairs of module and name
 
 
 def open_library() -> None:
-    """Make `import kinoedu` quick, and let functions be withheld. For a process that runs nothing
-    else.
+    """Make `import kinoedu` fast, and prepare to withhold functions.
+
+    It changes how modules are imported, so call it only in a process of the sandbox.
     """
     stand_for("kinoedu", HERE, {}, own=True)
     stand_for("kinoedu.course", HERE / "course", {"check": nothing, "show": nothing}, own=False)
@@ -53,12 +51,12 @@ def open_library() -> None:
 
 
 def rooms() -> list[str]:
-    """The names of the rooms of the lessons."""
+    """The names of the packages of the lessons."""
     return [place.parent.name for place in LESSONS.glob("*/__init__.py")]
 
 
 def withhold(names: Iterable[str]) -> None:
-    """Withhold functions, named as "module:name", from programs that are run from now on."""
+    """Withhold functions, named as "module:name", from programs that run from now on."""
     WITHHELD.update(tuple(name.split(":")) for name in names)
     for module in [
         module for name, module in sys.modules.items() if name.partition(".")[0] == "kinoedu"
@@ -67,9 +65,10 @@ def withhold(names: Iterable[str]) -> None:
 
 
 def own_call(name: str) -> Callable[..., Any]:
-    """How an exercise calls a function, "" for with its arguments, else "module:Class.call": that
-    alone, and of its module no more than its lines name, since what else stands there knows the
-    answers.
+    """The function that calls a student's function for an exercise.
+
+    name : "" to pass the arguments as they are, else "module:Class.call". Only that function is
+        loaded, with the names that its lines use, since the rest of its module knows the answers.
     """
     if not name:
         return lambda function, arguments: function(*arguments.values())
@@ -84,9 +83,10 @@ def own_call(name: str) -> Callable[..., Any]:
 
 
 def without_judges(lent: Iterable[str]) -> list[str]:
-    """Forget every exercise's judge, and keep of their modules only functions that an assignment
-    lends, named as "module:name", such as a wrong program that is to be exposed. Returns the
-    folders of the judges, to be hidden.
+    """Forget every exercise's judge, and return the folders of the judges, to be hidden.
+
+    Of the judges' modules only functions that an assignment lends are kept, named as "module:name",
+    such as a wrong program that a student must expose.
     """
     things = [
         (home, name, getattr(importlib.import_module(home), name))
@@ -112,12 +112,13 @@ def without_judges(lent: Iterable[str]) -> list[str]:
 
 
 def nothing(*_: Any, **__: Any) -> None:
-    """A check that says nothing: what is judged is judged elsewhere."""
+    """A `check` that does nothing, as answers are judged outside the sandbox."""
 
 
 class Later(ModuleType):
-    """A package whose own file is run when something of it is asked for, so that its modules can be
-    had without it.
+    """A package whose own file is run at the first use of its names.
+
+    Its modules can be imported without it.
     """
 
     def __getattr__(self, name: str) -> Any:
@@ -130,7 +131,7 @@ class Later(ModuleType):
 
 
 def stand_for(name: str, folder: Path, things: dict[str, Any], *, own: bool) -> None:
-    """Put a package in its place whose own file is not run yet, or never where `own` is False."""
+    """Register a package without running its file; the file is run later if `own`, else never."""
     spec = importlib.util.spec_from_file_location(
         name, folder / "__init__.py", submodule_search_locations=[str(folder)]
     )
@@ -150,10 +151,10 @@ def stand_for(name: str, folder: Path, things: dict[str, Any], *, own: bool) -> 
 
 
 class Withholding:
-    """Finds modules as ever, and takes out of each what is withheld."""
+    """An import finder that finds modules as usual and replaces withheld functions in them."""
 
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
-        """The module's own spec, with a loader that looks through what it has loaded."""
+        """The module's spec, with a loader that also replaces withheld functions."""
         if name.partition(".")[0] != "kinoedu":
             return None
         spec = importlib.machinery.PathFinder.find_spec(name, path, target)
@@ -164,7 +165,7 @@ class Withholding:
 
 
 def take_out(module: ModuleType) -> None:
-    """Put guards before what is withheld."""
+    """Replace withheld functions in a module by guards."""
     for name, thing in list(vars(module).items()):
         home = (getattr(thing, "__module__", None), getattr(thing, "__name__", None))
         if home in WITHHELD and not hasattr(thing, "withheld"):
@@ -172,7 +173,7 @@ def take_out(module: ModuleType) -> None:
 
 
 def guarded(function: Callable[..., Any]) -> Callable[..., Any]:
-    """A function that only the library itself may call."""
+    """The function, callable only from the library itself."""
 
     @functools.wraps(function)
     def guard(*args: Any, **named: Any) -> Any:

@@ -1,10 +1,10 @@
-"""A place from which a program can do no harm.
+"""The sandbox: students' programs run in it and can do no harm.
 
-bubblewrap shuts Python in: there is no network, nothing of the machine but Python and the library
-(both read-only), and no secret: judges, answers, grades and other students are never there. Inside,
-`inside.py` loads the library once, and for each request forks a process that sees no other, and
-whose few megabytes of files vanish with it. So every program has a sandbox of its own, and none
-waits for a library to load. Linux only; where it cannot be had, `why_not` says how to get it.
+bubblewrap isolates Python. There is no network, nothing of the machine but Python and the library
+(both read-only), and no secret: judges, answers, grades and other students' files are never there.
+Inside, `inside.py` loads the library once. For each request it forks a process that sees no other
+process, and whose few megabytes of files vanish with it. So every program has a sandbox of its own,
+and none waits for the library to load. Linux only; elsewhere `why_not` says how to get a sandbox.
 """
 
 import contextlib
@@ -27,7 +27,7 @@ from .talk import START, Talk
 PACKAGE = Path(__file__).resolve().parent.parent.parent
 LIBRARY = "/course/kinoedu"  # where the library is inside
 INSIDE = f"{LIBRARY}/grading/sandbox/inside.py"
-NOBODY = 61_184  # a user that no system has
+NOBODY = 61_184  # a user id that no system uses
 ENVIRONMENT = {
     "HOME": "/tmp",
     "TMPDIR": "/tmp",
@@ -45,13 +45,15 @@ ENVIRONMENT = {
 
 
 class NoSandbox(RuntimeError):
-    """The sandbox is not to be had, or broke: the machine's trouble, and nobody's fault."""
+    """The sandbox is not available, or broke; no submission is at fault."""
 
 
 class Reply(NamedTuple):
-    """What came out: the lines that followed each part of a request, and how it ended: "done",
-    "late" (a line did not come in time), "flood", or "died" with the status of its end, negative
-    for a signal.
+    """What the sandbox returned.
+
+    parts : the lines after each part of the request.
+    end : "done", "late" (a line did not come in time), "flood", or "died".
+    status : the exit code of the program, negative for a signal.
     """
 
     parts: list[list[dict[str, Any]]]
@@ -60,7 +62,7 @@ class Reply(NamedTuple):
 
 
 def why_not() -> str:
-    """Why programs cannot be shut in on this machine, and what to do; "" where they can."""
+    """Why there is no sandbox on this machine, and what to do; "" if there is one."""
     if sys.platform != "linux":
         return (
             "only Linux can shut programs in; on Windows use WSL2, on macOS the container of the "
@@ -89,32 +91,27 @@ def why_not() -> str:
 
 
 def python(executable: str) -> list[str]:
-    """A Python that sees nothing of the user's; not even the order of a set of words is left to
-    chance, which `-I` would do.
+    """The command of a Python that ignores the user's own packages.
+
+    `-I` is not used: it would ignore PYTHONHASHSEED too, and the order of a set would vary.
     """
     return [executable, "-s", "-P", "-B"]
 
 
 @functools.cache
 def walls() -> tuple[str, ...]:
-    """bubblewrap's arguments: what there is inside."""
-    command = [
-        "bwrap",
-        "--unshare-pid",
-        "--unshare-net",
-        "--unshare-ipc",
-        "--unshare-uts",
-        "--unshare-cgroup-try",
-    ]
-    command += ["--die-with-parent", "--new-session", "--clearenv", "--cap-drop", "ALL"]
-    if (
-        os.geteuid() == 0
-    ):  # inside.py becomes a user whose processes the kernel counts, as root's are not
+    """bubblewrap's arguments, which define what exists inside."""
+    command = ["bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"]
+    command += ["--unshare-cgroup-try", "--die-with-parent", "--new-session", "--clearenv"]
+    command += ["--cap-drop", "ALL"]
+    if os.geteuid() == 0:
+        # inside.py becomes another user, since the kernel does not count root's processes
         for right in ("CAP_SETUID", "CAP_SETGID", "CAP_KILL"):
             command += ["--cap-add", right]
     else:
         command += ["--unshare-user"]
-    command += ["--cap-add", "CAP_SYS_ADMIN"]  # to shut each request in; gone before a program runs
+    # to isolate each request; given up before a program runs
+    command += ["--cap-add", "CAP_SYS_ADMIN"]
     above = {
         str(folder): None
         for place in readable().values()
@@ -135,24 +132,15 @@ def walls() -> tuple[str, ...]:
         command += ["--perms", "1777", "--size", str(most), "--tmpfs", path]
     for name, value in ENVIRONMENT.items():
         command += ["--setenv", name, value]
-    return (
-        *command,
-        "--remount-ro",
-        "/dev",
-        "--remount-ro",
-        "/",
-        "--chdir",
-        "/tmp",
-        "--hostname",
-        "sandbox",
-        "--",
-    )
+    command += ["--remount-ro", "/dev", "--remount-ro", "/"]
+    return (*command, "--chdir", "/tmp", "--hostname", "sandbox", "--")
 
 
 def readable() -> dict[Path, str]:
-    """What of this machine a program may read, beside the system, and where it is inside: Python
-    itself where it is; the library and Python's packages beside each other, wherever the course is
-    kept.
+    """What a program may read of this machine, beside the system, and its place inside.
+
+    Python itself keeps its place. The library and Python's packages get fixed places, wherever the
+    course is kept.
     """
     places = {
         Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}"
@@ -165,7 +153,7 @@ def readable() -> dict[Path, str]:
 
 
 class Sandbox:
-    """Runs requests one after another, each shut in alone."""
+    """Runs requests one after another, each isolated from the others."""
 
     def __init__(self, program: Callable[[], list[str]] | None = None) -> None:
         self.program = program or functools.partial(walled, INSIDE)
@@ -175,9 +163,17 @@ class Sandbox:
     def ask(
         self, parts: list[dict[str, Any]], patience: float, modules: tuple[str, ...] = ()
     ) -> Reply:
-        """Run a request, with the modules loaded already; each part is only told when the one
-        before is done. After its start a line must come at least every `patience` seconds. Raises
-        NoSandbox.
+        """Run a request; each part is sent only when the one before it is done.
+
+        Parameters
+        ----------
+        patience : the seconds within which each line must come, once the program has started.
+        modules : modules to load in advance.
+
+        Raises
+        ------
+        NoSandbox
+            Where the sandbox does not start or breaks.
         """
         first = {**parts[0], "limits": {**parts[0]["limits"], "user": self.user}}
         inside = self.started.get(modules) or self.started.setdefault(
@@ -191,15 +187,14 @@ class Sandbox:
         except OSError as error:
             self.close()
             raise NoSandbox(f"the sandbox broke: {error}") from error
-        if (
-            not status or not heard or heard[0][:1] != [{"ready": True}]
-        ):  # no program was run yet: it cannot be its fault
+        if not status or not heard or heard[0][:1] != [{"ready": True}]:
+            # no program was run yet, so none is at fault
             self.close()
             raise NoSandbox(f"the sandbox broke before a program was run: {str(heard)[:300]}")
         return Reply(heard, end, int(status))
 
     def close(self) -> None:
-        """End what was started."""
+        """End all processes that were started."""
         for inside in self.started.values():
             inside.grader.close()
             inside.process.kill()
@@ -208,22 +203,21 @@ class Sandbox:
 
 
 class Started(NamedTuple):
-    """inside.py, ready, and the socket by which it is asked."""
+    """A running inside.py, and the grader's end of its socket."""
 
     process: "subprocess.Popen[bytes]"
     grader: socket.socket
 
 
 def walled(*program: str) -> list[str]:
-    """The command that starts a program of Python's in the sandbox, but for more arguments."""
-    base = (
-        getattr(sys, "_base_executable", None) or sys.executable
-    )  # that of .venv may be a copy, which is not inside
+    """The command that runs a Python program in the sandbox; arguments may be appended."""
+    # the Python of a virtual environment may be a copy, which is not inside
+    base = getattr(sys, "_base_executable", None) or sys.executable
     return [*walls(), *python(os.path.realpath(base)), *program]
 
 
 def without_walls() -> list[str]:
-    """The command that starts trusted.py, inside.py without walls, but for its arguments."""
+    """The command that runs trusted.py, inside.py without walls; arguments may be appended."""
     return [
         "env",
         "-i",
@@ -234,7 +228,7 @@ def without_walls() -> list[str]:
 
 
 def start(program: list[str], modules: tuple[str, ...]) -> Started:
-    """Start inside.py, with some modules loaded beside the usual. Raises NoSandbox."""
+    """Start inside.py with some more modules loaded. Raises NoSandbox."""
     ours, theirs = socket.socketpair()
     command = [*program, str(theirs.fileno()), *modules]
     process = subprocess.Popen(
@@ -261,16 +255,14 @@ def start(program: list[str], modules: tuple[str, ...]) -> Started:
 
 
 def spelled(part: dict[str, Any]) -> bytes:
-    """A line that inside.py reads."""
+    """A part of a request as a line that inside.py reads."""
     return json.dumps(part).encode() + b"\n"
 
 
 def exchange(
     grader: socket.socket, parts: list[bytes], patience: float
 ) -> tuple[list[list[dict[str, Any]]], str]:
-    """Hand a request over, part by part, and hear the lines that come of each; what is not done
-    then is stopped.
-    """
+    """Send a request part by part, return the lines after each part, and stop what still runs."""
     with contextlib.ExitStack() as files:
         (asking, request_end), (answer_end, answering) = (
             [
@@ -288,7 +280,7 @@ def exchange(
 
 
 def dialogue(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, Any]]], str]:
-    """The lines that came after each part, up to one that is none, and how that ended."""
+    """The lines after each part, up to the first that is not JSON, and how it ended."""
     heard: list[list[dict[str, Any]]] = []
     for part in parts:
         heard.append([])

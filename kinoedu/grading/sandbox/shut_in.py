@@ -1,8 +1,8 @@
-"""A process shuts itself in before it runs a stranger's program: alone among processes, with files
-that vanish, without any right.
+"""How a process isolates itself before it runs a student's program.
 
-Linux only; for a process that is in a sandbox already and may still make namespaces there. Linux's
-own calls, as Python has none.
+It sees no other process, its files vanish with it, and it has no rights. Linux only, for a process
+that is in a sandbox already and may still make namespaces there. Python lacks some of Linux's
+system calls, so they are called through libc.
 """
 
 import ctypes
@@ -11,22 +11,22 @@ import resource
 import signal
 from pathlib import Path
 
-import forbidden  # beside this file, and read with it before a program runs
+import forbidden  # beside this file; loaded before a program runs
 
 NEW_MOUNTS, NEW_IPC, NEW_PROCESSES = 0x0002_0000, 0x0800_0000, 0x2000_0000
 READ_ONLY, NO_SUID, NO_DEVICES, NO_PROGRAMS, AND_BELOW, PRIVATE = 1, 2, 4, 8, 1 << 14, 1 << 18
 NO_NEW_RIGHTS = 38
 CAPABILITIES_OF_SELF = (ctypes.c_uint32 * 2)(0x2008_0522, 0)
 
-LIBC = ctypes.PyDLL(None, use_errno=True)  # which keeps Python's lock, as a fork must
+LIBC = ctypes.PyDLL(None, use_errno=True)  # PyDLL keeps Python's lock, as a fork must
 
 
 def forked_alone() -> int:
-    """Fork a process that sees no other, and whose end is the end of all that it might start: its
-    number, and there 0.
+    """Fork a process that sees no other, and return its number; 0 in the new process.
 
-    One call of Linux, since who first makes a world of processes and then forks stands between the
-    two, and can be killed alone.
+    When it ends, so does every process that it may have started. This takes a single system call.
+    If a process made a new process namespace first and forked then, it would stand between the two
+    and could be killed alone.
     """
     ctypes.pythonapi.PyOS_BeforeFork()
     child = int(LIBC.syscall(forbidden.FORK, NEW_PROCESSES | signal.SIGCHLD, 0, 0, 0, 0))
@@ -40,8 +40,10 @@ def forked_alone() -> int:
 
 
 def with_new_files(files: int, hidden: list[str]) -> None:
-    """Files of its own in /tmp, a few in /dev/shm, in all about so many bytes; nothing in /proc,
-    /dev/pts and where to hide it.
+    """Give this process new, empty /tmp and /dev/shm, and hide folders.
+
+    /tmp holds at most `files` bytes, /dev/shm 1 MB. /proc, /dev/pts and the folders `hidden` are
+    empty.
     """
     must(LIBC.mount(None, b"/", None, AND_BELOW | PRIVATE, None))
     for place, most in ((b"/tmp", files), (b"/dev/shm", 2**20)):
@@ -68,10 +70,17 @@ def with_new_files(files: int, hidden: list[str]) -> None:
 
 
 def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list[str]) -> None:
-    """From here on: no capability, nobody's files, bounded memory (bytes beyond what is mapped),
-    processor (seconds) and files (bytes), not one process or thread more, and of Linux's calls only
-    those that a calculation needs. user : whom to become, where this is root; 0 to stay who it is.
-    hidden : folders that are empty from here on.
+    """Give up every right, for good.
+
+    No capability is left, and no file of others. Bounded are memory, processor time and files; no
+    further process or thread can be started, and only system calls that a calculation needs are
+    allowed.
+
+    user : the user to become where this is root; 0 to remain who it is.
+    memory : bytes beyond what is mapped now.
+    cpu : seconds.
+    files : bytes.
+    hidden : folders that are empty from now on.
     """
     mapped = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     with_new_files(files, hidden)
@@ -98,7 +107,7 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list
 
 
 def must(result: int) -> None:
-    """Raise what went wrong in a call of Linux."""
+    """Raise OSError if a system call failed."""
     if result != 0:
         error = ctypes.get_errno()
         raise OSError(error, os.strerror(error))

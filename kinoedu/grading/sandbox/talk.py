@@ -1,5 +1,6 @@
-"""To talk with a process that may say anything, say nothing, never listen, or never end: whatever
-it does, this ends in time.
+"""Exchange lines with a process that cannot be trusted, in bounded time.
+
+The process may write anything, write nothing, never read, or never end.
 """
 
 import os
@@ -9,18 +10,17 @@ from collections import deque
 from collections.abc import Iterator
 
 MOST_OUTPUT = 32 * 2**20  # bytes
-MOST_PARTS = (
-    2**21
-)  # commas and brackets, each of which may be a value, and takes far more memory than a byte
+MOST_PARTS = 2**21  # commas and brackets; each may be a value, which takes far more than a byte
 MOST_LINE = 2**20
-LONGEST = 300.0  # seconds for everything, however much is said
-USUAL = 42.0  # seconds of patience on a usual computer
-START = 60.0  # seconds until the first line, on a slow machine
+LONGEST = 300.0  # seconds for the whole exchange
+USUAL = 42.0  # patience on a usual computer, in seconds
+START = 60.0  # seconds until the first line, on a slow computer
 
 
 class Talk:
-    """Lines to and from a process, by two pipes. `end` says how it ended: "late", "flood", or
-    "died" where it said no more.
+    """Lines to and from a process, through two pipes.
+
+    `end` is how it ended: "late", "flood", or "died" where the process closed its pipe.
     """
 
     def __init__(self, asking: int, answering: int, patience: float) -> None:
@@ -36,13 +36,13 @@ class Talk:
         os.set_blocking(asking, False)
 
     def say(self, line: bytes) -> None:
-        """Have a line said, as soon as there is somebody to read it."""
+        """Queue a line; it is written as soon as the process reads."""
         if not self.unsaid:
             self.ready.register(self.asking, selectors.EVENT_WRITE)
         self.unsaid += line
 
     def lines(self) -> Iterator[bytes]:
-        """Each line as it comes, until it ends."""
+        """Yield each line as it comes, until the exchange ends."""
         while not self.end:
             while self.heard:
                 yield self.heard.popleft()
@@ -50,7 +50,7 @@ class Talk:
         self.ready.close()
 
     def listen(self) -> None:
-        """Wait until there is more to hear or to say."""
+        """Wait until a pipe can be read or written, and do so."""
         able = [
             key.fd
             for key, _ in self.ready.select(
@@ -65,7 +65,7 @@ class Talk:
             self.hear_more(os.read(self.answering, 2**16))
 
     def say_more(self) -> None:
-        """As much as is taken; nothing more where nobody listens."""
+        """Write what the pipe takes; drop the rest if nobody reads any more."""
         try:
             self.unsaid = self.unsaid[os.write(self.asking, self.unsaid) :]
         except BrokenPipeError:
@@ -74,7 +74,7 @@ class Talk:
             self.ready.unregister(self.asking)
 
     def hear_more(self, data: bytes) -> None:
-        """Take it for lines, as long as it is not too much."""
+        """Split data into lines, and end the exchange if there is too much."""
         self.total += len(data)
         self.parts += sum(map(data.count, (b",", b"[", b"{")))
         *whole, self.kept = (self.kept + data).split(b"\n")

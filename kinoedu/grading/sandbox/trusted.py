@@ -1,9 +1,8 @@
-"""inside.py without walls, for an instructor who trusts every submission as their own program:
-`kinoedu grade --trust`.
+"""inside.py without walls, for instructors who trust every submission: `kinoedu grade --trust`.
 
-`python trusted.py SOCKET [...]` takes the place of `shut_in.py`, and is inside.py otherwise. A
-program has bounded time, memory and files, and starts in an empty folder; but it reads what you can
-read, and reaches the network. Linux and macOS.
+`python trusted.py SOCKET [...]` takes the place of `shut_in.py` and runs inside.py otherwise
+unchanged. A program has bounded time, memory and files, and starts in an empty folder. But it can
+read what you can read, and it reaches the network. Linux and macOS.
 """
 
 import contextlib
@@ -17,19 +16,20 @@ from pathlib import Path
 from typing import Any
 
 PLACE = Path(tempfile.gettempdir())
-NO_NEW_RIGHTS = 38  # prctl's
+NO_NEW_RIGHTS = 38  # an argument of prctl
 
-forked_alone = os.fork  # a process like any other
+forked_alone = os.fork  # an ordinary process, which sees the others
 
 
 def folder_of(process: int) -> Path:
-    """Where a program starts."""
+    """The folder in which a program starts."""
     return PLACE / f"kinoedu-trusted-{process}"
 
 
 def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: object = ()) -> None:
-    """From here on: bounded memory, processor time and files, as far as the system bounds them; and
-    where this is root, a user whom the system does not know.
+    """Bound memory, processor time and files, as far as the system can.
+
+    If this process is root, it becomes a user that the system does not know.
     """
     folder = folder_of(os.getpid())
     folder.mkdir(mode=0o700)
@@ -39,9 +39,7 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: obje
         os.setgroups([])
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
-    with contextlib.suppress(
-        AttributeError
-    ):  # Linux alone has it: su and its like give nobody their rights
+    with contextlib.suppress(AttributeError):  # only Linux has prctl; su then gives no rights
         ctypes.CDLL(None).prctl(NO_NEW_RIGHTS, 1, 0, 0, 0)
     bounds = [
         (resource.RLIMIT_CPU, cpu),
@@ -58,12 +56,12 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: obje
             )
         )
     for what, most in bounds:
-        with contextlib.suppress(OSError, ValueError):  # macOS refuses some
+        with contextlib.suppress(OSError, ValueError):  # macOS refuses some limits
             resource.setrlimit(what, (most, most))
 
 
 def main() -> None:
-    """Be inside.py, with this in the place of its walls."""
+    """Run inside.py with this module in the place of its walls."""
     sys.path.insert(0, str(Path(__file__).resolve().parent))
     sys.modules["shut_in"] = sys.modules[__name__]
     import inside
