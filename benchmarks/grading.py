@@ -19,7 +19,7 @@ from typing import Any
 
 from grading_soak import HOUSE, SECRET, below, class_of, grader, results
 
-from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox.sandbox import Sandbox
 
@@ -57,7 +57,7 @@ def one_by_one(times: int) -> dict[str, tuple[float, float]]:
     """One submission: a right one, an empty one, and a request in which nothing is run, which is
     what the sandbox costs.
     """
-    box, task = Sandbox(), assignment(NAME)
+    box, task = Sandbox(), read_assignment(NAME)
     right, empty = (
         (HOUSE / room / f"{NAME}.ipynb").read_bytes() for room in ("solutions", "exercises")
     )

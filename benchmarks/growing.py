@@ -19,7 +19,7 @@ from worlds import SIDE, SQUARE, among_boxes, among_polygons, bitmap
 
 import kinoedu as ke
 from kinoedu.collision import free_motions
-from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox.sandbox import Sandbox, why_not
 from kinoedu.planners.roadmaps.neighbours import k_closest
@@ -156,7 +156,7 @@ def grading(n: int) -> Asked:
     """
     if reason := why_not():
         raise Missing(reason)
-    task, box = assignment(NAME), sandbox()
+    task, box = read_assignment(NAME), sandbox()
     books = [(HOUSE / room / f"{NAME}.ipynb").read_bytes() for room in ("solutions", "exercises")]
 
     def judge(grades: Any) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kinoedu.grading.assignments.questions import assignment, cases_of, spell_case
+from kinoedu.grading.assignments.questions import draw_cases, read_assignment, spell_case
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
@@ -106,7 +106,7 @@ def neighbour():
     def work() -> None:
         box = Sandbox()
         while not over.is_set():
-            record = grade(notebook(PRELUDE, HONEST), assignment("01_geometry"), SECRET, box)
+            record = grade(notebook(PRELUDE, HONEST), read_assignment("01_geometry"), SECRET, box)
             scores.append(sum(question["score"] for question in record["questions"]))
             time.sleep(0.1)
         box.close()
@@ -122,11 +122,11 @@ def neighbour():
 @pytest.mark.parametrize("file", ATTACKS, ids=lambda file: file.stem)
 def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
     data, points = submission(file)
-    record = grade(data, assignment("01_geometry"), SECRET, box, patience=HASTE)
+    record = grade(data, read_assignment("01_geometry"), SECRET, box, patience=HASTE)
     assert sum(question["score"] for question in record["questions"]) == points, str(
         record["cells"]
     )[-900:]
-    grade(notebook(""), assignment("01_geometry"), SECRET, box)
+    grade(notebook(""), read_assignment("01_geometry"), SECRET, box)
     assert insiders(box) <= 2 * len(box.started)  # bubblewrap and the Python that waits
     assert traces() == set()
     assert set(neighbour) <= {5.0}
@@ -135,9 +135,9 @@ def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
 @needs_sandbox
 def test_hidden_cases_are_never_told(box):
     data, _ = submission(HOUSE / "tests" / "attacks" / "hidden_cases_told.cells")
-    record = json.dumps(grade(data, assignment("01_geometry"), SECRET, box, patience=HASTE))
-    for asked in assignment("01_geometry").questions:
-        known = cases_of(asked.exercise.name, SECRET)
+    record = json.dumps(grade(data, read_assignment("01_geometry"), SECRET, box, patience=HASTE))
+    for asked in read_assignment("01_geometry").questions:
+        known = draw_cases(asked.exercise.name, SECRET)
         hidden = [asked.exercise.given.encode(case.given) for case in known.cases[known.seen :]]
         shown = [spell_case(asked.exercise, case) for case in known.cases[: known.seen]]
         points = [
@@ -171,7 +171,9 @@ HARM += ["environment"] * ("LEFT" in os.environ)
 HARM += ["modules"] * (hasattr(builtins, "left") or "left" in vars(kinoedu))
 """
     for source in (writes, looks):
-        record = grade(notebook(PRELUDE, source, HONEST), assignment("01_geometry"), SECRET, box)
+        record = grade(
+            notebook(PRELUDE, source, HONEST), read_assignment("01_geometry"), SECRET, box
+        )
         assert record["cells"] == []
         assert sum(question["score"] for question in record["questions"]) == 5.0
 
@@ -191,12 +193,12 @@ def test_marks_and_points_in_a_submission_are_ignored(box):
         mark.update(points=1000, grade=True, locked=False, solution=False)
         if str(mark.get("grade_id", "")).startswith("check_"):
             cell["source"] = "check = lambda *_: True"
-    record = grade(json.dumps(book).encode(), assignment("01_geometry"), SECRET, box)
+    record = grade(json.dumps(book).encode(), read_assignment("01_geometry"), SECRET, box)
     assert [question["score"] for question in record["questions"]] == [0.0] * len(
         record["questions"]
     )
     assert {question["max_score"] for question in record["questions"]} == {
-        asked.points for asked in assignment("01_geometry").questions
+        asked.points for asked in read_assignment("01_geometry").questions
     }
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.export.autograder import find_submission
 from kinoedu.grading.sandbox import sandbox
 
@@ -92,7 +92,7 @@ def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
     assert archive.getinfo("run_autograder").external_attr >> 16 & 0o111
     assert packed.stat().st_mode & 0o077 == 0
     assert not any("/bank/" in name or "/tests/" in name or "__pycache__" in name for name in names)
-    mine, course = assignment(NAME), assignment(NAME, root / "source" / "kinoedu-course")
+    mine, course = read_assignment(NAME), read_assignment(NAME, root / "source" / "kinoedu-course")
     assert course.questions == mine.questions
     assert (course.by_hand, course.lent) == (mine.by_hand, mine.lent)
     asked = archive.read(f"kinoedu-course/solutions/{NAME}.ipynb").decode()
@@ -131,7 +131,7 @@ def test_a_submission_is_graded_in_the_sandbox(root):
     ran = run(root)
     assert ran.returncode == 0, ran.stderr
     told = results(root)
-    asked = assignment(NAME).questions
+    asked = read_assignment(NAME).questions
     assert told["score"] == sum(one.points for one in asked)
     assert [(one["name"], one["score"], one["max_score"]) for one in told["tests"]] == [
         (one.exercise.name, one.points, one.points) for one in asked

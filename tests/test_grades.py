@@ -16,7 +16,7 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.course.lessons import find
 from kinoedu.errors import InvalidParameter
-from kinoedu.grading.assignments.questions import assignment
+from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.collect.handing_in import hand_in
 from kinoedu.grading.collect.notebook import UnreadableSubmission
 from kinoedu.grading.collect.submissions import collect
@@ -65,7 +65,7 @@ def record(name: str = NAME, *, share: float = 1.0, message: str = "A rule.") ->
                 asked.points,
                 message="Right." if share == 1.0 else message,
             )
-            for asked in assignment(name).questions
+            for asked in read_assignment(name).questions
         ],
         "cells": [],
     }
@@ -181,7 +181,7 @@ def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
     of = a_class(tmp_path, {"=ann": record(), "bob": None}, troubles={"cy": "the file is empty"})
     write_all(of)
     rows = table(tmp_path / "grades.csv")
-    asked = len(assignment(NAME).questions)
+    asked = len(read_assignment(NAME).questions)
     ann, bob, cy = (
         [row for row in rows if row["student"] == name] for name in ("'=ann", "bob", "cy")
     )
@@ -189,7 +189,7 @@ def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
     assert {(row["score"], row["status"]) for row in bob} == {("", "not graded")}
     assert {row["score"] for row in cy} == {""}
     assert {(row["status"], row["message"]) for row in cy} == {("unreadable", "the file is empty")}
-    points = sum(one.points for one in assignment(NAME).questions)
+    points = sum(one.points for one in read_assignment(NAME).questions)
     assert sum(float(row["score"]) for row in ann) == points
 
 
@@ -331,7 +331,7 @@ def test_gradescope_results_sum_up(tmp_path):
     for file in (tmp_path / "gradescope").iterdir():
         data = json.loads(file.read_text(encoding="utf-8"))
         assert data["score"] == pytest.approx(sum(test["score"] for test in data["tests"]))
-        assert len(data["tests"]) == len(assignment(NAME).questions)
+        assert len(data["tests"]) == len(read_assignment(NAME).questions)
 
 
 def test_regrading_says_whose_score_changed_and_why(tmp_path):
@@ -392,8 +392,8 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
 
     from kinoedu.grading.export.nbgrader_course import (
         export_nbgrader,
+        import_nbgrader_scores,
         name_database,
-        scores_from_nbgrader,
     )
     from kinoedu.grading.judge.class_list import digest_submission
 
@@ -441,7 +441,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
         gradebook.find_comment(*whose).manual_comment = "neat"
         gradebook.db.commit()
     export_nbgrader(of, write_all(of), tmp_path / "course")  # scores given there are kept
-    assert scores_from_nbgrader(of, tmp_path / "course") == 1
+    assert import_nbgrader_scores(of, tmp_path / "course") == 1
     (row,) = [row for row in write_all(of) if row.question == "flowchart_bug1"]
     assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
 

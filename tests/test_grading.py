@@ -13,7 +13,7 @@ import pytest
 
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
-from kinoedu.grading.assignments.questions import assignment, cases_of
+from kinoedu.grading.assignments.questions import draw_cases, read_assignment
 from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, read_cells
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.judge.submission import grade
@@ -43,7 +43,7 @@ def box():
 
 def graded(box: Sandbox, *sources: str) -> dict:
     """The questions of lesson 1 by name, for these code cells."""
-    record = grade(notebook(*sources), assignment("01_geometry"), SECRET, box)
+    record = grade(notebook(*sources), read_assignment("01_geometry"), SECRET, box)
     return {question["question"]: question for question in record["questions"]} | {
         "cells": record["cells"]
     }
@@ -54,7 +54,7 @@ def graded(box: Sandbox, *sources: str) -> dict:
 def test_a_right_notebook_has_every_point(box, name):
     """Every assignment can be graded, and its solution is right on hidden cases too."""
     record = grade(
-        (HOUSE / "solutions" / f"{name}.ipynb").read_bytes(), assignment(name), SECRET, box
+        (HOUSE / "solutions" / f"{name}.ipynb").read_bytes(), read_assignment(name), SECRET, box
     )
     assert all(question["score"] == question["max_score"] > 0 for question in record["questions"])
     assert record["cells"] == []
@@ -63,7 +63,7 @@ def test_a_right_notebook_has_every_point(box, name):
 @needs_sandbox
 def test_an_exercise_that_nobody_answered_has_none(box):
     data = (HOUSE / "exercises" / "01_geometry.ipynb").read_bytes()
-    record = grade(data, assignment("01_geometry"), SECRET, box)
+    record = grade(data, read_assignment("01_geometry"), SECRET, box)
     assert {question["status"] for question in record["questions"]} == {"not answered"}
 
 
@@ -109,7 +109,7 @@ def test_what_is_asked_for_is_withheld_with_a_message(box):
 
 @needs_sandbox
 def test_hidden_cases_do_not_show():
-    known = cases_of("point_line_distance", SECRET)
+    known = draw_cases("point_line_distance", SECRET)
     assert 0 < known.seen < len(known.cases)
 
 

@@ -21,7 +21,7 @@ from kinoedu.grading.report.fingerprints import (
     select_fingerprints,
     split_program,
 )
-from kinoedu.grading.report.similar import similar
+from kinoedu.grading.report.similar import find_similar
 from kinoedu.grading.report.similar_page import write_similar
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -117,7 +117,9 @@ def test_a_copy_is_found_in_disguise():
     """
     rng = random.Random(1)
     others = [handed_in(f"s{n}", by_chance(rng), CLOSED_FORM) for n in range(8)]
-    found = similar(NAME, [handed_in("ann", OWN_WAY, HELPER), *others, handed_in("bob", DISGUISED)])
+    found = find_similar(
+        NAME, [handed_in("ann", OWN_WAY, HELPER), *others, handed_in("bob", DISGUISED)]
+    )
     first = found.each_other[0]
     assert (first.first.name, first.second.name) == ("ann", "bob")
     assert first.of_first > 0.95 and first.of_second > 0.95
@@ -130,7 +132,7 @@ def test_what_many_write_weighs_less_than_what_two_share():
         handed_in(f"s{n}", OWN_WAY, HELPER, *([CLOSED_FORM] if n in (3, 6) else []))
         for n in range(8)
     ]
-    found = similar(NAME, all_of_them)
+    found = find_similar(NAME, all_of_them)
     assert named(found.each_other)[0] == ("s3", "s6")
     assert found.each_other[0].weight > 3 * found.each_other[1].weight
 
@@ -142,7 +144,7 @@ def test_what_all_were_given_is_taken_out(given):
     """An exercise as handed out, or a lesson, has nothing in common with itself."""
     data = (HOUSE / f"{given}.ipynb").read_bytes()
     assert split_program([cell.source for cell in read_cells(data)])
-    found = similar(
+    found = find_similar(
         NAME, [Submission(student, NAME, "x.ipynb", data) for student in ("ann", "bob")]
     )
     assert found.each_other == [] and found.course == []
@@ -155,7 +157,7 @@ def test_the_courses_own_programs_are_recognised():
         "ann", NAME, "x.ipynb", (HOUSE / "solutions" / f"{NAME}.ipynb").read_bytes()
     )
     text = (HOUSE / "kinoedu" / "geometry" / "segments.py").read_text(encoding="utf-8")
-    found = similar(
+    found = find_similar(
         NAME, [solved, handed_in("bob", text.replace("p1", "start").replace("p2", "end"))]
     )
     best: dict[str, str] = {}
@@ -177,7 +179,7 @@ NONSENSE = [
 @pytest.mark.parametrize("bad", NONSENSE, ids=range(len(NONSENSE)))
 def test_what_python_cannot_read_counts_by_its_lines(bad):
     """The other cells are compared too, and two students with the same lines are found."""
-    found = similar(
+    found = find_similar(
         NAME,
         [
             handed_in("ann", bad, OWN_WAY),
@@ -186,7 +188,7 @@ def test_what_python_cannot_read_counts_by_its_lines(bad):
         ],
     )
     assert named(found.each_other)[0] == ("ann", "bob")
-    lines = similar(
+    lines = find_similar(
         NAME,
         [
             handed_in("ann", NONSENSE[0]),
@@ -239,14 +241,14 @@ def test_pages_are_the_same_for_the_same_class_and_safe(tmp_path):
     ]
     for student, sources in (("dan", OWN_WAY), ("eve", CLOSED_FORM)):
         submissions.append(handed_in(student, sources))
-    write_similar([similar(NAME, submissions)], tmp_path)
+    write_similar([find_similar(NAME, submissions)], tmp_path)
     (tmp_path / "pairs" / "old.html").write_text("old")
     before = {
         file: file.read_bytes()
         for file in tmp_path.rglob("*")
         if file.is_file() and file.name != "old.html"
     }
-    write_similar([similar(NAME, submissions[::-1])], tmp_path)
+    write_similar([find_similar(NAME, submissions[::-1])], tmp_path)
     assert {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()} == before
     pages = "".join(data.decode() for file, data in before.items() if file.suffix == ".html")
     assert "&lt;script&gt;alert" in pages

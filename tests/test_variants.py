@@ -16,7 +16,7 @@ from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import first_in
 from kinoedu.errors import InvalidParameter
-from kinoedu.grading.assignments.questions import assignment, cases_of
+from kinoedu.grading.assignments.questions import draw_cases, read_assignment
 from kinoedu.grading.collect.submissions import Submission
 from kinoedu.grading.judge.contracts import (
     add_contracts,
@@ -145,13 +145,13 @@ def test_contracts_follow_from_secret_and_student():
         choose_contract(EXERCISES["bug2"], b"another", student) for student in students
     ]
     assert first != [choose_contract(EXERCISES["bug1"], SECRET, student) for student in students]
-    assert choose_contracts(assignment("01_geometry"), SECRET, "ann") == ()
-    task = apply_contracts(assignment(GRAPHS), (("bfs_tree", "largest"),))
+    assert choose_contracts(read_assignment("01_geometry"), SECRET, "ann") == ()
+    task = apply_contracts(read_assignment(GRAPHS), (("bfs_tree", "largest"),))
     assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == [
         "largest"
     ]
     assert [one.points for one in task.questions] == [
-        one.points for one in assignment(GRAPHS).questions
+        one.points for one in read_assignment(GRAPHS).questions
     ]
 
 
@@ -163,9 +163,9 @@ def test_hidden_cases_and_results_know_the_contract():
         for variant in ("smallest", "largest")
     }
     assert len(keys | {compute_key(one, SECRET)}) == 3
-    assert cases_of("bfs_tree", SECRET, "largest").cases != cases_of("bfs_tree", SECRET).cases
+    assert draw_cases("bfs_tree", SECRET, "largest").cases != draw_cases("bfs_tree", SECRET).cases
     assert add_contracts(one, SECRET).variants == choose_contracts(
-        assignment(GRAPHS), SECRET, "ann"
+        read_assignment(GRAPHS), SECRET, "ann"
     )
 
 

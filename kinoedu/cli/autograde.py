@@ -40,14 +40,14 @@ def add_autograde(commands: Any) -> None:
 
 def run_autograde(arguments: argparse.Namespace) -> int:
     """Grade, and print the result, which Gradescope shows to instructors only."""
-    from ..grading.assignments.questions import course_secret
+    from ..grading.assignments.questions import read_course_secret
     from ..grading.export.autograder import autograde
 
     if not arguments.secret.is_file():
         raise InvalidParameter(
             f"there is no secret in {arguments.secret}: pack the autograder again"
         )
-    secret = course_secret(arguments.secret)
+    secret = read_course_secret(arguments.secret)
     results = autograde(
         arguments.root, arguments.assignment, secret, container_is_wall=arguments.trust_container
     )

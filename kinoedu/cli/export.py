@@ -92,7 +92,7 @@ def run_export(arguments: argparse.Namespace) -> int:
     """Read the class, and write the export that the arguments name."""
     from ..grading.judge.class_list import read_class
     from ..grading.report.decisions import read_decisions
-    from ..grading.report.rows import class_rows
+    from ..grading.report.rows import list_class_rows
 
     if arguments.gradescope_autograder is not None:
         return pack_for_gradescope(arguments)
@@ -103,7 +103,7 @@ def run_export(arguments: argparse.Namespace) -> int:
         return read_back_from_nbgrader(of, arguments.from_nbgrader)
     rows = [
         row
-        for row in class_rows(of, read_decisions(of.out))
+        for row in list_class_rows(of, read_decisions(of.out))
         if arguments.assignment in ("", row.assignment)
     ]
     if not rows:
@@ -148,7 +148,7 @@ def write_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def pack_for_gradescope(arguments: argparse.Namespace) -> int:
     """Pack the autograder of one assignment."""
     require_nbgrader()
-    from ..grading.assignments.questions import course_secret
+    from ..grading.assignments.questions import read_course_secret
     from ..grading.export.autograder_zip import pack_autograder
     from .grade import find_secret_file
 
@@ -156,7 +156,7 @@ def pack_for_gradescope(arguments: argparse.Namespace) -> int:
         raise InvalidParameter(
             "an autograder is for one assignment: name it with --assignment, such as 01_geometry"
         )
-    secret = course_secret(find_secret_file(arguments, ""))
+    secret = read_course_secret(find_secret_file(arguments, ""))
     file, wall = arguments.gradescope_autograder, arguments.trust_container
     with show_stage(f"packing {file}"):
         count = pack_autograder(file, arguments.assignment, secret, container_is_wall=wall)
@@ -185,7 +185,7 @@ def write_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def read_back_from_nbgrader(of: Any, folder: Path) -> int:
     """Read the scores that people gave in formgrader, and write the grades again."""
     require_nbgrader()
-    from ..grading.export.nbgrader_course import scores_from_nbgrader
+    from ..grading.export.nbgrader_course import import_nbgrader_scores
     from ..grading.report.writing import write_all
 
     if not (folder / "gradebook.db").exists():
@@ -193,7 +193,7 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
             f"{folder} has no gradebook.db; name the folder that kinoedu export --to nbgrader made"
         )
     with show_stage("reading the gradebook"):
-        count = scores_from_nbgrader(of, folder)
+        count = import_nbgrader_scores(of, folder)
         write_all(of)
     print(
         f"brought {count} scores into {of.out / 'by_hand.csv'}, grades.csv, the report and the "

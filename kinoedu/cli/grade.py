@@ -122,20 +122,20 @@ def add_grading_options(command: argparse.ArgumentParser) -> None:
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class, write the results, and print a summary."""
     from ..grading.class_grading import grade_class
-    from ..grading.report.rows import class_rows
+    from ..grading.report.rows import list_class_rows
 
     secret_file = find_secret_file(arguments, "")
     with show_progress("grading") as grading, show_progress("writing pages") as writing:
         run = make_run(arguments, secret_file, grading, writing)
         of = grade_class(arguments.submissions, arguments.assignment, arguments.out, run)
-    return sum_up(of, class_rows(of, {}))
+    return sum_up(of, list_class_rows(of, {}))
 
 
 def run_regrade(arguments: argparse.Namespace) -> int:
     """Grade a class again, and list what changed."""
     from ..grading.judge.class_list import read_class
     from ..grading.regrading import regrade
-    from ..grading.report.rows import class_rows
+    from ..grading.report.rows import list_class_rows
     from ..support.csv_cells import number, one_line
 
     secret_file = find_secret_file(arguments, read_class(arguments.old).secret_file)
@@ -146,7 +146,7 @@ def run_regrade(arguments: argparse.Namespace) -> int:
             make_run(arguments, secret_file, grading, writing),
             arguments.submissions,
         )
-    status = sum_up(of, class_rows(of, {}))
+    status = sum_up(of, list_class_rows(of, {}))
     listed = f"; all of them in {of.out / 'changes.csv'}" if changes else ""
     print(f"{len(changes)} scores changed{listed}")
     for one in changes[:MOST_LISTED]:
@@ -162,9 +162,9 @@ def find_secret_file(arguments: argparse.Namespace, before: str) -> Path:
 
     Prints a line where the user's own file does not exist yet and will be made.
     """
-    from ..grading.assignments.secret_place import usual_secret
+    from ..grading.assignments.secret_place import default_secret_file
 
-    file = arguments.secret or (Path(before) if before else usual_secret())
+    file = arguments.secret or (Path(before) if before else default_secret_file())
     if not file.exists() and not before:
         print(
             f"kinoedu: the course's secret is made, once, in {file}; keep it, and keep it to "
@@ -177,13 +177,17 @@ def find_secret_file(arguments: argparse.Namespace, before: str) -> Path:
 def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, writing: Any) -> Any:
     """Collect the settings of a grading run."""
     from ..grading.class_grading import Run
-    from ..grading.judge.running import dask, local
+    from ..grading.judge.running import use_dask_workers, use_local_workers
 
     if arguments.workers is not None and arguments.workers < 1:
         raise InvalidParameter(f"--workers must be at least 1, got {arguments.workers}")
     if arguments.trust:
         print(TRUSTED, file=sys.stderr)
-    place = dask(arguments.dask) if arguments.dask is not None else local(arguments.workers)
+    place = (
+        use_dask_workers(arguments.dask)
+        if arguments.dask is not None
+        else use_local_workers(arguments.workers)
+    )
     return Run(secret_file, place, arguments.trust, grading, writing, arguments.variants)
 
 

@@ -79,7 +79,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 def release_variants(arguments: argparse.Namespace) -> int:
     """Write each student's own variants, and print where they are."""
-    from ..grading.assignments.questions import course_secret
+    from ..grading.assignments.questions import read_course_secret
     from ..grading.judge.variants import write_variants
     from .grade import find_secret_file
 
@@ -93,7 +93,7 @@ def release_variants(arguments: argparse.Namespace) -> int:
         raise InvalidParameter(
             f"{arguments.variants} names no student; it should have an id on each line"
         )
-    secret = course_secret(find_secret_file(arguments, ""))
+    secret = read_course_secret(find_secret_file(arguments, ""))
     count = write_variants(arguments.assignments, students, secret, arguments.out)
     print(
         f"wrote {count} notebooks in {arguments.out}; variants.csv says who has which. Grade them "

@@ -54,7 +54,7 @@ def add_similar(commands: Any) -> None:
 def run_similar(arguments: argparse.Namespace) -> int:
     """Compare the programs, and print where the pages are."""
     from ..grading.collect.submissions import collect
-    from ..grading.report.similar import similar
+    from ..grading.report.similar import find_similar
     from ..grading.report.similar_page import write_similar
 
     if arguments.most < 1:
@@ -69,7 +69,7 @@ def run_similar(arguments: argparse.Namespace) -> int:
     submissions.sort(key=lambda one: one.assignment)
     with show_stage(f"comparing {len(submissions)} submissions"):
         found = [
-            similar(name, mine, arguments.most)
+            find_similar(name, mine, arguments.most)
             for name, mine in groupby(submissions, key=lambda one: one.assignment)
         ]
         count = write_similar(found, arguments.out)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..curves.arcs import drive_arc
-from ..files.scenes import problem_from
+from ..files.scenes import parse_problem
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
 from ..support.json_fields import Field
@@ -135,7 +135,7 @@ def drivable(scene: dict[str, Any]) -> DrivingProblem:
     >>> bool(problem.distance(problem.move(problem.start, v, phi, t), (11, 10, 0)) < 0.2)
     True
     """
-    return DrivingProblem(problem_from(Field("scene", {"version": 1, **scene}, Path())))
+    return DrivingProblem(parse_problem(Field("scene", {"version": 1, **scene}, Path())))
 
 
 class DrivenTask(ProblemShape):

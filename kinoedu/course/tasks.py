@@ -4,8 +4,8 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ..files.scene_robots import described
-from ..files.scenes import problem_from
+from ..files.scene_robots import describe_for_scene
+from ..files.scenes import parse_problem
 from ..messages import get_message
 from ..problems import ProblemRecord, Recorder
 from ..support.json_fields import Field
@@ -50,7 +50,12 @@ def scene_of(problem: ProblemRecord) -> dict[str, Any]:
     """Scene of a problem."""
     ends = {"start": problem.start.tolist(), "goal": problem.goal.tolist()}
     margin = {"clearance": problem.clearance} if problem.clearance > 0.0 else {}
-    return {"robot": described(problem.robot), "world": described(problem.world), **ends, **margin}
+    return {
+        "robot": describe_for_scene(problem.robot),
+        "world": describe_for_scene(problem.world),
+        **ends,
+        **margin,
+    }
 
 
 def problem_of(scene: dict[str, Any]) -> StudentProblem:
@@ -62,7 +67,7 @@ def problem_of(scene: dict[str, Any]) -> StudentProblem:
     >>> problem.is_free_path(problem.start, problem.goal), problem.counts()
     (True, {'is_free_path': 1})
     """
-    return StudentProblem(problem_from(Field("scene", {"version": 1, **scene}, Path())))
+    return StudentProblem(parse_problem(Field("scene", {"version": 1, **scene}, Path())))
 
 
 class ProblemShape(NamedTuple):

@@ -34,7 +34,7 @@ from ..support.json_fields import Field, read_json
 from ..support.reading import as_path
 from ..support.text import shortened
 from ..support.whole_files import written_whole
-from .scenes import as_scene_object, problem_from
+from .scenes import as_scene_object, parse_problem
 
 VERSION = 1
 KINDS: dict[str, tuple[Any, ...]] = {
@@ -184,7 +184,7 @@ def parse_plan(plan: Field) -> Plan:
         trajectory=parse_trajectory(there["trajectory"]) if "trajectory" in there else None,
         stats={name: int(parse_array(c)) for name, c in parse_stats(fields["stats"]).items()},
         reason=fields["reason"].text(),
-        problem=problem_from(there["problem"]) if "problem" in there else None,
+        problem=parse_problem(there["problem"]) if "problem" in there else None,
         planner=fields["planner"].text(),
     )
 

@@ -93,7 +93,7 @@ ROBOTS: dict[str, Callable[[Field], Any]] = {
 
 
 @singledispatch
-def described(thing: Any) -> dict[str, Any]:
+def describe_for_scene(thing: Any) -> dict[str, Any]:
     """The object of a scene that describes a robot or a world.
 
     Returns
@@ -108,30 +108,30 @@ def described(thing: Any) -> dict[str, Any]:
     raise UnreadableScene(f"scenes cannot hold a {type(thing).__name__} yet")
 
 
-@described.register
+@describe_for_scene.register
 def _(robot: RoundRobot) -> dict[str, Any]:
     return {"kind": "disk", "radius": robot.radius} if robot.radius else {"kind": "point"}
 
 
-@described.register
+@describe_for_scene.register
 def _(robot: TranslatingPolygonRobot) -> dict[str, Any]:
     return {"kind": "polygon", "vertices": robot.outline.tolist()}
 
 
-@described.register
+@describe_for_scene.register
 def _(robot: RigidPolygonRobot) -> dict[str, Any]:
     shape = {"vertices": robot.outline.tolist(), "turn_weight": robot.turn_weight}
     return {"kind": "turning polygon", **shape}
 
 
-@described.register
+@describe_for_scene.register
 def _(robot: ArmRobot) -> dict[str, Any]:
     width = 2.0 * float(robot.shape.radius[0])
     shape = {"lengths": robot.lengths.tolist(), "width": width, "base": robot.base.tolist()}
     return {"kind": "arm", **shape}
 
 
-@described.register
+@describe_for_scene.register
 def _(robot: CarRobot) -> dict[str, Any]:
     (length, width), behind = np.ptp(robot.outline, axis=0).tolist(), -float(robot.outline[0, 0])
     size = {"length": length, "width": width}

@@ -52,7 +52,7 @@ from ..worlds.terrain import TerrainRecord
 from .benchmr import is_polygon_map, read_benchmr
 from .meshes import mesh_world
 from .movingai import read_scenario, scenario_beside
-from .scene_robots import MESH_OPTIONS, ROBOTS, described, mesh_options
+from .scene_robots import MESH_OPTIONS, ROBOTS, describe_for_scene, mesh_options
 from .worlds import read_world
 
 VERSION = 1
@@ -81,10 +81,10 @@ def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
         raise UnknownFormat(
             f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world"
         )
-    return read_json(file, "scene", problem_from)
+    return read_json(file, "scene", parse_problem)
 
 
-def problem_from(scene: Field) -> ProblemRecord:
+def parse_problem(scene: Field) -> ProblemRecord:
     """Build the problem of a parsed scene."""
     scene.check_version(VERSION)
     fields = scene.members(("version", "robot", "world", "start", "goal"), ("about", "clearance"))
@@ -195,15 +195,15 @@ def as_scene_object(problem: ProblemRecord) -> dict[str, Any]:
         raise InvalidParameter(f"a scene holds a Problem, got {shortened(problem)}")
     return {
         "version": VERSION,
-        "robot": described(problem.robot),
-        "world": described(problem.world),
+        "robot": describe_for_scene(problem.robot),
+        "world": describe_for_scene(problem.world),
         "start": problem.start.tolist(),
         "goal": problem.goal.tolist(),
         "clearance": problem.clearance,
     }
 
 
-@described.register
+@describe_for_scene.register
 def _(world: PolygonWorldRecord) -> dict[str, Any]:
     (outline,), *solids = [[ring.tolist() for ring in rings] for rings in rings_of(world)]
     polygons = [{"polygon": ring, **({"rooms": rooms} if rooms else {})} for ring, *rooms in solids]
@@ -211,7 +211,7 @@ def _(world: PolygonWorldRecord) -> dict[str, Any]:
     return {"kind": "polygons", "boundary": outline[::-1], "obstacles": polygons + discs}
 
 
-@described.register
+@describe_for_scene.register
 def _(world: TerrainRecord) -> dict[str, Any]:
     rows = ["".join(FREE if free else BLOCKED for free in row) for row in world.free[::-1].tolist()]
     place = {"resolution": world.resolution, "origin": world.origin.tolist()}

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..errors import InvalidParameter
-from .assignments.questions import course_secret
+from .assignments.questions import read_course_secret
 from .collect.submissions import Submission, collect
 from .judge.class_list import (
     FILE,
@@ -17,7 +17,7 @@ from .judge.class_list import (
     write_class,
 )
 from .judge.contracts import add_contracts, refuse_forgotten
-from .judge.running import Place, Progress, grade_all, local
+from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.writing import write_all
 from .sandbox.sandbox import why_not
@@ -27,14 +27,14 @@ class Run(NamedTuple):
     """How a class is graded.
 
     secret_file : the file with the course's secret.
-    place : where notebooks are graded, such as `running.local()`.
+    place : where notebooks are graded, such as `running.use_local_workers()`.
     trusted : whether programs run without a sandbox.
     grading, writing : called with the progress of each stage.
     variants : whether each student has contracts of their own.
     """
 
     secret_file: Path
-    place: Place = local()
+    place: Place = use_local_workers()
     trusted: bool = False
     grading: Progress | None = None
     writing: Progress | None = None
@@ -84,7 +84,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     if not any(found for _, _, found in sources):
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
     earlier = read_class(out) if (out / FILE).exists() else None
-    secret = course_secret(run.secret_file)
+    secret = read_course_secret(run.secret_file)
     if earlier is not None and earlier.secret_mark != mark_secret(secret):
         raise InvalidParameter(
             f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "

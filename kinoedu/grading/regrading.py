@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 from ..errors import InvalidParameter
 from ..support.csv_cells import harmless, number, write_rows
-from .assignments.questions import course_secret
+from .assignments.questions import read_course_secret
 from .class_grading import Run, grade_found
 from .collect.submissions import collect
 from .judge.class_list import Class, Entry, mark_secret, read_class
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
-from .report.rows import Row, class_rows
+from .report.rows import Row, list_class_rows
 
 COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept")
 
@@ -62,7 +62,7 @@ def regrade(
         )
     if (
         not run.secret_file.exists()
-        or mark_secret(course_secret(run.secret_file)) != before.secret_mark
+        or mark_secret(read_course_secret(run.secret_file)) != before.secret_mark
     ):
         raise InvalidParameter(
             f"{old} was graded with the secret that was in {before.secret_file}; give it with "
@@ -88,7 +88,7 @@ def regrade(
 
 def find_changes(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:
     """Yield every score that differs, in the order of the table."""
-    was, now = ({row[:3]: row for row in class_rows(of, {})} for of in (before, after))
+    was, now = ({row[:3]: row for row in list_class_rows(of, {})} for of in (before, after))
     files_before, files_after = (
         {(entry.student, entry.assignment): entry for entry in of.entries} for of in (before, after)
     )

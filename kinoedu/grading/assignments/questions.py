@@ -28,7 +28,7 @@ LENT = re.compile(
 )
 
 
-class Asked(NamedTuple):
+class AssignmentQuestion(NamedTuple):
     """A question of an assignment: its exercise and its points."""
 
     exercise: Exercise
@@ -43,13 +43,13 @@ class Assignment(NamedTuple):
     """
 
     name: str
-    questions: tuple[Asked, ...]
+    questions: tuple[AssignmentQuestion, ...]
     by_hand: dict[str, float]
     lent: tuple[str, ...] = ()
 
 
 @functools.cache
-def assignment(name: str, house: Path = HOUSE) -> Assignment:
+def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
     """The assignment of that name, read from its solution notebook.
 
     A submission has no influence on the questions or their points.
@@ -80,13 +80,13 @@ def assignment(name: str, house: Path = HOUSE) -> Assignment:
     )
     return Assignment(
         name,
-        tuple(Asked(find(question), points) for question, points in tests.items()),
+        tuple(AssignmentQuestion(find(question), points) for question, points in tests.items()),
         by_hand,
         lent,
     )
 
 
-def course_secret(file: Path) -> bytes:
+def read_course_secret(file: Path) -> bytes:
     """The course's secret, made if there is none yet, in a file that only its owner can read.
 
     Raises
@@ -120,7 +120,7 @@ class Cases(NamedTuple):
 
 
 @functools.lru_cache(maxsize=256)
-def cases_of(name: str, secret: bytes, variant: str = "") -> Cases:
+def draw_cases(name: str, secret: bytes, variant: str = "") -> Cases:
     """An exercise's cases, drawn from the secret; equal for all students with the same contract.
 
     The small cases that are always asked come first. `check` shows them to everybody.

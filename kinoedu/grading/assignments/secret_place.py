@@ -3,7 +3,7 @@
 from pathlib import Path
 
 
-def usual_secret() -> Path:
+def default_secret_file() -> Path:
     """The path of the file, which need not exist yet."""
     import platformdirs
 

@@ -27,12 +27,12 @@ def find_assignment(name: str, place: tuple[str, ...], data: bytes, known: list[
 
 def count_shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
     """How many questions of each assignment have a mark in the notebook."""
-    from ..assignments.questions import assignment
+    from ..assignments.questions import read_assignment
 
     marks = find_marks(data)
     return (
         {
-            name: sum(asked.exercise.name in marks for asked in assignment(name).questions)
+            name: sum(asked.exercise.name in marks for asked in read_assignment(name).questions)
             for name in known
         }
         if marks

@@ -17,11 +17,11 @@ from ...course.feedback import format_entry
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.whole_files import written_whole
-from ..assignments.questions import assignment
+from ..assignments.questions import read_assignment
 from ..collect.found import read_files
 from ..collect.marks import count_shared_marks, find_assignment, find_marks
 from ..collect.submissions import Submission, is_candidate, merge_doubles
-from ..judge.running import grade_all, local
+from ..judge.running import grade_all, use_local_workers
 from ..judge.submission import RIGHT, Grade
 from ..report.failures import explain_failure
 from ..report.rows import Row
@@ -46,7 +46,11 @@ def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool =
     one = find_submission(root / "submission", name)
     with tempfile.TemporaryDirectory() as results:
         found = grade_all(
-            [one], Path(results), secret, place=local(1), trusted=is_trusted(container_is_wall)
+            [one],
+            Path(results),
+            secret,
+            place=use_local_workers(1),
+            trusted=is_trusted(container_is_wall),
         )[0]
     if found.grade is None and not one.trouble:
         raise InvalidParameter(
@@ -114,7 +118,7 @@ def make_results(name: str, record: Grade | None, trouble: str) -> Results:
             "tests": [],
         }
     results = make_gradescope_results(make_row(name, question) for question in record["questions"])
-    by_hand = assignment(name).by_hand
+    by_hand = read_assignment(name).by_hand
     output = [get_message("gradescope.by_hand", names=", ".join(by_hand))] if by_hand else []
     if record["cells"]:
         numbers = ", ".join(str(one["cell"]) for one in record["cells"])

@@ -17,7 +17,7 @@ from ...course.release import solution_path
 from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
-from ..assignments.questions import assignment
+from ..assignments.questions import read_assignment
 from ..collect.notebook import UnreadableSubmission, join_text, parse_notebook
 from ..collect.submissions import collect
 from ..judge.class_list import Class, Entry, digest_submission
@@ -148,7 +148,7 @@ def add_score(gradebook: Any, row: Row) -> None:
     """
     from nbgrader.api import MissingEntry
 
-    by_hand = row.question in assignment(row.assignment).by_hand
+    by_hand = row.question in read_assignment(row.assignment).by_hand
     cell = row.question if by_hand else f"check_{row.question}"
     try:
         grade = gradebook.find_grade(cell, row.assignment, row.assignment, file_name(row.student))
@@ -227,7 +227,7 @@ def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
             yield {"output_type": "display_data", "metadata": {}, "data": shown}
 
 
-def scores_from_nbgrader(of: Class, folder: Path) -> int:
+def import_nbgrader_scores(of: Class, folder: Path) -> int:
     """Write the scores and comments that people gave in formgrader to GRADES/by_hand.csv.
 
     Returns
@@ -240,7 +240,7 @@ def scores_from_nbgrader(of: Class, folder: Path) -> int:
     lines = []
     with Gradebook(name_database(folder)) as gradebook:
         for entry in of.entries:
-            for question in assignment(entry.assignment).by_hand if entry.assignment else ():
+            for question in read_assignment(entry.assignment).by_hand if entry.assignment else ():
                 whose = (question, entry.assignment, entry.assignment, file_name(entry.student))
                 try:
                     grade, comment = gradebook.find_grade(*whose), gradebook.find_comment(*whose)

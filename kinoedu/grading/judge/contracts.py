@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from ...course.exercise import Exercise
 from ...course.lessons import find
 from ...errors import InvalidParameter
-from ..assignments.questions import Assignment, assignment
+from ..assignments.questions import Assignment, read_assignment
 from ..collect.submissions import Submission
 
 Choices = tuple[tuple[str, str], ...]  # pairs of a question and its contract's name
@@ -45,7 +45,9 @@ def apply_contracts(task: Assignment, chosen: Choices) -> Assignment:
 def add_contracts(one: Submission, secret: bytes) -> Submission:
     """The submission with its student's contracts."""
     return (
-        one._replace(variants=choose_contracts(assignment(one.assignment), secret, one.student))
+        one._replace(
+            variants=choose_contracts(read_assignment(one.assignment), secret, one.student)
+        )
         if one.assignment
         else one
     )

@@ -23,7 +23,7 @@ from ...compiled.store import source_digest
 from ...course.release import HOUSE, solution_path
 from ...support.completed_futures import CompletedFutures
 from ...support.whole_files import written_whole
-from ..assignments.questions import assignment
+from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
 from ..sandbox.sandbox import NoSandbox, Sandbox, without_walls
 from .contracts import apply_contracts
@@ -70,7 +70,7 @@ def grade_all(
     Parameters
     ----------
     out : the folder of the grades; results are kept in `out`/results.
-    place : where to work, by default `local()`.
+    place : where to work, by default `use_local_workers()`.
     progress : called with the number of finished notebooks and of all.
     trusted : run the programs without a sandbox.
 
@@ -98,7 +98,9 @@ def grade_all(
     # what was late beside other jobs is graded again, alone and with more time
     for patience, alone in ((1.0, False), (PATIENT, True)):
         late = []
-        for job, record, trouble in run_jobs(missing, place or local(), 1 if alone else None):
+        for job, record, trouble in run_jobs(
+            missing, place or use_local_workers(), 1 if alone else None
+        ):
             if record is None:
                 troubles[job.key] = trouble
             elif patience == 1.0 and is_late(record):
@@ -165,7 +167,7 @@ def write_result(file: Path, record: Grade) -> None:
 Place = Callable[[int | None], Any]  # number of workers, None for all -> context of an Executor
 
 
-def local(workers: int | None = None) -> Place:
+def use_local_workers(workers: int | None = None) -> Place:
     """Processes of this computer, by default one for each processor."""
 
     @contextmanager
@@ -191,7 +193,7 @@ def end_with_parent() -> None:
     threading.Thread(target=watch, daemon=True).start()
 
 
-def dask(address: str) -> Place:
+def use_dask_workers(address: str) -> Place:
     """The workers of a Dask cluster; each needs the same kinoedu and a sandbox."""
 
     @contextmanager
@@ -262,7 +264,7 @@ def grade_job(job: Job) -> Grade:
     """Grade a notebook in this process and its sandbox. Raises NoSandbox."""
     sandbox = SANDBOXES.sandboxes[job.trusted]
     try:
-        task = apply_contracts(assignment(job.assignment), job.variants)
+        task = apply_contracts(read_assignment(job.assignment), job.variants)
         return grade(job.data, task, job.secret, sandbox, patience=job.patience)
     except NoSandbox:
         sandbox.close()

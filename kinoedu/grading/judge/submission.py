@@ -8,7 +8,7 @@ from ...course.judging import JudgedCase, Report, judge_outcomes
 from ...course.outcomes import Late, Outcome, encode_outcome
 from ...course.shapes import Maybe, Truth
 from ...messages import get_message
-from ..assignments.questions import Asked, Assignment, Cases, cases_of
+from ..assignments.questions import Assignment, AssignmentQuestion, Cases, draw_cases
 from ..collect.notebook import Cell, UnreadableSubmission, read_cells
 from ..sandbox.sandbox import Sandbox
 from .answers import Answers, Question, is_stopped, run_program
@@ -44,7 +44,7 @@ def grade(
             "cells": [],
         }
     asked = {
-        one.exercise.name: (one, cases_of(one.exercise.name, secret, one.exercise.variant))
+        one.exercise.name: (one, draw_cases(one.exercise.name, secret, one.exercise.variant))
         for one in task.questions
     }
     to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
@@ -60,7 +60,7 @@ def grade(
     }
 
 
-def make_blank_record(asked: Asked) -> Grade:
+def make_blank_record(asked: AssignmentQuestion) -> Grade:
     """The record of a question without an answer."""
     variant = {"variant": asked.exercise.variant} if asked.exercise.variant else {}
     return variant | {
@@ -74,7 +74,9 @@ def make_blank_record(asked: Asked) -> Grade:
     }
 
 
-def judge_question(asked: Asked, known: Cases, outcomes: Sequence[Outcome] | None) -> Grade:
+def judge_question(
+    asked: AssignmentQuestion, known: Cases, outcomes: Sequence[Outcome] | None
+) -> Grade:
     """The record of a question with its outcomes."""
     if not outcomes:
         return make_blank_record(asked)
@@ -105,7 +107,7 @@ def name_status(report: Report) -> str:
     return STOPPED if outcome is not None and is_stopped(outcome) else WRONG
 
 
-def describe_failure(asked: Asked, report: Report, *, hidden: bool) -> Grade:
+def describe_failure(asked: AssignmentQuestion, report: Report, *, hidden: bool) -> Grade:
     """What a student may know of a failure: rule, hint, and the case unless it is hidden."""
     failure, exercise = report.failure, asked.exercise
     assert failure is not None

@@ -11,7 +11,7 @@ from ...messages import get_message
 from ...support.csv_cells import harmless, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
-from ..assignments.questions import assignment
+from ..assignments.questions import read_assignment
 from .contracts import Choices, choose_contracts
 
 COLUMNS = ("student", "assignment", "question", "variant")
@@ -38,7 +38,7 @@ def write_variants(
     lines = []
     for student in students:
         for name, book in books.items():
-            mine = choose_contracts(assignment(name, house), secret, student)
+            mine = choose_contracts(read_assignment(name, house), secret, student)
             if not mine:
                 raise InvalidParameter(f"no exercise of {name} has contracts to choose from")
             file = out / file_name(student) / f"{name}.ipynb"

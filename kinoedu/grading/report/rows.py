@@ -7,7 +7,7 @@ from typing import NamedTuple
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.csv_cells import harmless, number, write_rows
-from ..assignments.questions import assignment
+from ..assignments.questions import read_assignment
 from ..judge.class_list import Class, Entry, read_record
 from ..judge.submission import Grade
 from .decisions import Decision, Decisions
@@ -36,7 +36,7 @@ class Row(NamedTuple):
     comment: str = ""
 
 
-def class_rows(of: Class, decisions: Decisions) -> list[Row]:
+def list_class_rows(of: Class, decisions: Decisions) -> list[Row]:
     """All rows of a class, with people's decisions applied.
 
     Raises
@@ -61,7 +61,7 @@ def list_entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
     if not entry.assignment:
         trouble = (UNREADABLE, describe_trouble(entry, record))
         return [Row(entry.student, "", "", None, 0.0, *trouble, entry.late)]
-    task = assignment(entry.assignment)
+    task = read_assignment(entry.assignment)
     if record is None or record["status"] == UNREADABLE:
         trouble = (name_trouble(entry, record), describe_trouble(entry, record))
         told = [(asked.exercise.name, None, asked.points, *trouble) for asked in task.questions]

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...course.release import HOUSE, solution_path
-from ..assignments.questions import assignment
+from ..assignments.questions import read_assignment
 from ..collect.notebook import UnreadableSubmission, read_cells
 from ..collect.submissions import Submission
 from .fingerprints import Piece, split_program
@@ -66,7 +66,7 @@ class Similar(NamedTuple):
     course: list[Likeness]
 
 
-def similar(
+def find_similar(
     name: str, submissions: Iterable[Submission], most: int = 100, house: Path = HOUSE
 ) -> Similar:
     """Compare the submissions of one assignment; unreadable ones are left out.
@@ -119,7 +119,7 @@ def read_course_programs(name: str, house: Path) -> Iterator[tuple[str, list[str
     """Yield the course's own programs: the solution, the bank's wrong answers, and the library."""
     file = solution_path(name, house)
     yield f"solutions/{file.name}", [cell.source for cell in read_cells(file.read_bytes())]
-    asked = [f'"{one.exercise.name}"' for one in assignment(name, house).questions]
+    asked = [f'"{one.exercise.name}"' for one in read_assignment(name, house).questions]
     bank = [
         one
         for one in sorted((house / "solutions" / "bank").glob("*.py"))

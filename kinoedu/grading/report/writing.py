@@ -9,7 +9,7 @@ from .decisions import read_decisions
 from .feedback_page import name_page, render_feedback
 from .pages import write_page
 from .report_page import render_report
-from .rows import Row, class_rows, write_grades
+from .rows import Row, list_class_rows, write_grades
 
 
 def write_all(of: Class, progress: Progress | None = None) -> list[Row]:
@@ -27,7 +27,7 @@ def write_all(of: Class, progress: Progress | None = None) -> list[Row]:
     OSError
         Where a file cannot be written.
     """
-    rows = class_rows(of, read_decisions(of.out))
+    rows = list_class_rows(of, read_decisions(of.out))
     write_grades(rows, of.out / "grades.csv")
     write_page(of.out / "report.html", render_report(of, rows))
     mine: dict[tuple[str, str], list[Row]] = {}

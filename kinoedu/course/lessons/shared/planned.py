@@ -1,11 +1,11 @@
 """Base class and judges for all exercises that ask for a planner.
 
-A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=ProblemShape()` and ends with
-`rng=Whole()`, a seed; `result` is the shape of one answer. The planner is called three times, twice
-with the same seed and once with another, each time with a new problem that records its calls.
-`fault` finds what is wrong with one answer, by `find_path_fault` and `find_tree_fault`; these check
-every motion again with the course's own collision code. Whether all randomness comes from `rng` is
-judged here.
+A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=ProblemShape()` and ends
+with `rng=Integer()`, a seed; `result` is the shape of one answer. The planner is called three
+times, twice with the same seed and once with another, each time with a new problem that records its
+calls. `fault` finds what is wrong with one answer, by `find_path_fault` and `find_tree_fault`;
+these check every motion again with the course's own collision code. Whether all randomness comes
+from `rng` is judged here.
 
 Messages that planner exercises share are in messages.toml of this folder; an exercise's own
 messages come first.
