@@ -19,7 +19,7 @@ ROOM = "kinoedu/course/lessons/midpoints"
 # called without the fixture of its file, which compiles everything
 WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"
 MARKS = (
-    "from kinoedu.grading.assignments.questions import assignment as a; "
+    "from kinoedu.grading.assignments.questions import read_assignment as a; "
     "print([one.points for one in a({!r}).questions])"
 )
 

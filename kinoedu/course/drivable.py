@@ -138,7 +138,7 @@ def drivable(scene: dict[str, Any]) -> DrivingProblem:
     return DrivingProblem(parse_problem(Field("scene", {"version": 1, **scene}, Path())))
 
 
-class DrivenTask(ProblemShape):
+class DrivenProblemShape(ProblemShape):
     """The shape of a car's problem, encoded as a scene."""
 
     def decode(self, data: Any) -> DrivingProblem:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
-from kinoedu.course.drivable import REGION, DrivenTask, drivable
+from kinoedu.course.drivable import REGION, DrivenProblemShape, drivable
 from kinoedu.course.exercise import Case
 from kinoedu.course.lessons.kinodynamic import (
     best_control,
@@ -33,12 +33,12 @@ EXPERIMENTS = Path(__file__).resolve().parent.parent.parent / "notebooks" / "exp
 def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
     """A problem survives JSON and `eval(repr(...))`, and `anew` resets its counts."""
     problem = garages.GARAGES[name]
-    sent = DrivenTask().decode(json.loads(json.dumps(DrivenTask().encode(problem))))
+    sent = DrivenProblemShape().decode(json.loads(json.dumps(DrivenProblemShape().encode(problem))))
     copied = eval(repr(problem), {"drivable": drivable})
     assert (
-        DrivenTask().encode(sent)
-        == DrivenTask().encode(copied)
-        == DrivenTask().encode(problem.fresh_copy())
+        DrivenProblemShape().encode(sent)
+        == DrivenProblemShape().encode(copied)
+        == DrivenProblemShape().encode(problem.fresh_copy())
     )
     problem.sample(np.random.default_rng(0))
     assert problem.fresh_copy().counts() == {}

@@ -9,7 +9,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....planners.driving.common import free_drive
 from ....spaces.angles import wrap_angle
-from ...drivable import DrivenTask, distance_of_poses
+from ...drivable import DrivenProblemShape, distance_of_poses
 from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record
@@ -160,7 +160,7 @@ class BestControl(ValueExercise):
     lesson = "13_kinodynamic_planning"
     kinds = ("open", "cut", "blocked", "beyond", "none")
     given = Record(
-        problem=DrivenTask(),
+        problem=DrivenProblemShape(),
         q=POSE,
         target=POSE,
         controls=Numbers(("m", 2)),

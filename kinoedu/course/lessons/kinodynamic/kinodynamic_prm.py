@@ -13,7 +13,7 @@ from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.driving.kinodynamic_prm import drive_from_nearest
 from ....robots.trajectory import DrivenTree
-from ...drivable import DrivenTask
+from ...drivable import DrivenProblemShape
 from ...exercise import Case
 from ...shapes import Record, Together
 from ...whole_shapes import Integer, Integers
@@ -62,7 +62,7 @@ class KinodynamicPrm(DrivingPlanner):
 
     name = "kinodynamic_prm"
     kinds = KINDS
-    given = Record(problem=DrivenTask(), k=Integer(), iterations=Integer(), rng=Integer())
+    given = Record(problem=DrivenProblemShape(), k=Integer(), iterations=Integer(), rng=Integer())
     result = Together((Integers(("n", 2)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
     source = staticmethod(grow_roadmap)

@@ -13,7 +13,7 @@ from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.driving.kinodynamic_rrt import grow_by_driving
 from ....robots.trajectory import DrivenTree
-from ...drivable import DrivenTask
+from ...drivable import DrivenProblemShape
 from ...exercise import Case
 from ...shapes import Record, Together
 from ...whole_shapes import Integer, Integers
@@ -61,7 +61,7 @@ class KinodynamicRrt(DrivingPlanner):
 
     name = "kinodynamic_rrt"
     kinds = KINDS
-    given = Record(problem=DrivenTask(), iterations=Integer(), rng=Integer())
+    given = Record(problem=DrivenProblemShape(), iterations=Integer(), rng=Integer())
     result = Together((Integers(("n",)), CONTROLS, DURATIONS, ROUTE))
     answer = three_times(result)
     source = staticmethod(grow_tree)
