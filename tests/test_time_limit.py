@@ -144,7 +144,7 @@ def test_the_message_has_both_numbers():
     late = late_message(Late(False, 7.61, 7.5, 8.0, []))
     assert "7.6 s" in late and "7.5 s" in late and "this computer" in late
     waited = late_message(Late(True, 0.01, 5.0, 20.0, []))
-    assert "20.0 s" in waited and "0.0 s" in waited and "restart the kernel" in waited
+    assert "20.0 s" in waited and "0.0 s" in waited and "Restart the kernel" in waited
     assert "time that is allowed" in late_message(Late(False))
 
 
