@@ -16,6 +16,7 @@ from kinoedu.messages import get_message
 
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 HEADING = re.compile(r"(\w+)\n-+\n")
+ENTRY = re.compile(r"(?m)^(\S.*)((?:\n +.*)*)")
 NAMED = re.compile(r"(?m)^(\w[\w\\, ()]*) : (.*)")
 FIGURE = re.compile(r"<Figure size (\d+)")
 # in pixels; what is wider cannot be read in the width of a telephone, and is scrolled there
@@ -64,6 +65,7 @@ def marked(paragraph):
     """A paragraph as reStructuredText."""
     if heading := HEADING.match(paragraph):
         rest = paragraph[heading.end() :]
+        rest = ENTRY.sub(as_item, rest) if heading[1] == "Raises" else rest
         return marked(rest) if heading[1] == "Parameters" else f"**{heading[1]}**\n\n{marked(rest)}"
     if paragraph.startswith(">>>"):
         return paragraph
@@ -75,6 +77,12 @@ def marked(paragraph):
     if all(line.startswith(" ") or NAMED.match(line) for line in text.splitlines()):
         return NAMED.sub(r"**\1**\n    \2", text)
     return text
+
+
+def as_item(entry):
+    """An error and when it is raised, as an item of a list."""
+    name, when = entry[1], " ".join(entry[2].split())
+    return f"- {name}: {when}" if when else f"- {name}"
 
 
 def as_written(app, what, name, thing, options, arguments, returned):
