@@ -20,10 +20,11 @@ ATTACKERS = 0.05
 GRADER = """
 import sys
 from pathlib import Path
-from kinoedu.grading.judge.running import dask, grade_all, local
+from kinoedu.grading.judge.running import grade_all, use_dask_workers, use_local_workers
 from kinoedu.grading.collect.submissions import collect
 if __name__ == "__main__":
-    place = local(int(sys.argv[3])) if sys.argv[3].isdigit() else dask(sys.argv[3])
+    workers = sys.argv[3]
+    place = use_local_workers(int(workers)) if workers.isdigit() else use_dask_workers(workers)
     submissions, secret = collect(Path(sys.argv[1])), bytes.fromhex(sys.argv[4])
     graded = grade_all(submissions, Path(sys.argv[2]), secret, place=place)
     sys.exit(any(one.grade is None for one in graded))

@@ -223,10 +223,11 @@ def main_record(root: Path, tools: Path) -> str:
     code = (
         "import sys, tempfile; from pathlib import Path\n"
         "from kinoedu.grading.export.autograder import find_submission\n"
-        "from kinoedu.grading.judge.running import grade_all, local\n"
+        "from kinoedu.grading.judge.running import grade_all, use_local_workers\n"
         "if __name__ == '__main__':\n"
         f"    one = find_submission(Path({str(root / 'submission')!r}), {NAME!r})\n"
-        "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=local(1), "
+        "    place = use_local_workers(1)\n"
+        "    found = grade_all([one], Path(tempfile.mkdtemp()), b'x' * 16, place=place, "
         "trusted=True)[0]\n"
         "    print(found.grade['cells'][0]['trouble']['message'])\n"
     )

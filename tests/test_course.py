@@ -513,11 +513,11 @@ def complaint(code):
         ("return (q ^ 2)", "In Python the power is **"),
         ("return p1[2]", "The last of n items"),
         ("return lenght(q)", "Python does not know this name"),
-        ("return point_line_distance(q, p1, p2)", "calls itself again"),
+        ("return point_line_distance(q, p1, p2)", "calls itself without end"),
         ("return ValueError('no line')", "raised, not returned"),
-        ("return None + 1", "Something is None"),
+        ("return None + 1", "A value is None"),
         ("return 1 / 0", "Which length is zero"),
-        ("if q[0] > 1e9: d = 1\n    return d", "no value yet"),
+        ("if q[0] > 1e9: d = 1\n    return d", "before it has a value"),
     ],
 )
 def test_common_complaints_of_python_are_explained(code, advice):

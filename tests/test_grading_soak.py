@@ -72,7 +72,7 @@ sys.path.insert(0, {str(HOUSE / "benchmarks")!r})
 if __name__ == "__main__":
     from distributed import LocalCluster
     from grading_soak import SECRET, results
-    from kinoedu.grading.judge.running import dask, grade_all
+    from kinoedu.grading.judge.running import grade_all, use_dask_workers
     from kinoedu.grading.collect.submissions import collect
     out = Path(sys.argv[2])
     how = dict(n_workers=2, threads_per_worker=2, dashboard_address=None, silence_logs=50)
@@ -82,7 +82,7 @@ if __name__ == "__main__":
                 time.sleep(0.05)
             os.kill(next(iter(cluster.workers.values())).pid, signal.SIGKILL)
         threading.Thread(target=kill, daemon=True).start()
-        place = dask(cluster.scheduler_address)
+        place = use_dask_workers(cluster.scheduler_address)
         graded = grade_all(collect(Path(sys.argv[1])), out, SECRET, place=place)
         assert all(one.grade is not None for one in graded), [one.trouble for one in graded]
 """

@@ -7,7 +7,7 @@ Bullo & Smith, chapter 4; LaValle, section 5.2.4.
 def find_digits(i: int, base: int) -> list[int]:
     """Return the digits of a whole number, lowest first; those of 0 are [0].
 
-    >>> digits(6, 2)
+    >>> find_digits(6, 2)
     [0, 1, 1]
     """
     found = [i % base]
