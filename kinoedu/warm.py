@@ -21,6 +21,7 @@ from .planners import (
     plan_on_grid,
     prm,
     roadmap_properties,
+    rrt,
     rrt_connect,
     rrt_star,
     shortcut,
@@ -123,6 +124,8 @@ def later_jobs() -> Iterator[Job]:
         plan_on_priced_terrain,
         Terrain([[1] * 9] * 9, cost=[[2.0] * 9] * 9),
     )
+    bare = Problem(Point(), Terrain([[1] * 9] * 9), (1, 1), (8, 8))
+    yield "a tree with spacing on a terrain", partial(rrt, spacing=0.5, max_nodes=50, rng=0), bare
     yield "how well a roadmap serves", survey, problem
     yield (
         "cells with headings",

@@ -70,14 +70,19 @@ def sources(file: Path) -> list[str]:
     ]
 
 
-def test_a_new_exercise_passes_the_tests_of_the_house(house):
+@pytest.fixture(scope="module")
+def listed(house):
+    """The files of an exercise that was made in the house, as the command lists them."""
+    made = run(house, "-m", "kinoedu", "new-exercise", NAME, "--lesson", LESSON)
+    assert made.returncode == 0, made.stderr
+    return [line.strip() for line in made.stdout.splitlines()]
+
+
+def test_a_new_exercise_passes_the_tests_of_the_house(house, listed):
     """Its own test, those of all exercises, banks and solutions, and the linters pass.
 
     Then it is released.
     """
-    made = run(house, "-m", "kinoedu", "new-exercise", NAME, "--lesson", LESSON)
-    assert made.returncode == 0, made.stderr
-    listed = [line.strip() for line in made.stdout.splitlines()]
     assert {
         f"solutions/{LESSON}.ipynb",
         f"{ROOM}/{NAME}.py",
@@ -114,6 +119,7 @@ def test_a_new_exercise_passes_the_tests_of_the_house(house):
         assert ruff.returncode == 0, ruff.stdout
 
 
+@pytest.mark.usefixtures("listed")
 def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
     """Existing files are unchanged, the cells have nbgrader's metadata, every message exists."""
     before = sources(house / "solutions" / f"{LESSON}.ipynb")
