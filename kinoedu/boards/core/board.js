@@ -22,7 +22,8 @@
 
 const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a round trip
 const SLOW = 100;             // ms: after a slower answer only one question is open at a time
-const VERY_SLOW = 1000;       // ms: after a slower answer nothing is asked until the thing is released
+const VERY_SLOW = 1000;       // ms: after a slower answer nothing is asked until the thing is released or rests
+const REST = 300;             // ms: a thing rests that was not moved for so long
 const PENDING = 250;          // ms after which an outdated answer is shown pale
 const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms to play the whole growth
@@ -102,7 +103,7 @@ class Board {
     this.model.send({ kind: "hello", from: this.id });
   }
 
-  stop() { this.pause(); this.release(); clearTimeout(this.timer); }
+  stop() { this.pause(); this.release(); clearTimeout(this.timer); clearTimeout(this.resting); }
   changed() { this.views.forEach((view) => view.request()); }
 
   // the scene: the places of things, and moving them
@@ -231,8 +232,10 @@ class Board {
 
   ask(released) {
     const limit = this.took > SLOW ? 1 : IN_FLIGHT;
-    if (this.asked >= limit || (this.took > VERY_SLOW && !released)) { this.waiting ||= released || this.took <= VERY_SLOW; return; }
-    this.waiting = false;
+    clearTimeout(this.resting);
+    if (this.took > VERY_SLOW && !released) { this.resting = setTimeout(() => this.ask(true), REST); return; }
+    this.waiting = this.asked >= limit;
+    if (this.waiting) return;
     if (this.moved.size === 0) return;
     const moved = [...this.moved.values()].map(([kind, i]) => [kind, i, this.shape({ kind, i })]);
     this.moved.clear();
