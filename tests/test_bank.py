@@ -11,7 +11,7 @@ from kinoedu import messages
 from kinoedu.course import EXERCISES
 from kinoedu.course.bank import read_bank
 from kinoedu.course.feedback import Feedback, draw_failure, rule_message
-from kinoedu.course.judging import judge_outcomes, run_encoded_case
+from kinoedu.course.judging import judge_until_failure, run_encoded_case
 from kinoedu.course.outcomes import decode_outcome, encode_outcome
 from kinoedu.support.time_limit import run_within_processor_time
 
@@ -27,9 +27,11 @@ FIRST_OF_ITS_SLIP = [
 
 @lru_cache(maxsize=1)
 def cases_of(exercise):
-    """Cases of an exercise, and their arguments as JSON."""
+    """Cases of an exercise, and their arguments as JSON by the cases' ids."""
     cases = list(exercise.cases(np.random.default_rng(0)))
-    return cases, [json.dumps(exercise.given.encode(case.given), allow_nan=False) for case in cases]
+    return cases, {
+        id(case): json.dumps(exercise.given.encode(case.given), allow_nan=False) for case in cases
+    }
 
 
 def travelled(exercise, function, sent):
@@ -47,8 +49,8 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
     monkeypatch.setattr(type(exercise), "seconds", 4.0)
-    report = judge_outcomes(
-        exercise, cases, (travelled(exercise, item.function, sent) for sent in given)
+    report = judge_until_failure(
+        exercise, cases, lambda case: travelled(exercise, item.function, given[id(case)])
     )
     assert not report.is_right
     assert report.score < 1.0

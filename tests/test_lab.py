@@ -20,7 +20,15 @@ TOLD = "document.querySelectorAll('.kinoedu-text')"
 SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"
 SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node
     .querySelector('.kinoedu-board, .kinoedu-solid').scrollIntoView({block: 'center'})"""
-SHUT_DOWN = "() => jupyterapp.shell.currentWidget.sessionContext.shutdown()"
+OPEN = """async path => {
+    const { commands, shell } = jupyterapp;
+    await commands.execute('docmanager:open', {path, factory: 'Notebook'});
+    await shell.currentWidget.context.ready; }"""
+CLOSE = """async () => {
+    const widget = jupyterapp.shell.currentWidget;
+    await widget.sessionContext.shutdown();
+    await widget.context.save();
+    widget.close(); }"""
 PAINTED = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
     const boards = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')]
@@ -34,15 +42,25 @@ COLOURS = """number => {
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    """One JupyterLab for all, on a copy of the notebooks, since running them in JupyterLab saves
-    them.
-    """
+def opened(tmp_path_factory):
+    """One page of JupyterLab for all, on a copy of the notebooks, because JupyterLab saves them."""
     needs_chromium()
     course = tmp_path_factory.mktemp("course")
     shutil.copytree(HOUSE / "notebooks", course / "notebooks")
-    with lab(course, tmp_path_factory.mktemp("home")) as running:
-        yield running
+    with (
+        lab(course, tmp_path_factory.mktemp("home")) as (address, token),
+        notebook_page(address, token, TOUR) as page,
+    ):
+        yield page
+
+
+@pytest.fixture
+def page(opened):
+    """The page, with no notebook open afterwards, and without the errors of earlier notebooks."""
+    opened.outside.clear()
+    opened.errors.clear()
+    yield opened
+    opened.evaluate(CLOSE)
 
 
 def boards_of(lesson):
@@ -56,30 +74,27 @@ def boards_of(lesson):
 
 
 @pytest.mark.parametrize("lesson", LESSONS)
-def test_a_lesson_runs_and_its_boards_are_painted(server, lesson):
+def test_a_lesson_runs_and_its_boards_are_painted(page, lesson):
     """All cells run without error, without a request to the outside and without a complaint; every
     board shows its answer.
     """
-    with notebook_page(*server, f"notebooks/{lesson}") as page:
-        book = page.evaluate(RUN_ALL)
-        code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
-        assert all(cell["execution_count"] for cell in code)
-        assert [
-            o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"
-        ] == []
-        for number in boards_of(lesson):
-            page.evaluate(SCROLL, number)
-            page.wait_for_function(PAINTED, arg=number)
-            page.evaluate(SHOW, number)
-            keep(page, f"{lesson.removesuffix('.ipynb')}-{number}")
-            assert (
-                min(page.evaluate(COLOURS, number)) > 3
-            )  # a world, what was answered, and their words
-        if lesson in PLAYED:
-            page.evaluate(SCROLL, boards_of(lesson)[0])
-            PLAYED[lesson](page)
-        assert page.outside == [] and page.errors == []
-        page.evaluate(SHUT_DOWN)
+    page.evaluate(OPEN, f"notebooks/{lesson}")
+    book = page.evaluate(RUN_ALL)
+    code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
+    assert all(cell["execution_count"] for cell in code)
+    assert [
+        o["evalue"] for cell in code for o in cell["outputs"] if o["output_type"] == "error"
+    ] == []
+    for number in boards_of(lesson):
+        page.evaluate(SCROLL, number)
+        page.wait_for_function(PAINTED, arg=number)
+        page.evaluate(SHOW, number)
+        keep(page, f"{lesson.removesuffix('.ipynb')}-{number}")
+        assert min(page.evaluate(COLOURS, number)) > 3  # a world, an answer, and their words
+    if lesson in PLAYED:
+        page.evaluate(SCROLL, boards_of(lesson)[0])
+        PLAYED[lesson](page)
+    assert page.outside == [] and page.errors == []
 
 
 def play_tour(page):

@@ -85,7 +85,7 @@ def test_the_solutions_answers_are_right_for_other_seeds(name):
     asked = [exercise for exercise in EXERCISES.values() if exercise.lesson == name]
     assert asked
     for exercise in asked:
-        for seed in (1, 2, 3):
+        for seed in (1, 2):
             cases = list(exercise.cases(np.random.default_rng(seed)))
             exercise.describe_expected(cases[0])
             report = judge_outcomes(

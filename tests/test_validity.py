@@ -19,13 +19,13 @@ from validity import KINDS, outcome
 
 
 @pytest.mark.parametrize("planner", ["RRT", "RRT-Connect"])
-def test_no_path_of_a_few_hundred_is_invalid(planner):
+def test_no_path_of_a_hundred_is_invalid(planner):
     """All robots, all worlds; most are solved."""
     outcomes = [
-        one for seed in range(1_000_000, 1_000_150) if (one := outcome(seed, [planner])) is not None
+        one for seed in range(1_000_000, 1_000_060) if (one := outcome(seed, [planner])) is not None
     ]
-    assert len(outcomes) > 130 and [one for one in outcomes if not one.valid] == []
-    assert sum(one.solved for one in outcomes) > 75
+    assert len(outcomes) > 50 and [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 30
 
 
 def test_no_exact_path_is_invalid():
@@ -41,10 +41,10 @@ def test_no_exact_path_is_invalid():
 def test_no_drive_of_a_car_is_invalid(planner):
     """Cars that go both ways, and some that only go forward."""
     outcomes = [
-        one for seed in range(2_000_000, 2_000_240) if (one := outcome(seed, [planner])) is not None
+        one for seed in range(2_000_000, 2_000_120) if (one := outcome(seed, [planner])) is not None
     ]
-    assert len(outcomes) == 40 and [one for one in outcomes if not one.valid] == []
-    assert sum(one.solved for one in outcomes) > 8
+    assert len(outcomes) == 20 and [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 4
 
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]

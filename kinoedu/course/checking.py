@@ -2,7 +2,7 @@
 
 import io
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from typing import Any
 
@@ -12,7 +12,7 @@ from ..errors import InvalidParameter
 from ..messages import get_message
 from .exercise import Case, Exercise
 from .feedback import ALL, Feedback, advance_stage
-from .judging import judge_outcomes, run_case
+from .judging import judge_until_failure, run_case
 from .lessons import find
 from .outcomes import Outcome
 from .plain import describe_value
@@ -68,8 +68,8 @@ def check(
     judged_exercise = find(name if isinstance(name, str) else "", variant)
     cases = list(judged_exercise.cases(np.random.default_rng(0)))
     printed: list[OutputBuffer] = []
-    report = judge_outcomes(
-        judged_exercise, cases, run_cases(judged_exercise, function, cases, printed)
+    report = judge_until_failure(
+        judged_exercise, cases, lambda case: run_quietly(judged_exercise, function, case, printed)
     )
     if report.is_right:
         PASSED.add(judged_exercise.name)
@@ -77,16 +77,14 @@ def check(
     return Feedback(report, advance_stage(report) if staged else ALL, output)
 
 
-def run_cases(
-    exercise: Exercise, function: Callable[..., Any], cases: list[Case], printed: list[OutputBuffer]
-) -> Iterator[Outcome]:
-    """Call a student's function on each case in turn, lazily, and yield the outcomes.
+def run_quietly(
+    exercise: Exercise, function: Callable[..., Any], case: Case, printed: list[OutputBuffer]
+) -> Outcome:
+    """Call a student's function on a case.
 
     What the function prints is appended to `printed`; its warnings are hidden.
     """
-    for case in cases:
-        printed.append(OutputBuffer())
-        with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            outcome = run_case(exercise, function, case)
-        yield outcome
+    printed.append(OutputBuffer())
+    with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return run_case(exercise, function, case)

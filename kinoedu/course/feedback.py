@@ -74,18 +74,15 @@ def feedback_lines(report: Report, stage: int, printed: str) -> list[tuple[str, 
         return [("", get_message(key, name=exercise.name, called=report.unwritten))]
     if failure is None:
         return right_answer_lines(report)
-    total = len(exercise.kinds)
-    right = total - len(report.failed)
-    lines = [("", get_message("check.wrong", name=exercise.name, right=right, total=total))]
+    kind = exercise.message(f"kinds.{failure.case.kind}")
+    lines = [("", get_message("check.wrong", name=exercise.name, kind=kind))]
     lines.append((get_message("check.rule"), rule_message(exercise, failure)))
     if stage >= CASE:
         lines += case_lines(exercise, failure, printed)
     if stage >= ALL:
         lines.append((get_message("check.hint"), hint_message(exercise, failure)))
         lines.append((get_message("check.read"), exercise.message("section")))
-    good = [
-        exercise.message(f"kinds.{kind}") for kind in exercise.kinds if kind not in report.failed
-    ]
+    good = [exercise.message(f"kinds.{kind}") for kind in report.right_so_far]
     if good:
         lines.append((get_message("check.good"), "; ".join(good)))
     return lines

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..support.time_limit import Limiter, run_within_processor_time
-from .exercise import CONTRACT, Case, Exercise, ValueExercise, Verdict
+from .exercise import CONTRACT, Case, Exercise, Slip, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
 from .shapes import Shape, Truth
@@ -36,12 +36,14 @@ class Report:
     ----------
     survived : number of right cases of each kind.
     failed : kinds with a case that was wrong or was not reached.
+    right_so_far : kinds with a right case and no wrong one; some of their cases may not be reached.
     failure : the smallest case that failed, or None.
     """
 
     exercise: Exercise
     survived: dict[str, int] = field(default_factory=dict)
     failed: tuple[str, ...] = ()
+    right_so_far: tuple[str, ...] = ()
     failure: JudgedCase | None = None
 
     @property
@@ -123,36 +125,86 @@ def judge_outcomes(
     -------
     Report
     """
-    right, all_cases = dict.fromkeys(exercise.kinds, 0), list(cases)
-    seen: list[JudgedCase] = []
+    all_cases, seen = list(cases), list[JudgedCase]()
     for number, (case, outcome) in enumerate(zip(all_cases, outcomes, strict=False)):
-        verdict = exercise.judge(case, outcome)
-        seen.append(JudgedCase(case, outcome, verdict, number=number))
-        right[case.kind] += verdict.is_right
-        if isinstance(outcome, Late) or is_unwritten(outcome):
+        seen.append(judge_case(exercise, case, outcome, number))
+        if ends_a_run(outcome):
             break
+    return make_report(exercise, all_cases, seen)
+
+
+def judge_until_failure(
+    exercise: Exercise, cases: Iterable[Case], run: Callable[[Case], Outcome]
+) -> Report:
+    """Run and judge cases in order up to the first that fails.
+
+    Where a known misconception explains that failure, all cases are run, to see whether it explains
+    the others as well. So the failure and its misconception are those of `judge_outcomes`.
+
+    Returns
+    -------
+    Report
+    """
+    all_cases, seen = list(cases), list[JudgedCase]()
+    needs_evidence = True
+    for number, case in enumerate(all_cases):
+        outcome = run(case)
+        seen.append(judge_case(exercise, case, outcome, number))
+        if not seen[-1].verdict.is_right:
+            needs_evidence = bool(likely_slips(exercise, seen))
+        if ends_a_run(outcome) or not needs_evidence:
+            break
+    return make_report(exercise, all_cases, seen)
+
+
+def judge_case(exercise: Exercise, case: Case, outcome: Outcome, number: int) -> JudgedCase:
+    """Judge the outcome of one case."""
+    return JudgedCase(case, outcome, exercise.judge(case, outcome), number=number)
+
+
+def ends_a_run(outcome: Outcome) -> bool:
+    """Whether no further case is run after an outcome."""
+    return isinstance(outcome, Late) or is_unwritten(outcome)
+
+
+def make_report(exercise: Exercise, cases: list[Case], seen: list[JudgedCase]) -> Report:
+    """Report on the cases seen, of all cases."""
+    right = dict.fromkeys(exercise.kinds, 0)
+    for one in seen:
+        right[one.case.kind] += one.verdict.is_right
     failures = [one for one in seen if not one.verdict.is_right]
     broken = {failure.case.kind for failure in failures}
-    broken |= {case.kind for case in all_cases[len(seen) :]}
+    unreached = {case.kind for case in cases[len(seen) :]}
     if not any(one.verdict.is_right and isinstance(one.outcome, Answer) for one in seen):
         broken = set(exercise.kinds)  # raising an error for every input earns nothing
-    failed = tuple(kind for kind in exercise.kinds if kind in broken or not right[kind])
+    failed = tuple(k for k in exercise.kinds if k in broken | unreached or not right[k])
+    so_far = tuple(k for k in exercise.kinds if k not in broken and right[k])
     if not failures:
-        return Report(exercise, right, failed)
-    first = replace(failures[0], slip=find_slip(exercise, failures, seen))
-    return Report(exercise, right, failed, first)
+        return Report(exercise, right, failed, so_far)
+    first = replace(failures[0], slip=find_slip(exercise, seen))
+    return Report(exercise, right, failed, so_far, first)
 
 
-def find_slip(exercise: Exercise, failures: list[JudgedCase], seen: list[JudgedCase]) -> str:
-    """Key of the misconception that explains the failures best, or "".
-
-    It must explain every failure of the first failure's kind, and at least half of all failures. Of
-    several, the one that explains most of the cases seen is chosen. Many misconceptions explain a
-    wrong yes or no, so for a truth value it must explain every case seen. An answer that breaks
-    only the contract has no misconception.
-    """
-    if failures[0].verdict.rule == CONTRACT:
+def find_slip(exercise: Exercise, seen: list[JudgedCase]) -> str:
+    """Key of the misconception that explains most of the cases seen, or ""."""
+    likely = likely_slips(exercise, seen)
+    if not likely:
         return ""
+    return max(
+        likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)
+    ).key
+
+
+def likely_slips(exercise: Exercise, seen: list[JudgedCase]) -> list[Slip]:
+    """Misconceptions that may explain the failures among the cases seen.
+
+    Each explains every failure of the first failure's kind, and at least half of all failures. Many
+    misconceptions explain a wrong yes or no, so for a truth value each explains every case seen. An
+    answer that breaks only the contract has no misconception.
+    """
+    failures = [one for one in seen if not one.verdict.is_right]
+    if not failures or failures[0].verdict.rule == CONTRACT:
+        return []
     first = failures[0].case.kind
     explained = {
         slip: [explains(exercise, slip.answer, one) for one in failures] for slip in exercise.slips
@@ -167,11 +219,7 @@ def find_slip(exercise: Exercise, failures: list[JudgedCase], seen: list[JudgedC
         likely = [
             slip for slip in likely if all(explains(exercise, slip.answer, one) for one in seen)
         ]
-    if not likely:
-        return ""
-    return max(
-        likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)
-    ).key
+    return likely
 
 
 def is_unwritten(outcome: Outcome) -> bool:
