@@ -9,7 +9,7 @@ import pytest
 
 from kinoedu import messages
 from kinoedu.course import EXERCISES
-from kinoedu.course.bank import read_bank
+from kinoedu.course.bank import Solutions, read_bank
 from kinoedu.course.feedback import Feedback, draw_failure, rule_message
 from kinoedu.course.judging import judge_until_failure, run_encoded_case
 from kinoedu.course.outcomes import decode_outcome, encode_outcome
@@ -43,7 +43,7 @@ def travelled(exercise, function, sent):
     )
 
 
-@pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.function.__name__}")
+@pytest.mark.parametrize("item", BANK, ids=lambda item: f"{item.exercise}-{item.name}")
 def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     """Every program fails, its misconception is recognised, and the first failing case is drawn."""
     exercise = EXERCISES[item.exercise]
@@ -68,3 +68,12 @@ def test_every_exercise_has_a_bank(exercise):
     mine = [item for item in BANK if item.exercise == exercise.name]
     assert len(mine) >= 6
     assert {slip.key for slip in exercise.slips} <= {item.slip for item in mine}
+
+
+def test_a_change_that_does_not_fit_its_solution_is_an_error():
+    """A text that does not occur, or more than once, is named with the number of times."""
+    solutions = Solutions(HOUSE / "solutions" / "04_graph_search.ipynb")
+    with pytest.raises(ValueError, match="'pop' must occur once in dfs_path, not 0 times"):
+        solutions.changed("dfs_path", ("pop", "popleft"))
+    with pytest.raises(ValueError, match="'parent' must occur once in dfs_path, not 3 times"):
+        solutions.changed("dfs_path", ("parent", "seen"))

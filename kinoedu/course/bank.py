@@ -1,21 +1,28 @@
 """The bank of wrong answers: plausible wrong programs that each exercise must reject.
 
 Each program is wrong for a reason of its own. A bank is a Python file that only instructors have,
-beside the solutions. It holds functions marked `@wrong("name_of_the_exercise")`.
+beside the solutions. It holds functions marked `@wrong("name_of_the_exercise")`, and small changes
+of a right answer, made with `Solutions.changed`.
 """
 
+import json
 import runpy
 from collections.abc import Callable
 from os import PathLike
+from pathlib import Path
 from typing import Any, NamedTuple
 
 
 class Wrong(NamedTuple):
-    """A wrong program, its exercise, and the misconception that a check must recognise, or ""."""
+    """A wrong program, its exercise, and the misconception that a check must recognise, or "".
+
+    `read_bank` fills in the name that the program has in its bank.
+    """
 
     exercise: str
     slip: str
     function: Callable[..., Any]
+    name: str = ""
 
 
 def wrong(exercise: str, slip: str = "") -> Callable[[Callable[..., Any]], Wrong]:
@@ -29,6 +36,57 @@ def wrong(exercise: str, slip: str = "") -> Callable[[Callable[..., Any]], Wrong
     return lambda function: Wrong(exercise, slip, function)
 
 
+class Solutions:
+    """The right answers in a notebook of solutions. Its imports and answers are executed.
+
+    Attributes
+    ----------
+    right : the right answers by name.
+    """
+
+    def __init__(self, notebook: str | PathLike[str]) -> None:
+        cells = json.loads(Path(notebook).read_text("utf-8"))["cells"]
+        code = [cell for cell in cells if cell["cell_type"] == "code"]
+        answers = [cell for cell in code if cell["metadata"].get("nbgrader", {}).get("solution")]
+        self.imports = "".join(code[0]["source"])
+        self.sources = {
+            cell["metadata"]["nbgrader"]["grade_id"]: "".join(cell["source"]) for cell in answers
+        }
+        self.right = self.run(self.sources)
+
+    def run(self, sources: dict[str, str]) -> dict[str, Any]:
+        """Execute the imports and some answers, and return what they define."""
+        defined: dict[str, Any] = {}
+        for source in (self.imports, *sources.values()):
+            exec(source, defined)  # the course's own solutions
+        return defined
+
+    def changed(
+        self, exercise: str, *changes: tuple[str, str], slip: str = "", within: str = ""
+    ) -> Wrong:
+        """Make a wrong answer from the right one by replacing parts of its text.
+
+        Parameters
+        ----------
+        changes : pairs of an old text, which must occur exactly once, and a new one.
+        within : the answer whose text is changed, if it is one that the exercise's answer calls.
+
+        Raises
+        ------
+        ValueError
+            Where an old text does not occur exactly once.
+        """
+        within = within or exercise
+        source = self.sources[within]
+        for old, new in changes:
+            if source.count(old) != 1:
+                raise ValueError(
+                    f"{old!r} must occur once in {within}, not {source.count(old)} times"
+                )
+            source = source.replace(old, new)
+        return Wrong(exercise, slip, self.run({**self.sources, within: source})[exercise])
+
+
 def read_bank(path: str | PathLike[str]) -> list[Wrong]:
     """Read the wrong answers of a bank, in the order of the file.
 
@@ -38,4 +96,5 @@ def read_bank(path: str | PathLike[str]) -> list[Wrong]:
     -------
     list of Wrong
     """
-    return [item for item in runpy.run_path(str(path)).values() if isinstance(item, Wrong)]
+    found = runpy.run_path(str(path)).items()
+    return [item._replace(name=name) for name, item in found if isinstance(item, Wrong)]

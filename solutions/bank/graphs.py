@@ -6,37 +6,12 @@ Each is a mistake that students make; `slip` is the misconception that a check m
 import heapq
 from collections import deque
 from math import inf
+from pathlib import Path
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
 
-
-def tree(neighbours, start):
-    """Return a right breadth-first tree, for wrong answers whose mistake is elsewhere."""
-    parent, queue, seen = [-1] * len(neighbours), deque([start]), {start}
-    while queue:
-        v = queue.popleft()
-        for u in neighbours[v]:
-            if u not in seen:
-                seen.add(u)
-                parent[u] = v
-                queue.append(u)
-    return parent
-
-
-def climb(parent, goal):
-    """Return the right path from the root."""
-    path = [goal]
-    while parent[path[-1]] != -1:
-        path.append(parent[path[-1]])
-        if len(path) > len(parent):
-            return None
-    return path[::-1]
-
-
-def right_path(neighbours, start, goal):
-    """Return a right path with the fewest edges, or None."""
-    path = climb(tree(neighbours, start), goal)
-    return path if path[0] == start else None
+solutions = Solutions(Path(__file__).parents[1] / "04_graph_search.ipynb")
+changed, right = solutions.changed, solutions.right
 
 
 def both_ways(neighbours):
@@ -47,33 +22,47 @@ def both_ways(neighbours):
     ]
 
 
+def both_ways_with_weights(neighbours, weights):
+    """Return adjacency lists and weights with every edge in both directions."""
+    rows = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
+    for u, row in enumerate([dict(row) for row in rows]):
+        for v, w in row.items():
+            rows[v][u] = min(w, rows[v].get(u, inf))
+    rows = [dict(sorted(row.items())) for row in rows]
+    return [list(row) for row in rows], [list(row.values()) for row in rows]
+
+
 # The breadth-first tree
 
-
-@wrong("bfs_tree", slip="order")
-def order_of_visit(neighbours, start):
-    """Returns the nodes in the order of visit."""
-    queue, visited = deque([start]), [start]
-    while queue:
-        for u in neighbours[queue.popleft()]:
-            if u not in visited:
-                visited.append(u)
-                queue.append(u)
-    return visited
-
-
-@wrong("bfs_tree", slip="stack")
-def stack_for_a_queue(neighbours, start):
-    """Uses pop(), which takes the newest node."""
-    parent, stack, seen = [-1] * len(neighbours), [start], {start}
-    while stack:
-        v = stack.pop()
-        for u in neighbours[v]:
-            if u not in seen:
-                seen.add(u)
-                parent[u] = v
-                stack.append(u)
-    return parent
+order_of_visit = changed(
+    "bfs_tree",
+    ("{start}", "[start]"),
+    ("seen.add", "seen.append"),
+    ("return parent", "return seen"),
+    slip="order",
+)
+stack_for_a_queue = changed("bfs_tree", ("queue.popleft()", "queue.pop()"), slip="stack")
+start_is_its_own_parent = changed(
+    "bfs_tree", ("return parent", "parent[start] = start\n    return parent"), slip="own_parent"
+)
+zero_means_nobody = changed(  # but 0 is a node
+    "bfs_tree", ("[-1]", "[0]"), ("while", "parent[start] = -1\n    while"), slip="zeros"
+)
+counts_from_one = changed(  # as MATLAB does
+    "bfs_tree", ("return parent", "return [p + 1 for p in parent]"), slip="from_one"
+)
+numbers_of_edges = changed(
+    "bfs_tree",
+    ("while", "parent[start] = 0\n    while"),
+    ("parent[u] = v", "parent[u] = parent[v] + 1"),
+    slip="distances",
+)
+never_marks_anything = changed("bfs_tree", ("u not in seen", "True"))
+asks_the_parent_whether_it_was_seen = changed(  # and sees the start again
+    "bfs_tree", ("u not in seen", "parent[u] == -1")
+)
+first_level_only = changed("bfs_tree", ("while queue", "if queue"))
+none_for_nobody = changed("bfs_tree", ("[-1]", "[None]"))
 
 
 @wrong("bfs_tree", slip="late")
@@ -91,144 +80,28 @@ def marks_when_taken_out(neighbours, start):
     return parent
 
 
-@wrong("bfs_tree", slip="own_parent")
-def start_is_its_own_parent(neighbours, start):
-    """Makes the root its own parent."""
-    parent = tree(neighbours, start)
-    parent[start] = start
-    return parent
-
-
-@wrong("bfs_tree", slip="zeros")
-def zero_means_nobody(neighbours, start):
-    """Begins with parents 0, but 0 is a node."""
-    parent, queue, seen = [0] * len(neighbours), deque([start]), {start}
-    parent[start] = -1
-    while queue:
-        v = queue.popleft()
-        for u in neighbours[v]:
-            if u not in seen:
-                seen.add(u)
-                parent[u] = v
-                queue.append(u)
-    return parent
-
-
-@wrong("bfs_tree", slip="from_one")
-def counts_from_one(neighbours, start):
-    """Numbers nodes from 1, as MATLAB does."""
-    return [p + 1 for p in tree(neighbours, start)]
-
-
-@wrong("bfs_tree", slip="distances")
-def numbers_of_edges(neighbours, start):
-    """Returns distances instead of parents."""
-    far, queue = [-1] * len(neighbours), deque([start])
-    far[start] = 0
-    while queue:
-        v = queue.popleft()
-        for u in neighbours[v]:
-            if far[u] == -1:
-                far[u] = far[v] + 1
-                queue.append(u)
-    return far
-
-
 @wrong("bfs_tree", slip="undirected")
 def against_one_way_edges(neighbours, start):
     """Takes every edge to lead in both directions."""
-    return tree(both_ways(neighbours), start)
-
-
-@wrong("bfs_tree")
-def never_marks_anything(neighbours, start):
-    """Loops for ever on any edge that leads back."""
-    parent, queue = [-1] * len(neighbours), deque([start])
-    while queue:
-        v = queue.popleft()
-        for u in neighbours[v]:
-            parent[u] = v
-            queue.append(u)
-    return parent
-
-
-@wrong("bfs_tree")
-def asks_the_parent_whether_it_was_seen(neighbours, start):
-    """Takes a parent of -1 for unseen, so that the start is seen again."""
-    parent, queue = [-1] * len(neighbours), deque([start])
-    while queue:
-        v = queue.popleft()
-        for u in neighbours[v]:
-            if parent[u] == -1:
-                parent[u] = v
-                queue.append(u)
-    return parent
-
-
-@wrong("bfs_tree")
-def first_level_only(neighbours, start):
-    """Stops at the neighbours of the start."""
-    parent = [-1] * len(neighbours)
-    for u in neighbours[start]:
-        parent[u] = start
-    return parent
-
-
-@wrong("bfs_tree")
-def none_for_nobody(neighbours, start):
-    """Returns None instead of -1."""
-    return [None if p == -1 else p for p in tree(neighbours, start)]
+    return right["bfs_tree"](both_ways(neighbours), start)
 
 
 # The path from the root
 
-
-@wrong("extract_path", slip="reversed")
-def from_the_goal_to_the_root(parent, goal):
-    """Returns the path in reverse."""
-    path = climb(parent, goal)
-    return path[::-1] if path else None
-
-
-@wrong("extract_path", slip="no_goal")
-def without_the_goal(parent, goal):
-    """Collects the parents, and forgets the goal itself."""
-    path, seen = [], set()
-    while parent[goal] != -1 and goal not in seen:
-        seen.add(goal)
-        goal = parent[goal]
-        path.insert(0, goal)
-    return path if parent[goal] == -1 else None
-
-
-@wrong("extract_path", slip="no_root")
-def without_the_root(parent, goal):
-    """Stops before it adds the root."""
-    path, seen = [], set()
-    while parent[goal] != -1 and goal not in seen:
-        seen.add(goal)
-        path.insert(0, goal)
-        goal = parent[goal]
-    return path if parent[goal] == -1 else None
-
-
-@wrong("extract_path", slip="root_none")
-def no_path_to_a_root(parent, goal):
-    """Takes a root for a node out of reach."""
-    return None if parent[goal] == -1 else climb(parent, goal)
-
-
-@wrong("extract_path", slip="one_step")
-def one_step_up(parent, goal):
-    """Has an `if` instead of a `while`."""
-    return [parent[goal], goal] if parent[goal] != -1 else [goal]
-
-
-@wrong("extract_path", slip="parents")
-def parents_of_the_path(parent, goal):
-    """Lists the parents of the path's nodes."""
-    path = climb(parent, goal)
-    return [parent[u] for u in path] if path else None
+from_the_goal_to_the_root = changed("extract_path", ("path[::-1]", "path"), slip="reversed")
+without_the_goal = changed("extract_path", ("path[::-1]", "path[::-1][:-1]"), slip="no_goal")
+without_the_root = changed("extract_path", ("path[::-1]", "path[::-1][1:]"), slip="no_root")
+no_path_to_a_root = changed(  # takes it for a node out of reach
+    "extract_path",
+    ("return path[::-1]", "return path[::-1] if path[1:] else None"),
+    slip="root_none",
+)
+one_step_up = changed("extract_path", ("while", "if"), slip="one_step")
+parents_of_the_path = changed(
+    "extract_path", ("path[::-1]", "[parent[u] for u in path[::-1]]"), slip="parents"
+)
+root_must_be_zero = changed("extract_path", ("parent[path[-1]] != -1", "path[-1] != 0"))
+as_text = changed("extract_path", ("path[::-1]", "' -> '.join(map(str, path[::-1]))"))
 
 
 @wrong("extract_path")
@@ -241,55 +114,35 @@ def round_and_round(parent, goal):
     return path
 
 
-@wrong("extract_path")
-def root_must_be_zero(parent, goal):
-    """Takes node 0 for the root."""
-    path = [goal]
-    while path[0] != 0 and len(path) <= len(parent):
-        path.insert(0, parent[path[0]])
-    return path
-
-
-@wrong("extract_path")
-def as_text(parent, goal):
-    """Returns strings instead of numbers."""
-    path = climb(parent, goal)
-    return " -> ".join(map(str, path)) if path else None
-
-
 # A path of the fewest edges
 
-
-@wrong("bfs_path", slip="stack")
-def stack_for_a_queue_again(neighbours, start, goal):
-    """Finds long detours."""
-    path = climb(stack_for_a_queue.function(neighbours, start), goal)
-    return path if path[0] == start else None
+stack_for_a_queue_again = changed(
+    "bfs_path", ("queue.popleft()", "queue.pop()"), slip="stack", within="bfs_tree"
+)
+backwards = changed("bfs_path", ("return path", "return path[::-1]"), slip="reversed")
+searches_from_the_goal = changed(
+    "bfs_path",
+    ("start), goal)", "goal), start)"),
+    ("return path if path[0] == start", "return path[::-1] if path[0] == goal"),
+    slip="from_goal",
+)
+goal_alone_when_out_of_reach = changed(
+    "bfs_path", ("path if path[0] == start else None", "path"), slip="goal_alone"
+)
+nowhere_to_go = changed("bfs_path", ("path[0] == start", "path[1:]"), slip="nowhere")
+number_of_edges = changed("bfs_path", ("return path", "return len(path) - 1"))
 
 
 @wrong("bfs_path", slip="deep")
 def depth_first_called_shortest(neighbours, start, goal):
     """Returns a depth-first path instead of a shortest one."""
-    seen = {start}
-
-    def visit(u):
-        if u == goal:
-            return [u]
-        for v in neighbours[u]:
-            if v not in seen:
-                seen.add(v)
-                path = visit(v)
-                if path:
-                    return [u, *path]
-        return None
-
-    return visit(start)
+    return right["dfs_path"](neighbours, start, goal)
 
 
 @wrong("bfs_path", slip="late")
 def parents_written_again(neighbours, start, goal):
     """Marks nodes when they are taken out."""
-    path = climb(marks_when_taken_out.function(neighbours, start), goal)
+    path = right["extract_path"](marks_when_taken_out.function(neighbours, start), goal)
     return path if path[0] == start else None
 
 
@@ -300,37 +153,10 @@ def order_of_visit_for_a_path(neighbours, start, goal):
     return order[: order.index(goal) + 1] if goal in order else None
 
 
-@wrong("bfs_path", slip="reversed")
-def backwards(neighbours, start, goal):
-    """Returns the path in reverse."""
-    path = right_path(neighbours, start, goal)
-    return path[::-1] if path else None
-
-
 @wrong("bfs_path", slip="undirected")
 def path_against_one_way_edges(neighbours, start, goal):
     """Takes every edge to lead in both directions."""
-    return right_path(both_ways(neighbours), start, goal)
-
-
-@wrong("bfs_path", slip="from_goal")
-def searches_from_the_goal(neighbours, start, goal):
-    """Searches from the goal and reverses that path."""
-    path = right_path(neighbours, goal, start)
-    return path and path[::-1]
-
-
-@wrong("bfs_path", slip="goal_alone")
-def goal_alone_when_out_of_reach(neighbours, start, goal):
-    """Does not check that the path begins at the start."""
-    return climb(tree(neighbours, start), goal)
-
-
-@wrong("bfs_path", slip="nowhere")
-def nowhere_to_go(neighbours, start, goal):
-    """Takes a goal without a parent for one out of reach."""
-    parent = tree(neighbours, start)
-    return None if parent[goal] == -1 else climb(parent, goal)
+    return right["bfs_path"](both_ways(neighbours), start, goal)
 
 
 @wrong("bfs_path")
@@ -357,14 +183,14 @@ def all_paths_that_never_forget(neighbours, start, goal):
     return None
 
 
-@wrong("bfs_path")
-def number_of_edges(neighbours, start, goal):
-    """Returns the length of the path instead of its nodes."""
-    path = right_path(neighbours, start, goal)
-    return len(path) - 1 if path else None
-
-
 # Any path, depth first
+
+deep_and_backwards = changed(
+    "dfs_path", ("(parent, goal)", "(parent, goal)[::-1]"), slip="reversed"
+)
+deep_and_nowhere_to_go = changed("dfs_path", ("goal in seen", "parent[goal] != -1"), slip="nowhere")
+never_marks_and_falls = changed("dfs_path", ("u not in seen", "True"))
+empty_when_out_of_reach = changed("dfs_path", ("else None", "else []"))
 
 
 @wrong("dfs_path", slip="order")
@@ -420,35 +246,10 @@ def gives_up_in_a_dead_end(neighbours, start, goal):
     return visit(start)
 
 
-@wrong("dfs_path", slip="reversed")
-def deep_and_backwards(neighbours, start, goal):
-    """Returns the path in reverse."""
-    path = depth_first_called_shortest.function(neighbours, start, goal)
-    return path[::-1] if path else None
-
-
 @wrong("dfs_path", slip="undirected")
 def deep_against_one_way_edges(neighbours, start, goal):
     """Takes every edge to lead in both directions."""
-    return depth_first_called_shortest.function(both_ways(neighbours), start, goal)
-
-
-@wrong("dfs_path", slip="nowhere")
-def deep_and_nowhere_to_go(neighbours, start, goal):
-    """Returns None where start and goal are the same."""
-    return depth_first_called_shortest.function(neighbours, start, goal) if start != goal else None
-
-
-@wrong("dfs_path")
-def never_marks_and_falls(neighbours, start, goal):
-    """Recurses for ever on a cycle."""
-    if start == goal:
-        return [start]
-    for v in neighbours[start]:
-        path = never_marks_and_falls.function(neighbours, v, goal)
-        if path:
-            return [start, *path]
-    return None
+    return right["dfs_path"](both_ways(neighbours), start, goal)
 
 
 @wrong("dfs_path")
@@ -464,54 +265,33 @@ def marks_its_own_path_only(neighbours, start, goal):
     return visit([start])
 
 
-@wrong("dfs_path")
-def empty_when_out_of_reach(neighbours, start, goal):
-    """Returns an empty list instead of None."""
-    return depth_first_called_shortest.function(neighbours, start, goal) or []
-
-
 # Dijkstra's algorithm
 
+EDGES = "zip(neighbours[u], weights[u])"
 
-def costs_by_heap(neighbours, weights, start):
-    """Return the right costs by Dijkstra's algorithm."""
-    cost = [inf] * len(neighbours)
-    cost[start], queue = 0.0, [(0.0, start)]
-    while queue:
-        c, u = heapq.heappop(queue)
-        for v, w in zip(neighbours[u], weights[u]):
-            if c + w < cost[v]:
-                cost[v] = c + w
-                heapq.heappush(queue, (cost[v], v))
-    return cost
+counts_edges = changed("dijkstra", (EDGES, "[(v, 1) for v in neighbours[u]]"), slip="edges")
+keeps_the_first_cost = changed(
+    "dijkstra", ("c + w < cost[v]", "cost[v] == inf"), slip="first_found"
+)
+minus_one_for_out_of_reach = changed(
+    "dijkstra", ("return cost", "return [c if c < inf else -1 for c in cost]"), slip="minus_one"
+)
+zero_for_out_of_reach = changed(
+    "dijkstra", ("return cost", "return [c if c < inf else 0 for c in cost]"), slip="zero"
+)
+takes_negative_weights = changed(
+    "dijkstra", ("any(w < 0 for row in weights for w in row)", "False")
+)
+refuses_zero_weights_too = changed("dijkstra", ("w < 0", "w <= 0"))
+weights_by_node = changed(  # as in a matrix
+    "dijkstra", (EDGES, "[(v, weights[u][v]) for v in neighbours[u]]")
+)
 
 
 def refuse_negative(weights):
     """Raise a ValueError where a weight is negative."""
     if any(w < 0 for row in weights for w in row):
         raise ValueError("negative weight")
-
-
-@wrong("dijkstra", slip="edges")
-def counts_edges(neighbours, weights, start):
-    """Is a breadth-first search."""
-    refuse_negative(weights)
-    return [d if d >= 0 else inf for d in numbers_of_edges.function(neighbours, start)]
-
-
-@wrong("dijkstra", slip="first_found")
-def keeps_the_first_cost(neighbours, weights, start):
-    """Does not update a cost when a better one is found."""
-    refuse_negative(weights)
-    cost = [inf] * len(neighbours)
-    cost[start], queue = 0.0, [(0.0, start)]
-    while queue:
-        c, u = heapq.heappop(queue)
-        for v, w in zip(neighbours[u], weights[u]):
-            if cost[v] == inf:
-                cost[v] = c + w
-                heapq.heappush(queue, (cost[v], v))
-    return cost
 
 
 @wrong("dijkstra", slip="last_edge")
@@ -587,170 +367,61 @@ def plain_queue(neighbours, weights, start):
 def costs_against_one_way_edges(neighbours, weights, start):
     """Takes every edge to lead in both directions."""
     refuse_negative(weights)
-    rows = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
-    for u, row in enumerate([dict(row) for row in rows]):
-        for v, w in row.items():
-            rows[v][u] = min(w, rows[v].get(u, inf))
-    return costs_by_heap([list(row) for row in rows], [list(row.values()) for row in rows], start)
-
-
-@wrong("dijkstra", slip="minus_one")
-def minus_one_for_out_of_reach(neighbours, weights, start):
-    """Returns -1 instead of infinity."""
-    refuse_negative(weights)
-    return [c if c < inf else -1 for c in costs_by_heap(neighbours, weights, start)]
-
-
-@wrong("dijkstra", slip="zero")
-def zero_for_out_of_reach(neighbours, weights, start):
-    """Returns 0 instead of infinity."""
-    refuse_negative(weights)
-    return [c if c < inf else 0 for c in costs_by_heap(neighbours, weights, start)]
-
-
-@wrong("dijkstra")
-def takes_negative_weights(neighbours, weights, start):
-    """Settles each node once and does not check for negative weights."""
-    cost, done = [inf] * len(neighbours), set()
-    cost[start], queue = 0.0, [(0.0, start)]
-    while queue:
-        c, u = heapq.heappop(queue)
-        if u not in done:
-            done.add(u)
-            for v, w in zip(neighbours[u], weights[u]):
-                if c + w < cost[v]:
-                    cost[v] = c + w
-                    heapq.heappush(queue, (cost[v], v))
-    return cost
-
-
-@wrong("dijkstra")
-def refuses_zero_weights_too(neighbours, weights, start):
-    """Refuses zero as if it were negative."""
-    if any(w <= 0 for row in weights for w in row):
-        raise ValueError("not positive")
-    return costs_by_heap(neighbours, weights, start)
-
-
-@wrong("dijkstra")
-def weights_by_node(neighbours, weights, start):
-    """Reads weights[u][v], as in a matrix."""
-    refuse_negative(weights)
-    cost = [inf] * len(neighbours)
-    cost[start], queue = 0.0, [(0.0, start)]
-    while queue:
-        c, u = heapq.heappop(queue)
-        for v in neighbours[u]:
-            if c + weights[u][v] < cost[v]:
-                cost[v] = c + weights[u][v]
-                heapq.heappush(queue, (cost[v], v))
-    return cost
+    return right["dijkstra"](*both_ways_with_weights(neighbours, weights), start)
 
 
 # A*
 
-
-def star(neighbours, weights, start, goal, rank, *, once=False, first=False, at_sight=False):
-    """Run A* with its queue ordered by rank(cost, node)."""
-    cost, parent, done = [inf] * len(neighbours), [-1] * len(neighbours), set()
-    cost[start], queue = 0.0, [(rank(0.0, start), start)]
-    while queue:
-        _, u = heapq.heappop(queue)
-        if once and u in done:
-            continue
-        done.add(u)
-        if u == goal:
-            return climb(parent, goal)
-        for v, w in zip(neighbours[u], weights[u]):
-            if (once and v in done) or (first and cost[v] < inf) or cost[u] + w >= cost[v]:
-                continue
-            cost[v], parent[v] = cost[u] + w, u
-            if at_sight and v == goal:
-                return climb(parent, goal)
-            heapq.heappush(queue, (rank(cost[v], v), v))
-    return None
-
-
-@wrong("astar", slip="greedy")
-def by_the_estimate_alone(neighbours, weights, estimate, start, goal):
-    """Is greedy: the cost so far does not count."""
-    return star(neighbours, weights, start, goal, lambda cost, u: estimate[u], first=True)
-
-
-@wrong("astar", slip="at_sight")
-def stops_at_first_sight(neighbours, weights, estimate, start, goal):
-    """Stops when the goal is first seen, on an expensive path."""
-    return star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u], at_sight=True)
-
-
-@wrong("astar", slip="closed")
-def closed_for_ever(neighbours, weights, estimate, start, goal):
-    """Never reopens a node: right for consistent estimates only."""
-    return star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u], once=True)
-
-
-@wrong("astar", slip="first_found")
-def keeps_the_first_way(neighbours, weights, estimate, start, goal):
-    """Does not update a cost when a better one is found."""
-    return star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u], first=True)
+by_the_estimate_alone = changed(
+    "astar",
+    ("cost[u] + w < cost[v]", "cost[v] == inf"),
+    ("cost[v] + estimate[v]", "estimate[v]"),
+    slip="greedy",
+)
+stops_at_first_sight = changed(  # on an expensive path
+    "astar",
+    (
+        "parent[v] = u",
+        "parent[v] = u\n                if v == goal: return extract_path(parent, goal)",
+    ),
+    slip="at_sight",
+)
+closed_for_ever = changed(  # right for consistent estimates only
+    "astar",
+    ("while", "done = set()\n    while"),
+    ("        for", "        done.add(u)\n        for"),
+    ("if cost[u]", "if v not in done and cost[u]"),
+    slip="closed",
+)
+keeps_the_first_way = changed(
+    "astar", ("cost[u] + w < cost[v]", "cost[v] == inf"), slip="first_found"
+)
+star_backwards = changed("astar", ("(parent, goal)", "(parent, goal)[::-1]"), slip="reversed")
+adds_estimates_up = changed(
+    "astar",
+    ("cost[u] + w < cost[v]", "cost[u] + w + estimate[v] < cost[v]"),
+    ("cost[v] = cost[u] + w", "cost[v] = cost[u] + w + estimate[v]"),
+    ("(cost[v] + estimate[v], v)", "(cost[v], v)"),
+    slip="summed",
+)
+nodes_taken_out = changed(
+    "astar",
+    ("while", "order = []\n    while"),
+    ("heappop(heap)", "heappop(heap)\n        order.append(u)"),
+    ("return extract_path(parent, goal)", "return order"),
+)
 
 
 @wrong("astar", slip="edges")
 def fewest_edges(neighbours, weights, estimate, start, goal):
     """Is a breadth-first search."""
-    return right_path(neighbours, start, goal)
+    return right["bfs_path"](neighbours, start, goal)
 
 
 @wrong("astar", slip="undirected")
 def star_against_one_way_edges(neighbours, weights, estimate, start, goal):
     """Takes every edge to lead in both directions."""
-    rows = [dict(zip(row, beside)) for row, beside in zip(neighbours, weights)]
-    for u, row in enumerate([dict(row) for row in rows]):
-        for v, w in row.items():
-            rows[v][u] = min(w, rows[v].get(u, inf))
-    rows = [dict(sorted(row.items())) for row in rows]
-    lists = [list(row) for row in rows], [list(row.values()) for row in rows]
-    return star(*lists, start, goal, lambda cost, u: cost + estimate[u])
-
-
-@wrong("astar", slip="reversed")
-def star_backwards(neighbours, weights, estimate, start, goal):
-    """Returns the path in reverse."""
-    path = star(neighbours, weights, start, goal, lambda cost, u: cost + estimate[u])
-    return path[::-1] if path else None
-
-
-@wrong("astar", slip="summed")
-def adds_estimates_up(neighbours, weights, estimate, start, goal):
-    """Stores cost plus estimate as the cost, so that estimates add up along the path."""
-    total, parent = [inf] * len(neighbours), [-1] * len(neighbours)
-    total[start], queue = estimate[start], [(estimate[start], start)]
-    while queue:
-        f, u = heapq.heappop(queue)
-        if u == goal:
-            return climb(parent, goal)
-        for v, w in zip(neighbours[u], weights[u]):
-            if f + w + estimate[v] < total[v]:
-                total[v], parent[v] = f + w + estimate[v], u
-                heapq.heappush(queue, (total[v], v))
-    return None
-
-
-@wrong("astar")
-def nodes_taken_out(neighbours, weights, estimate, start, goal):
-    """Returns the order of expansion."""
-    cost, order, queue = [inf] * len(neighbours), [], [(estimate[start], start)]
-    cost[start] = 0.0
-    while queue:
-        _, u = heapq.heappop(queue)
-        order.append(u)
-        if u == goal:
-            return order
-        for v, w in zip(neighbours[u], weights[u]):
-            if cost[u] + w < cost[v]:
-                cost[v] = cost[u] + w
-                heapq.heappush(queue, (cost[v] + estimate[v], v))
-    return None
+    return right["astar"](*both_ways_with_weights(neighbours, weights), estimate, start, goal)
 
 
 # Break it
