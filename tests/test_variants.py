@@ -14,7 +14,7 @@ from kinoedu.cli import main
 from kinoedu.course import EXERCISES, check
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
-from kinoedu.course.lessons.shared.graph_slips import first_in
+from kinoedu.course.lessons.shared.graph_slips import search_breadth_first
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import draw_cases, read_assignment
 from kinoedu.grading.collect.submissions import Submission
@@ -97,11 +97,7 @@ def test_a_tree_by_no_contract_is_no_misconception(variant):
     No misconception is reported.
     """
     for seed in range(20):
-        report = judged(
-            find("bfs_tree", variant),
-            lambda neighbours, start: first_in(neighbours, start)[0],
-            seed,
-        )
+        report = judged(find("bfs_tree", variant), search_breadth_first, seed)
         assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 

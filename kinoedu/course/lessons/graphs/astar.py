@@ -11,7 +11,14 @@ from ....messages import get_message
 from ...exercise import Case, Slip, format_value
 from ...shapes import Listed, Number, Record
 from ...whole_shapes import Integer
-from ..shared.graph_slips import best_path, tree_path
+from ..shared.graph_slips import (
+    astar_path,
+    greedy_path,
+    keep_closed,
+    keep_first,
+    path_at_sight,
+    tree_path,
+)
 from ..shared.random_graphs import (
     Neighbours,
     Weights,
@@ -43,34 +50,26 @@ class Astar(PathExercise):
     last_rule = "shortest"
     shown = staticmethod(expand)
     slips = (
+        Slip("greedy", greedy_path),
+        Slip("at_sight", path_at_sight),
+        Slip("closed", lambda n, w, estimate, s, g: astar_path(n, w, estimate, s, g, keep_closed)),
         Slip(
-            "greedy",
-            lambda n, w, estimate, s, g: best_path(
-                n, w, estimate, s, g, cost_counts=0.0, improves=False
-            ),
-        ),
-        Slip(
-            "at_sight", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, at_sight=True)
-        ),
-        Slip("closed", lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, reopens=False)),
-        Slip(
-            "first_found",
-            lambda n, w, estimate, s, g: best_path(n, w, estimate, s, g, improves=False),
+            "first_found", lambda n, w, estimate, s, g: astar_path(n, w, estimate, s, g, keep_first)
         ),
         Slip(
             "summed",
-            lambda n, w, estimate, s, g: best_path(
+            lambda n, w, estimate, s, g: astar_path(
                 n, add_estimates(n, w, estimate), [0.0] * len(n), s, g
             ),
         ),
         Slip("edges", lambda n, w, estimate, s, g: tree_path(n, s, g)),
         Slip(
             "undirected",
-            lambda n, w, estimate, s, g: best_path(*make_undirected(n, w), estimate, s, g),
+            lambda n, w, estimate, s, g: astar_path(*make_undirected(n, w), estimate, s, g),
         ),
         Slip(
             "reversed",
-            lambda n, w, estimate, s, g: (best_path(n, w, estimate, s, g) or [])[::-1] or None,
+            lambda *given: (astar_path(*given) or [])[::-1] or None,
         ),
     )
 

@@ -5,14 +5,22 @@ from typing import ClassVar
 from .... import graphs
 from ....graphs.bfs import breadth_first
 from ...exercise import Case, Slip
-from ..shared.graph_slips import first_in, followed, tree_path, undirected
+from ..shared.graph_slips import (
+    followed,
+    search_breadth_first,
+    search_by_stack,
+    search_marking_late,
+    tree_path,
+    undirected,
+    visit_breadth_first,
+)
 from ..shared.random_graphs import Neighbours, as_graph
 from .paths import PathExercise, convert_path, search_depth_first
 
 
 def find_visit_order(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
     """Return the order of visit of breadth-first search up to the goal, mistaken for a path."""
-    order = first_in(neighbours, start)[1]
+    order = visit_breadth_first(neighbours, start)
     return order[: order.index(goal) + 1] if goal in order else None
 
 
@@ -23,9 +31,15 @@ class BfsPath(PathExercise):
     last_rule = "fewest"
     shown = staticmethod(breadth_first)
     slips: ClassVar[tuple[Slip, ...]] = (
-        Slip("stack", lambda neighbours, start, goal: tree_path(neighbours, start, goal, at=-1)),
+        Slip(
+            "stack",
+            lambda neighbours, start, goal: tree_path(neighbours, start, goal, search_by_stack),
+        ),
         Slip("deep", search_depth_first),
-        Slip("late", lambda neighbours, start, goal: tree_path(neighbours, start, goal, late=True)),
+        Slip(
+            "late",
+            lambda neighbours, start, goal: tree_path(neighbours, start, goal, search_marking_late),
+        ),
         Slip("order", find_visit_order),
         Slip(
             "reversed",
@@ -45,7 +59,7 @@ class BfsPath(PathExercise):
         ),
         Slip(
             "goal_alone",
-            lambda neighbours, start, goal: followed(first_in(neighbours, start)[0], goal),
+            lambda neighbours, start, goal: followed(search_breadth_first(neighbours, start), goal),
         ),
         Slip(
             "nowhere",

@@ -12,7 +12,14 @@ from ...exercise import CONTRACT, RIGHT, Case, Slip, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record
 from ...whole_shapes import Integer
-from ..shared.graph_slips import depths, first_in, undirected
+from ..shared.graph_slips import (
+    depths,
+    search_breadth_first,
+    search_by_stack,
+    search_marking_late,
+    undirected,
+    visit_breadth_first,
+)
 from ..shared.random_graphs import Neighbours, adjacency_lists, as_graph, random_graphs
 from .on_graphs import NODES, GraphExercise
 from .pictures import draw_tree_answer
@@ -35,17 +42,25 @@ class BfsTree(GraphExercise):
     shown = staticmethod(breadth_first)
     variants = ("smallest", "largest")
     slips = (
-        Slip("order", lambda neighbours, start: first_in(neighbours, start)[1]),
-        Slip("stack", lambda neighbours, start: first_in(neighbours, start, at=-1)[0]),
-        Slip("late", lambda neighbours, start: first_in(neighbours, start, late=True)[0]),
+        Slip("order", visit_breadth_first),
+        Slip("stack", search_by_stack),
+        Slip("late", search_marking_late),
         Slip(
             "own_parent",
-            lambda neighbours, start: replace_parent(first_in(neighbours, start)[0], start, start),
+            lambda neighbours, start: replace_parent(
+                search_breadth_first(neighbours, start), start, start
+            ),
         ),
         Slip("zeros", lambda neighbours, start: mark_unreached_zero(neighbours, start)),
-        Slip("from_one", lambda neighbours, start: [p + 1 for p in first_in(neighbours, start)[0]]),
+        Slip(
+            "from_one",
+            lambda neighbours, start: [p + 1 for p in search_breadth_first(neighbours, start)],
+        ),
         Slip("distances", depths),
-        Slip("undirected", lambda neighbours, start: first_in(undirected(neighbours), start)[0]),
+        Slip(
+            "undirected",
+            lambda neighbours, start: search_breadth_first(undirected(neighbours), start),
+        ),
     )
 
     @staticmethod
@@ -136,7 +151,7 @@ def replace_parent(parent: list[int], start: int, value: int) -> list[int]:
 
 def mark_unreached_zero(neighbours: Neighbours, start: int) -> list[int]:
     """Return parents that are 0 instead of -1 for unreached nodes."""
-    parent, order = first_in(neighbours, start)
+    parent, order = search_breadth_first(neighbours, start), visit_breadth_first(neighbours, start)
     return [parent[u] if u in order else 0 for u in range(len(neighbours))]
 
 

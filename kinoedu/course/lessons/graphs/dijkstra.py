@@ -11,7 +11,15 @@ from ...exercise import Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import Integer
-from ..shared.graph_slips import best_first, depths, lightest_first, queue_costs
+from ..shared.graph_slips import (
+    count_last_edge,
+    depths,
+    dijkstra_costs,
+    keep_first,
+    lightest_first,
+    overwrite,
+    queue_costs,
+)
 from ..shared.random_graphs import Neighbours, Weights, adjacency_lists, as_graph, random_graphs
 from .bfs_tree import NEIGHBOURS
 from .pictures import draw_costs
@@ -38,40 +46,40 @@ class Dijkstra(ValueExercise):
         ),
         Slip(
             "first_found",
-            lambda neighbours, weights, start: best_first(
-                neighbours, weights, start, improves=False
-            )[0],
+            lambda neighbours, weights, start: dijkstra_costs(
+                neighbours, weights, start, keep_first
+            ),
         ),
         Slip(
             "last_edge",
-            lambda neighbours, weights, start: best_first(
-                neighbours, weights, start, from_node=False, reopens=False
-            )[0],
+            lambda neighbours, weights, start: dijkstra_costs(
+                neighbours, weights, start, count_last_edge
+            ),
         ),
         Slip(
             "overwritten",
-            lambda neighbours, weights, start: best_first(
-                neighbours, weights, start, overwrites=True
-            )[0],
+            lambda neighbours, weights, start: dijkstra_costs(
+                neighbours, weights, start, overwrite
+            ),
         ),
         Slip("in_turn", queue_costs),
         Slip("lightest_first", lightest_first),
         Slip(
             "undirected",
-            lambda neighbours, weights, start: best_first(
+            lambda neighbours, weights, start: dijkstra_costs(
                 *make_undirected(neighbours, weights), start
-            )[0],
+            ),
         ),
         Slip(
             "minus_one",
             lambda neighbours, weights, start: replace_infinity(
-                best_first(neighbours, weights, start)[0], -1.0
+                dijkstra_costs(neighbours, weights, start), -1.0
             ),
         ),
         Slip(
             "zero",
             lambda neighbours, weights, start: replace_infinity(
-                best_first(neighbours, weights, start)[0], 0.0
+                dijkstra_costs(neighbours, weights, start), 0.0
             ),
         ),
     )

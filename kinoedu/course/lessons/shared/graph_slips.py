@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from math import inf
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,31 +9,57 @@ from numpy.typing import NDArray
 from ....graphs import Graph
 from .random_graphs import Neighbours, Weights
 
-Answer = Callable[..., Any]
+Search = Callable[[Neighbours, int], list[int]]
+# the new cost of v: from the costs, the nodes taken out, and an edge u, v with its weight
+Relax = Callable[[list[float], set[int], int, int, float], float]
+# A* can take out a node again where the heuristic is inconsistent; a negative cycle never ends
+MAX_TIMES = 100
 
 
-def first_in(
-    neighbours: Neighbours, start: int, *, at: int = 0, late: bool = False
-) -> tuple[list[int], list[int]]:
-    """Parents and order of visit of a search with a queue or a stack.
-
-    Parameters
-    ----------
-    at : 0 takes the oldest waiting node, -1 the newest.
-    late : mark nodes when they are taken out, not when they are put in.
-    """
-    parent, order, waiting, seen = [-1] * len(neighbours), [], [start], {start}
-    while waiting:
-        u = waiting.pop(at)
-        if u in order:
-            continue
-        order.append(u)
+def search_breadth_first(neighbours: Neighbours, start: int) -> list[int]:
+    """Parents of breadth-first search, without a mistake."""
+    parent, queue, seen = [-1] * len(neighbours), [start], {start}
+    for u in queue:
         for v in neighbours[u]:
-            if v not in (order if late else seen):
+            if v not in seen:
                 seen.add(v)
                 parent[v] = u
-                waiting.append(v)
-    return parent, order
+                queue.append(v)
+    return parent
+
+
+def search_by_stack(neighbours: Neighbours, start: int) -> list[int]:
+    """Parents of a search that takes the newest waiting node."""
+    parent, stack, seen = [-1] * len(neighbours), [start], {start}
+    while stack:
+        u = stack.pop()
+        for v in neighbours[u]:
+            if v not in seen:
+                seen.add(v)
+                parent[v] = u
+                stack.append(v)
+    return parent
+
+
+def search_marking_late(neighbours: Neighbours, start: int) -> list[int]:
+    """Parents of a search that marks nodes when they are taken out, not when they are put in."""
+    parent, queue, done = [-1] * len(neighbours), [start], set()
+    for u in queue:
+        if u not in done:
+            done.add(u)
+            for v in neighbours[u]:
+                if v not in done:
+                    parent[v] = u
+                    queue.append(v)
+    return parent
+
+
+def visit_breadth_first(neighbours: Neighbours, start: int) -> list[int]:
+    """Nodes in the order in which breadth-first search visits them."""
+    order = [start]
+    for u in order:
+        order += [v for v in neighbours[u] if v not in order]
+    return order
 
 
 def undirected(neighbours: Neighbours) -> Neighbours:
@@ -62,18 +87,17 @@ def followed(parent: list[int], goal: int) -> list[int] | None:
     return path[::-1]
 
 
-def tree_path(neighbours: Neighbours, start: int, goal: int, **how: Any) -> list[int] | None:
-    """Path of `first_in`, or None where it does not begin at the start."""
-    path = followed(first_in(neighbours, start, **how)[0], goal)
+def tree_path(
+    neighbours: Neighbours, start: int, goal: int, search: Search = search_breadth_first
+) -> list[int] | None:
+    """Path in the tree of a search, or None where it does not begin at the start."""
+    path = followed(search(neighbours, start), goal)
     return path if path and path[0] == start else None
 
 
 def depths(neighbours: Neighbours, start: int) -> list[int]:
     """Number of edges from the start to each node, -1 where it is not reachable."""
-    parent, order = first_in(neighbours, start)
-    return [
-        len(followed(parent, u) or []) - 1 if u in order else -1 for u in range(len(neighbours))
-    ]
+    return [len(tree_path(neighbours, start, u) or []) - 1 for u in range(len(neighbours))]
 
 
 def dfs_order(neighbours: Neighbours, start: int, goal: int) -> list[int]:
@@ -118,73 +142,102 @@ def never_back(neighbours: Neighbours, start: int, goal: int) -> list[int] | Non
     return path
 
 
+def improve(cost: list[float], done: set[int], u: int, v: int, weight: float) -> float:
+    """The lower of the costs of v: the right rule."""
+    return min(cost[v], cost[u] + weight)
+
+
+def keep_first(cost: list[float], done: set[int], u: int, v: int, weight: float) -> float:
+    """The first cost of v, also where a lower one is found."""
+    return cost[u] + weight if cost[v] == inf else cost[v]
+
+
+def keep_closed(cost: list[float], done: set[int], u: int, v: int, weight: float) -> float:
+    """The lower cost, but nodes that were taken out keep theirs."""
+    return cost[v] if v in done else improve(cost, done, u, v, weight)
+
+
+def overwrite(cost: list[float], done: set[int], u: int, v: int, weight: float) -> float:
+    """The last cost that was found before v was taken out, and lower ones after."""
+    return improve(cost, done, u, v, weight) if v in done else cost[u] + weight
+
+
+def count_last_edge(cost: list[float], done: set[int], u: int, v: int, weight: float) -> float:
+    """The weight of the last edge alone, as in Prim's algorithm."""
+    return cost[v] if v in done else min(cost[v], weight)
+
+
 def best_first(
-    neighbours: Neighbours,
-    weights: Weights,
-    start: int,
-    goal: int = -1,
-    *,
-    estimate: list[float] | None = None,
-    cost_counts: float = 1.0,
-    improves: bool = True,
-    reopens: bool = True,
-    overwrites: bool = False,
-    at_sight: bool = False,
-    from_node: bool = True,
-) -> tuple[list[float], list[int]]:
-    """Costs and parents of Dijkstra's algorithm or A*, with a built-in mistake.
-
-    Parameters
-    ----------
-    cost_counts : 0 orders nodes by the heuristic alone.
-    improves : False keeps the first cost of a node.
-    reopens : False keeps the cost of a node that was taken out.
-    overwrites : True replaces a cost also by a greater one.
-    at_sight : True stops when the goal is first seen.
-    from_node : False counts only the last edge.
-    """
-    cost, parent = [inf] * len(neighbours), [-1] * len(neighbours)
-    left, waiting, done = estimate or [0.0] * len(neighbours), [start], set()
-    cost[start] = 0.0
-    while waiting:
-        u = min(waiting, key=lambda v: (cost_counts * cost[v] + left[v], v))
-        waiting.remove(u)
-        done.add(u)
-        if u == goal:
-            break
-        for v, weight in zip(neighbours[u], weights[u]):
-            through = (cost[u] if from_node else 0.0) + weight
-            fixed = (v in done and not reopens) or (cost[v] < inf and not improves)
-            if fixed or not (through < cost[v] or (overwrites and v not in done)):
-                continue
-            cost[v], parent[v] = through, u
-            if at_sight and v == goal:
-                return cost, parent
-            if v not in waiting:
-                waiting.append(v)
-    return cost, parent
-
-
-def best_path(
     neighbours: Neighbours,
     weights: Weights,
     estimate: list[float],
     start: int,
     goal: int,
-    **how: Any,
-) -> Any:
-    """Path of `best_first`, or None."""
-    parent = best_first(neighbours, weights, start, goal, estimate=estimate, **how)[1]
-    path = followed(parent, goal)
+    relax: Relax = improve,
+) -> tuple[list[float], list[int]]:
+    """Costs and parents of A*, with a rule for the new cost of a node.
+
+    On a graph with a negative cycle it stops after `MAX_TIMES` rounds of all nodes.
+    """
+    cost, parent = [inf] * len(neighbours), [-1] * len(neighbours)
+    waiting, done = {start}, set[int]()
+    cost[start] = 0.0
+    for _ in range(MAX_TIMES * len(neighbours)):
+        u = min(waiting, key=lambda v: (cost[v] + estimate[v], v), default=goal)
+        if u == goal:
+            break
+        waiting.remove(u)
+        done.add(u)
+        for v, weight in zip(neighbours[u], weights[u]):
+            new = relax(cost, done, u, v, weight)
+            if new != cost[v]:
+                cost[v], parent[v] = new, u
+                waiting.add(v)
+    return cost, parent
+
+
+def dijkstra_costs(
+    neighbours: Neighbours, weights: Weights, start: int, relax: Relax = improve
+) -> list[float]:
+    """Costs of Dijkstra's algorithm, with a rule for the new cost of a node."""
+    nowhere = -1
+    return best_first(neighbours, weights, [0.0] * len(neighbours), start, nowhere, relax)[0]
+
+
+def astar_path(
+    neighbours: Neighbours,
+    weights: Weights,
+    estimate: list[float],
+    start: int,
+    goal: int,
+    relax: Relax = improve,
+) -> list[int] | None:
+    """Path of A*, with a rule for the new cost of a node, or None."""
+    path = followed(best_first(neighbours, weights, estimate, start, goal, relax)[1], goal)
     return path if path and path[0] == start else None
+
+
+def greedy_path(
+    neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int
+) -> list[int] | None:
+    """Path of a search that takes the node of least heuristic: A* without weights."""
+    none = [[0.0] * len(row) for row in weights]
+    return astar_path(neighbours, none, estimate, start, goal)
+
+
+def path_at_sight(
+    neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int
+) -> list[int] | None:
+    """Path of A* that stops when the goal is first seen: it is the next node taken out."""
+    eager = [-inf if u == goal else h for u, h in enumerate(estimate)]
+    return astar_path(neighbours, weights, eager, start, goal)
 
 
 def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
     """Path with the fewest edges; ties go to the lower index."""
     neighbours = [graph.neighbours(u).tolist() for u in range(graph.size)]
-    path = best_path(
-        neighbours, [[1] * len(row) for row in neighbours], [0.0] * graph.size, start, goal
-    )
+    ones = [[1.0] * len(row) for row in neighbours]
+    path = astar_path(neighbours, ones, [0.0] * graph.size, start, goal)
     return None if path is None else np.array(path, np.int64)
 
 
@@ -208,7 +261,7 @@ def lightest_first(neighbours: Neighbours, weights: Weights, start: int) -> list
 
 def queue_costs(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
     """Costs where nodes leave a queue in the order of arrival, each once."""
-    cost, order = [inf] * len(neighbours), first_in(neighbours, start)[1]
+    cost, order = [inf] * len(neighbours), visit_breadth_first(neighbours, start)
     cost[start] = 0.0
     for u in order:
         for v, weight in zip(neighbours[u], weights[u]):
