@@ -16,7 +16,16 @@ from ..shared.random_shapes import sizes
 from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
 from .pictures import draw_pairs, set_title
-from .slips import left_first, nearly, nested_walls, only_later, touching, whole_walls
+from .slips import (
+    left_first,
+    left_walls,
+    nearly,
+    nested_walls,
+    only_later,
+    touching,
+    touching_in_a_point,
+    whole_walls,
+)
 
 THIN_PLATE = np.array(  # attached to the ceiling
     [(0, 1000, 0, 900, 0, 900), (1000, 1000.005, 0, 300, 0, 300), (1000.005, 2000, 0, 900, 0, 900)]
@@ -39,7 +48,7 @@ class Neighbours(ValueExercise):
     source = staticmethod(neighbouring)
     shown = staticmethod(share_walls)
     slips = (
-        Slip("point", lambda trapezoids: touching(trapezoids, point=True)),
+        Slip("point", touching_in_a_point),
         Slip(
             "same_x",
             lambda trapezoids: np.sort(
@@ -47,7 +56,7 @@ class Neighbours(ValueExercise):
             ),
         ),
         Slip("same_x", lambda trapezoids: np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0])),
-        Slip("left_wall", lambda trapezoids: touching(trapezoids, low=2, high=3)),
+        Slip("left_wall", left_walls),
         Slip("reversed", lambda trapezoids: touching(trapezoids)[:, ::-1]),
         Slip(
             "twice",

@@ -25,18 +25,14 @@ def slabs(boundary: Array, obstacles: list[Array]) -> Array:
     return np.array(rows)
 
 
-def merged(boundary: Array, obstacles: list[Array], *, hollow: bool) -> Array:
-    """Slabs merged where floor and ceiling stay the same.
-
-    With `hollow`, the inside of obstacles and bays counts as free.
-    """
+def hollow(boundary: Array, obstacles: list[Array]) -> Array:
+    """Trapezoids, also inside obstacles and bays."""
     edges = edges_round(boundary, obstacles)
     x = np.sort(edges[:, 0])
     rows, before = [], dict[tuple[int, int], float]()
     for i, left in enumerate(x):
         status = crossed_edges((left + x[i + 1]) / 2, edges).tolist() if i + 1 < len(x) else []
         now = {pair: before.get(pair, left) for pair in zip(status, status[1:])}
-        now = {pair: begun for k, (pair, begun) in enumerate(now.items()) if hollow or k % 2 == 0}
         for pair, begun in before.items():
             if pair not in now:
                 sides = edges[list(pair)]
@@ -55,24 +51,42 @@ def without_triangles(cells: Array) -> Array:
     return cells[~np.isclose(cells[:, 2], cells[:, 3]) & ~np.isclose(cells[:, 4], cells[:, 5])]
 
 
-def touching(cells: Array, *, point: bool = False, low: int = 4, high: int = 5) -> Pairs:
-    """Pairs of cells that share a wall.
+def common_part(walls: Array, cells: Array) -> tuple[Array, Array]:
+    """Lower and upper end of what walls (n, 2) have in common with the left walls of cells."""
+    return np.maximum(walls[:, :1], cells[:, 2]), np.minimum(walls[:, 1:], cells[:, 3])
 
-    With `point`, cells that touch in a point count as well. `low` and `high` are the columns of the
-    left cell's wall.
-    """
-    lo, hi = (
-        np.maximum(cells[:, None, low], cells[:, 2]),
-        np.minimum(cells[:, None, high], cells[:, 3]),
-    )
-    pairs = np.argwhere((cells[:, None, 1] == cells[:, 0]) & ((lo <= hi) if point else (lo < hi)))
+
+def adjoining(cells: Array) -> NDArray[np.bool_]:
+    """Whether a cell (the row) ends at the x where another (the column) begins."""
+    return np.equal(cells[:, None, 1], cells[:, 0])
+
+
+def sorted_pairs(pairs: Pairs) -> Pairs:
+    """Each pair once, with the smaller index first."""
     return np.unique(np.sort(pairs, axis=1), axis=0)
 
 
 def left_first(cells: Array) -> Pairs:
     """Pairs with the left cell first, whatever its index."""
-    lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
-    return np.argwhere((cells[:, None, 1] == cells[:, 0]) & (lo < hi))
+    low, high = common_part(cells[:, 4:], cells)
+    return np.argwhere(adjoining(cells) & (low < high))
+
+
+def touching(cells: Array) -> Pairs:
+    """Pairs of cells that share a wall: the right answer."""
+    return sorted_pairs(left_first(cells))
+
+
+def touching_in_a_point(cells: Array) -> Pairs:
+    """Pairs of cells that share a wall or a point of it."""
+    low, high = common_part(cells[:, 4:], cells)
+    return sorted_pairs(np.argwhere(adjoining(cells) & (low <= high)))
+
+
+def left_walls(cells: Array) -> Pairs:
+    """Pairs computed with the left wall of both cells."""
+    low, high = common_part(cells[:, 2:4], cells)
+    return sorted_pairs(np.argwhere(adjoining(cells) & (low < high)))
 
 
 def only_later(cells: Array) -> Pairs:
@@ -83,17 +97,15 @@ def only_later(cells: Array) -> Pairs:
 
 def nearly(cells: Array) -> Pairs:
     """Pairs whose walls are close to each other, whatever lies between."""
-    lo, hi = np.maximum(cells[:, None, 4], cells[:, 2]), np.minimum(cells[:, None, 5], cells[:, 3])
-    pairs = np.argwhere(np.isclose(cells[:, None, 1], cells[:, 0]) & (lo < hi))
-    return np.unique(np.sort(pairs[pairs[:, 0] != pairs[:, 1]], axis=1), axis=0)
+    low, high = common_part(cells[:, 4:], cells)
+    pairs = np.argwhere(np.isclose(cells[:, None, 1], cells[:, 0]) & (low < high))
+    return sorted_pairs(pairs[pairs[:, 0] != pairs[:, 1]])
 
 
 def whole_walls(cells: Array) -> Pairs:
     """Pairs with equal walls."""
     equal = (
-        (cells[:, None, 1] == cells[:, 0])
-        & (cells[:, None, 4] == cells[:, 2])
-        & (cells[:, None, 5] == cells[:, 3])
+        adjoining(cells) & (cells[:, None, 4] == cells[:, 2]) & (cells[:, None, 5] == cells[:, 3])
     )
     return np.sort(np.argwhere(equal), axis=1)
 

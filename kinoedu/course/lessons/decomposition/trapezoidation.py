@@ -16,7 +16,7 @@ from ..shared.random_worlds import general_world
 from .cells import CELLS, cells_of
 from .free_intervals import BAY, KITE, RING, WEDGE
 from .pictures import draw_cells, set_title
-from .slips import merged, slabs, without_last, without_triangles
+from .slips import hollow, slabs, without_last, without_triangles
 
 
 class TrapezoidsOfWorld(ValueExercise):
@@ -31,7 +31,7 @@ class TrapezoidsOfWorld(ValueExercise):
     shown = staticmethod(replace_cells)
     slips = (
         Slip("slabs", slabs),
-        Slip("hollow", lambda *world: merged(*world, hollow=True)),
+        Slip("hollow", hollow),
         Slip("last", lambda *world: without_last(cells_of(*world))),
         Slip("columns", lambda *world: cells_of(*world)[:, [0, 1, 2, 4, 3, 5]]),
         Slip("columns", lambda *world: cells_of(*world)[:, [0, 1, 3, 2, 5, 4]]),

@@ -11,7 +11,15 @@ from ...shapes import Record
 from ...whole_shapes import Integer
 from ..shared.planned import ProblemShape
 from .halls import WALL, draw_free_nodes, make_hall
-from .joining import allow_contact, check_samples, ignore_wrap, join_components
+from .joining import (
+    allow_contact,
+    check_samples,
+    ignore_wrap,
+    join_all_free,
+    join_components,
+    join_one_component,
+    join_unchecked,
+)
 from .rules import (
     NODES,
     ROUND,
@@ -41,9 +49,9 @@ class ComponentNeighbours(RuleExercise):
     reference = staticmethod(join_by_components)
     source = staticmethod(join_by_components)
     slips = (
-        Slip("blind", lambda p, q, k: join_components(p, q, k, blind=True)),
-        Slip("goes_on", lambda p, q, k: join_components(p, q, k, goes_on=True)),
-        Slip("one_component", lambda p, q, k: join_components(p, q, k, one=True)),
+        Slip("blind", lambda p, q, k: join_components(p, q, k, join_unchecked)),
+        Slip("goes_on", lambda p, q, k: join_components(p, q, k, join_all_free)),
+        Slip("one_component", lambda p, q, k: join_components(p, q, k, join_one_component)),
         Slip("nearest_only", lambda p, q, k: join_components(p, q, 1)),
         Slip("any_number", lambda p, q, k: join_components(p, q, len(q))),
         Slip("closest", join_k_closest),

@@ -18,6 +18,13 @@ def keep_free(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
     return pairs[[bool(problem.is_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(-1, 2)
 
 
+def keep_semi_free(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
+    """Return the pairs whose motion is free or touches obstacles, (m, 2)."""
+    return pairs[[bool(problem.is_semi_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(
+        -1, 2
+    )
+
+
 def remove_duplicates(rows: Pairs) -> Pairs:
     """Return each pair once, with the smaller index first."""
     return np.unique(np.sort(rows, axis=1), axis=0).reshape(-1, 2)
@@ -32,64 +39,92 @@ def are_pairs(pairs: Pairs, n: int) -> bool:
     )
 
 
-def find_closest(
-    problem: Any,
-    nodes: Array,
-    k: int,
-    *,
-    farthest: bool = False,
-    only_free: bool = False,
-    only_later: bool = False,
-) -> Pairs:
-    """Return rows (i, j) where j is one of the k closest nodes of i.
+def order_others(apart: Array) -> list[list[int]]:
+    """Return for each node the other nodes by their distance; ties go to the lower index."""
+    orders = np.argsort(apart, axis=1, kind="stable").tolist()
+    return [[j for j in order if j != i] for i, order in enumerate(orders)]
 
-    Ties go to the lower index.
 
-    Parameters
-    ----------
-    farthest : take the k farthest nodes instead.
-    only_free : leave out nodes whose motion is not free before taking k.
-    only_later : leave out nodes j < i before taking k.
-    """
-    apart, rows = measure_distances(problem, nodes), []
-    for i in range(len(nodes)):
-        order = np.argsort(-apart[i] if farthest else apart[i], kind="stable").tolist()
-        others = [j for j in order if j != i and (j > i or not only_later)]
-        if only_free:
-            others = [j for j in others if problem.is_free_path(nodes[i], nodes[j])]
-        rows += [(i, j) for j in others[: max(k, 0)]]
+def take_first(orders: list[list[int]], k: int) -> Pairs:
+    """Return rows (i, j) where j is one of the first k nodes in the order of i."""
+    rows = [(i, j) for i, order in enumerate(orders) for j in order[: max(k, 0)]]
     return np.array(rows, np.int64).reshape(-1, 2)
 
 
+def find_closest(problem: Any, nodes: Array, k: int) -> Pairs:
+    """Return rows (i, j) where j is one of the k closest nodes of i."""
+    return take_first(order_others(measure_distances(problem, nodes)), k)
+
+
+def find_farthest(problem: Any, nodes: Array, k: int) -> Pairs:
+    """Return rows (i, j) where j is one of the k farthest nodes of i."""
+    return take_first(order_others(-measure_distances(problem, nodes)), k)
+
+
+def find_closest_free(problem: Any, nodes: Array, k: int) -> Pairs:
+    """Return rows (i, j) where j is one of the k closest nodes of i with a free motion."""
+    orders = order_others(measure_distances(problem, nodes))
+    free = [
+        [j for j in order if problem.is_free_path(nodes[i], nodes[j])]
+        for i, order in enumerate(orders)
+    ]
+    return take_first(free, k)
+
+
+def find_closest_later(problem: Any, nodes: Array, k: int) -> Pairs:
+    """Return rows (i, j) where j is one of the k closest nodes of i among those after i."""
+    orders = order_others(measure_distances(problem, nodes))
+    return take_first([[j for j in order if j > i] for i, order in enumerate(orders)], k)
+
+
+# for a node i and lists of nodes, one for each component: the nodes to which i is joined
+Choose = Callable[[Any, Array, int, list[list[int]]], list[int]]
+
+
+def join_every_component(
+    problem: Any, nodes: Array, i: int, components: list[list[int]]
+) -> list[int]:
+    """Return the first node of each component with a free motion: the right rule."""
+    free = [
+        [j for j in closest if problem.is_free_path(nodes[j], nodes[i])] for closest in components
+    ]
+    return [j for some in free for j in some[:1]]
+
+
+def join_unchecked(problem: Any, nodes: Array, i: int, components: list[list[int]]) -> list[int]:
+    """Return the first node of each component, without a check of the motion."""
+    return [j for closest in components for j in closest[:1]]
+
+
+def join_all_free(problem: Any, nodes: Array, i: int, components: list[list[int]]) -> list[int]:
+    """Return all nodes of all components with a free motion."""
+    return [
+        j for closest in components for j in closest if problem.is_free_path(nodes[j], nodes[i])
+    ]
+
+
+def join_one_component(
+    problem: Any, nodes: Array, i: int, components: list[list[int]]
+) -> list[int]:
+    """Return a node of the first component that can be joined."""
+    return join_every_component(problem, nodes, i, components)[:1]
+
+
 def join_components(
-    problem: Any,
-    nodes: Array,
-    k: int,
-    *,
-    blind: bool = False,
-    goes_on: bool = False,
-    one: bool = False,
+    problem: Any, nodes: Array, k: int, choose: Choose = join_every_component
 ) -> Pairs:
-    """Join each node to every component of the nodes before it.
+    """Join each node to the components of the nodes before it.
 
-    It is joined by the first free motion to one of the component's k closest nodes.
-
-    Parameters
-    ----------
-    blind : do not check motions.
-    goes_on : join all free ones of the k.
-    one : join only the first component that can be joined.
+    Of each component, `choose` is given the k nodes closest to the new one, closest first.
     """
     apart, part, pairs = measure_distances(problem, nodes), list(range(len(nodes))), []
     for i in range(1, len(nodes)):
         order = np.argsort(apart[i, :i], kind="stable").tolist()
-        joined: list[int] = []
-        for component in dict.fromkeys(part[j] for j in order):
-            closest = [j for j in order if part[j] == component][:k]
-            free = [j for j in closest if blind or problem.is_free_path(nodes[j], nodes[i])]
-            joined += free if goes_on else free[:1]
-            if one and joined:
-                break
+        components = [
+            [j for j in order if part[j] == component][:k]
+            for component in dict.fromkeys(part[j] for j in order)
+        ]
+        joined = choose(problem, nodes, i, components)
         pairs += [(j, i) for j in joined]
         merged = {part[j] for j in joined}
         part = [i if name in merged else name for name in part]

@@ -14,6 +14,9 @@ from .joining import (
     allow_contact,
     check_samples,
     find_closest,
+    find_closest_free,
+    find_closest_later,
+    find_farthest,
     ignore_wrap,
     keep_free,
     remove_duplicates,
@@ -41,20 +44,16 @@ class KClosestNeighbours(RuleExercise):
     slips = (
         Slip(
             "farthest",
-            lambda p, q, k: keep_free(
-                p, q, remove_duplicates(find_closest(p, q, k, farthest=True))
-            ),
+            lambda p, q, k: keep_free(p, q, remove_duplicates(find_farthest(p, q, k))),
         ),
         Slip("blind", lambda p, q, k: remove_duplicates(find_closest(p, q, k))),
         Slip("itself", lambda p, q, k: join_k_closest(p, q, k - 1)),
-        Slip("replaced", lambda p, q, k: remove_duplicates(find_closest(p, q, k, only_free=True))),
+        Slip("replaced", lambda p, q, k: remove_duplicates(find_closest_free(p, q, k))),
         Slip("mutual", lambda p, q, k: keep_free(p, q, keep_mutual(find_closest(p, q, k)))),
         Slip("lost", lambda p, q, k: keep_free(p, q, keep_upward(find_closest(p, q, k)))),
         Slip(
             "later",
-            lambda p, q, k: keep_free(
-                p, q, remove_duplicates(find_closest(p, q, k, only_later=True))
-            ),
+            lambda p, q, k: keep_free(p, q, remove_duplicates(find_closest_later(p, q, k))),
         ),
         Slip("straight", lambda p, q, k: join_k_closest(ignore_wrap(p), q, k)),
         Slip("touching", lambda p, q, k: join_k_closest(allow_contact(p), q, k)),

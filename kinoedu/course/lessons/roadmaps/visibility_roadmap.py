@@ -17,7 +17,7 @@ from ...whole_shapes import Integers
 from ..decomposition.free_intervals import RING
 from ..shared.planned import ProblemShape
 from .halls import GOAL, START, WALL, draw_obstacles, make_hall, measure_turns
-from .joining import are_pairs, keep_free
+from .joining import are_pairs, keep_free, keep_semi_free
 from .rules import set_title
 
 SEEN = Together((Numbers(("n", 2)), Integers(("m", 2))))
@@ -52,16 +52,12 @@ def is_on_hull(ring: Array) -> Any:
 
 
 def join_visible(
-    problem: Any, obstacles: list[Array], *, kept: Any = is_convex, how: str = "is_semi_free_path"
+    problem: Any, obstacles: list[Array], *, kept: Any = is_convex, join: Any = keep_semi_free
 ) -> Seen:
-    """Return start, goal and the kept vertices, with the pairs whose motion is allowed."""
+    """Return start, goal and the kept vertices, with the pairs that `join` keeps."""
     nodes = np.vstack([problem.start, problem.goal, *(ring[kept(ring)] for ring in obstacles)])
     pairs = np.argwhere(np.triu(np.ones((len(nodes), len(nodes))), 1))
-    if how != "is_semi_free_path":
-        return nodes, keep_free(problem, nodes, pairs)
-    return nodes, pairs[
-        [bool(problem.is_semi_free_path(nodes[i], nodes[j])) for i, j in pairs]
-    ].reshape(-1, 2)
+    return nodes, join(problem, nodes, pairs)
 
 
 def leave_ends_alone(problem: Any, obstacles: list[Array]) -> Seen:
@@ -109,7 +105,7 @@ class VisibleCorners(ValueExercise):
         Slip("hull", lambda problem, obstacles: join_visible(problem, obstacles, kept=is_on_hull)),
         Slip(
             "no_contact",
-            lambda problem, obstacles: join_visible(problem, obstacles, how="is_free_path"),
+            lambda problem, obstacles: join_visible(problem, obstacles, join=keep_free),
         ),
         Slip("no_ends", leave_ends_alone),
         Slip("between", join_between_obstacles),

@@ -1,6 +1,7 @@
 """The exercise that compares planners over many seeds by medians, quartiles and failures."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,13 @@ from ...shapes import Listed, Numbers, Record, Text
 from ...whole_shapes import Integer
 
 QUARTERS = (0.25, 0.5, 0.75)
+
+
+def use_method(method: str) -> Callable[..., Array]:
+    """Return a program whose quartiles are always among the lengths."""
+    return lambda lengths, *_: make_table(
+        lengths, keep_found, partial(find_quartiles, method=method)
+    )
 
 
 class ComparePlanners(ValueExercise):
@@ -28,19 +36,17 @@ class ComparePlanners(ValueExercise):
     )
     answer = Numbers(("n", 4))
     slips = (
-        Slip("mean", lambda lengths, *_: make_table(lengths, middle=np.mean)),
-        Slip("with_failures", lambda lengths, *_: make_table(lengths, found=np.ones_like)),
+        Slip("mean", lambda lengths, *_: make_table(lengths, keep_found, find_mean_and_quartiles)),
+        Slip("with_failures", lambda lengths, *_: make_table(lengths, keep_all)),
+        Slip("failures_are_zero", lambda lengths, *_: make_table(lengths, take_failures_as_zero)),
+        Slip("percent", lambda lengths, *_: make_table(lengths) * (100.0, 1.0, 1.0, 1.0)),
         Slip(
-            "failures_are_zero",
+            "whole_spread",
             lambda lengths, *_: make_table(
-                np.where(np.isfinite(lengths), lengths, 0.0), share_of=lengths
+                lengths, keep_found, partial(find_quartiles, quarters=(0.0, 0.5, 1.0))
             ),
         ),
-        Slip("percent", lambda lengths, *_: make_table(lengths) * (100.0, 1.0, 1.0, 1.0)),
-        Slip("whole_spread", lambda lengths, *_: make_table(lengths, quarters=(0.0, 0.5, 1.0))),
-        Slip("not_between", lambda lengths, *_: make_table(lengths, method="nearest")),
-        Slip("not_between", lambda lengths, *_: make_table(lengths, method="lower")),
-        Slip("not_between", lambda lengths, *_: make_table(lengths, method="higher")),
+        *(Slip("not_between", use_method(method)) for method in ("nearest", "lower", "higher")),
         Slip("deviation", lambda lengths, *_: use_deviations(lengths)),
         Slip("one_seed", lambda lengths, *_: make_table(lengths[:, :1])),
         Slip("counts", lambda lengths, *_: make_table(lengths) * (lengths.shape[1], 1.0, 1.0, 1.0)),
@@ -121,39 +127,48 @@ class ComparePlanners(ValueExercise):
         )
 
 
+def keep_found(runs: Array) -> Array:
+    """Return the lengths of the runs that found a path: the right ones."""
+    return runs[np.isfinite(runs)]
+
+
+def keep_all(runs: Array) -> Array:
+    """Return all lengths, infinite where no path was found."""
+    return runs
+
+
+def take_failures_as_zero(runs: Array) -> Array:
+    """Return all lengths, 0 where no path was found."""
+    return np.where(np.isfinite(runs), runs, 0.0)
+
+
+def find_quartiles(
+    lengths: Array, quarters: tuple[float, ...] = QUARTERS, method: Any = "linear"
+) -> tuple[float, ...]:
+    """Return the quartiles of lengths; nan where there are none."""
+    if not len(lengths):
+        return (np.nan,) * len(quarters)
+    return tuple(np.quantile(lengths, quarters, method=method).tolist())
+
+
+def find_mean_and_quartiles(lengths: Array) -> tuple[float, ...]:
+    """Return the quartiles, with the mean in place of the median."""
+    low, _, high = find_quartiles(lengths)
+    return low, float(np.mean(lengths)) if len(lengths) else np.nan, high
+
+
 def make_table(
     lengths: Array,
-    *,
-    found: Callable[[Array], Any] = np.isfinite,
-    middle: Callable[[Array], Any] | None = None,
-    quarters: tuple[float, float, float] = QUARTERS,
-    method: Any = "linear",
-    share_of: Array | None = None,
+    keep: Callable[[Array], Array] = keep_found,
+    summarise: Callable[[Array], tuple[float, ...]] = find_quartiles,
 ) -> Array:
-    """Return a row of statistics for each row of lengths.
-
-    The keyword arguments replace parts of the computation, as mistaken programs do.
-
-    Parameters
-    ----------
-    found : which lengths count as found.
-    middle : statistic instead of the median.
-    quarters, method : arguments of `np.quantile`.
-    share_of : lengths from which the fraction found is computed.
-    """
-    rows = []
-    for runs, shown in zip(lengths, lengths if share_of is None else share_of):
-        kept = runs[np.asarray(found(runs), bool)]
-        low, half, high = np.quantile(kept, quarters, method=method) if len(kept) else (np.nan,) * 3
-        rows.append(
-            (np.isfinite(shown).mean(), low, middle(kept) if middle and len(kept) else half, high)
-        )
-    return np.array(rows)
+    """Return for each row of lengths the fraction found and a summary of the lengths kept."""
+    return np.array([(np.isfinite(runs).mean(), *summarise(keep(runs))) for runs in lengths])
 
 
 def use_deviations(lengths: Array) -> Array:
     """Return mean and mean plus and minus one standard deviation."""
-    table = make_table(lengths, middle=np.mean)
+    table = make_table(lengths, keep_found, find_mean_and_quartiles)
     sigma = np.array(
         [np.std(runs[np.isfinite(runs)]) if np.isfinite(runs).any() else np.nan for runs in lengths]
     )
