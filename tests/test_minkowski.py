@@ -214,10 +214,10 @@ def test_huge_and_tiny_together():
     [
         ([(0, 0), (4, 0), (1, 1), (0, 4)], InvalidPolygon),
         ([(0, 0), (1, 1), (2, 2)], InvalidPolygon),
-        ([], InvalidPoint),
-        (np.empty((0, 2)), InvalidPoint),
+        ([], InvalidPolygon),
+        (np.empty((0, 2)), InvalidPolygon),
         ([(0, 0), (1, np.nan), (2, 2)], InvalidPoint),
-        ([(0, 0, 0)], InvalidPoint),
+        ([(0, 0, 0)], InvalidPolygon),
     ],
 )
 def test_polygons_that_are_not_convex_are_refused(P, error):

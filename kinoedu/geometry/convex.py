@@ -23,7 +23,7 @@ def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
     Parameters
     ----------
     q : (2,) point or (m, 2) points.
-    P : (n, 2) vertices.
+    P : (n, 2) vertices of a convex polygon.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
     return one_or_many(q, points_in_convex(points, ring))
 
 
-def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
+def convex_polygons_intersect(P: ArrayLike, Q: ArrayLike) -> bool:
     """Whether two convex polygons share a point; touching counts. Exact.
 
     They are disjoint exactly when one lies strictly to the right of an edge of the other
@@ -54,12 +54,12 @@ def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
 
     Parameters
     ----------
-    P1, P2 : (n, 2) and (m, 2) vertices.
+    P, Q : (n, 2) and (m, 2) vertices of convex polygons.
 
     Raises
     ------
     InvalidPolygon
-        Where a polygon is not convex.
+        Where P or Q is not convex.
     InvalidPoint
         Where a coordinate is not finite.
 
@@ -71,7 +71,7 @@ def convex_polygons_intersect(P1: ArrayLike, P2: ArrayLike) -> bool:
     >>> convex_polygons_intersect(square, [(2, 0), (3, 0), (3, 1)])
     False
     """
-    P, Q = as_convex_ring(P1, "P1"), as_convex_ring(P2, "P2")
+    P, Q = as_convex_ring(P, "P"), as_convex_ring(Q, "Q")
     return not (has_separating_edge(P, Q) or has_separating_edge(Q, P))
 
 

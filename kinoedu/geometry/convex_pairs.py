@@ -32,12 +32,12 @@ class ConvexPolygons(ConvexPolygonsRecord, metaclass=Constructor):
 
     Parameters
     ----------
-    vertices : (m, n, 2) vertices of m polygons.
+    P : (m, n, 2) vertices of m convex polygons.
 
     Raises
     ------
     InvalidPolygon
-        Where a polygon is not convex; the message gives its number.
+        Where a polygon of P is not convex; the message gives its number.
     InvalidPoint
         Where a coordinate is not finite.
 
@@ -47,8 +47,8 @@ class ConvexPolygons(ConvexPolygonsRecord, metaclass=Constructor):
     array([[0., 0., 2., 2.]])
     """
 
-    def __new__(cls, vertices: ArrayLike) -> ConvexPolygonsRecord:  # type: ignore[misc]  # returns the record
-        return as_convex_polygons(vertices, "vertices")
+    def __new__(cls, P: ArrayLike) -> ConvexPolygonsRecord:  # type: ignore[misc]  # returns the record
+        return as_convex_polygons(P, "P")
 
 
 def convex_pairs_intersect(
@@ -61,8 +61,8 @@ def convex_pairs_intersect(
 
     Parameters
     ----------
-    P : (m, n, 2) vertices, or `ConvexPolygons`, which are not checked again.
-    Q : (m, k, 2) vertices, or `ConvexPolygons`.
+    P, Q : (m, n, 2) and (m, k, 2) vertices of convex polygons, or `ConvexPolygons`, which are not
+        checked again.
 
     Returns
     -------
@@ -71,7 +71,8 @@ def convex_pairs_intersect(
     Raises
     ------
     InvalidPolygon
-        Where a polygon is not convex (the message gives its number), or the shapes do not match.
+        Where a polygon of P or Q is not convex (the message gives its number), or the shapes do not
+        match.
     InvalidPoint
         Where a coordinate is not finite.
 
@@ -81,13 +82,12 @@ def convex_pairs_intersect(
     >>> convex_pairs_intersect([triangle, triangle], [square, [(3, 3), (4, 3), (4, 4), (3, 4)]])
     array([ True, False])
     """
-    first, second = as_convex_polygons(P, "P"), as_convex_polygons(Q, "Q")
-    if len(first.rings) != len(second.rings):
+    P, Q = as_convex_polygons(P, "P"), as_convex_polygons(Q, "Q")
+    if len(P.rings) != len(Q.rings):
         raise InvalidPolygon(
-            f"P and Q must hold equally many polygons, got {len(first.rings)} and "
-            f"{len(second.rings)}"
+            f"P and Q must hold equally many polygons, got {len(P.rings)} and {len(Q.rings)}"
         )
-    return pairs_intersect(first, second)
+    return pairs_intersect(P, Q)
 
 
 def as_convex_polygons(

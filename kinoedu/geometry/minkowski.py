@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
-from ..errors import InvalidPoint
-from .checks import Array, as_points
+from ..errors import InvalidPolygon
+from .checks import Array, as_array
 from .convex import convex_hull
 from .exact import cross_sign, orientation_sign
 from .rings import as_convex_ring
@@ -41,9 +41,9 @@ def minkowski_sum(P: ArrayLike, Q: ArrayLike) -> Array:
     Raises
     ------
     InvalidPolygon
-        Where P or Q is not convex.
+        Where P or Q is not convex or has no vertices.
     InvalidPoint
-        Where a coordinate is not finite, or there are no points.
+        Where a coordinate is not finite.
 
     Examples
     --------
@@ -90,8 +90,8 @@ def erosion(P: ArrayLike, Q: ArrayLike) -> Array:
 
     Parameters
     ----------
-    P : (n, 2) vertices of a convex polygon.
-    Q : (m, 2) vertices of a convex polygon, the ends of a segment, or a point.
+    P, Q : (n, 2) and (m, 2) vertices of convex polygons. Of Q, two points are a segment, one is a
+        point.
 
     Returns
     -------
@@ -102,9 +102,9 @@ def erosion(P: ArrayLike, Q: ArrayLike) -> Array:
     Raises
     ------
     InvalidPolygon
-        Where P or Q is not convex.
+        Where P or Q is not convex or has no vertices.
     InvalidPoint
-        Where a coordinate is not finite, or there are no points.
+        Where a coordinate is not finite.
 
     Examples
     --------
@@ -139,11 +139,19 @@ def as_convex_corners(value: ArrayLike, name: str) -> Array:
     """The corners of a convex polygon, counter-clockwise from the leftmost.
 
     Straight angles are left out. Two points stand for a segment, one point for itself.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where there are no vertices, or the polygon is not simple or not convex.
+    InvalidPoint
+        Where a coordinate is not finite or is larger than 1e150.
     """
-    points = as_points(value, name)
-    if len(points) == 0:
-        raise InvalidPoint(f"{name} must have at least one point, got none")
-    return convex_hull(points if len(points) < 3 else as_convex_ring(points, name))
+    points = as_array(value, name)
+    if points.size == 0:
+        raise InvalidPolygon(f"{name} must have at least one vertex, got none")
+    is_polygon = points.shape not in ((2,), (1, 2), (2, 2))
+    return convex_hull(as_convex_ring(points, name) if is_polygon else points)
 
 
 @compiled
