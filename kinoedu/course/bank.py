@@ -37,25 +37,26 @@ def wrong(exercise: str, slip: str = "") -> Callable[[Callable[..., Any]], Wrong
 
 
 class Solutions:
-    """The right answers in a notebook of solutions. Its imports and answers are executed.
+    """The answers in a notebook of solutions, and the functions defined for them.
+
+    The notebook's first cell, which imports, and all cells that begin with `def` are executed.
 
     Attributes
     ----------
-    right : the right answers by name.
+    right : what these cells define, by name.
     """
 
     def __init__(self, notebook: str | PathLike[str]) -> None:
         cells = json.loads(Path(notebook).read_text("utf-8"))["cells"]
-        code = [cell for cell in cells if cell["cell_type"] == "code"]
-        answers = [cell for cell in code if cell["metadata"].get("nbgrader", {}).get("solution")]
-        self.imports = "".join(code[0]["source"])
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        self.imports = code[0]
         self.sources = {
-            cell["metadata"]["nbgrader"]["grade_id"]: "".join(cell["source"]) for cell in answers
+            source[4 : source.index("(")]: source for source in code if source.startswith("def ")
         }
         self.right = self.run(self.sources)
 
     def run(self, sources: dict[str, str]) -> dict[str, Any]:
-        """Execute the imports and some answers, and return what they define."""
+        """Execute the imports and some sources, and return what they define."""
         defined: dict[str, Any] = {}
         for source in (self.imports, *sources.values()):
             exec(source, defined)  # the course's own solutions
@@ -69,7 +70,7 @@ class Solutions:
         Parameters
         ----------
         changes : pairs of an old text, which must occur exactly once, and a new one.
-        within : the answer whose text is changed, if it is one that the exercise's answer calls.
+        within : the function that begins the changed cell, if it is not the exercise's own.
 
         Raises
         ------
