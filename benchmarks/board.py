@@ -88,7 +88,7 @@ LISTEN = """board => {
     window.events = []; window.held = board;
     if (board.heard) return;
     board.heard = true;
-    for (const what of ['asked', 'answered', 'painted'])
+    for (const what of ['sent', 'answered', 'painted'])
         board.addEventListener('kinoedu-' + what,
             e => { if (held === board) events.push([what, e.detail, performance.now()]); }); }"""
 # The real mouse holds the thing; its moves are made in the page, a hundred a second, as
@@ -151,12 +151,12 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
     """Rates a second, the delay of an answer in ms, and how often an older answer was painted after
     a newer one.
     """
-    asked = {seq: when for what, seq, when in events if what == "asked"}
-    answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in asked]
+    sent = {seq: when for what, seq, when in events if what == "sent"}
+    answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in sent]
     painted = [seq for what, seq, _ in events if what == "painted"]
     if not answered:
         raise Unanswered("nothing was answered: was anything grabbed?")
-    delays = [when - asked[seq] for seq, when in answered]
+    delays = [when - sent[seq] for seq, when in answered]
     backward = sum(after < before for before, after in zip(painted, painted[1:], strict=False))
     return {
         "plans": len(answered) / spent,
@@ -167,7 +167,7 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
     }
 
 
-def told(what: str, rounds: list[dict[str, float]]) -> None:
+def print_row(what: str, rounds: list[dict[str, float]]) -> None:
     """Print the medians of some rounds as a row."""
     mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
     verdict = (
@@ -201,7 +201,7 @@ def main(seconds: float = 4.0, repeats: int = 3) -> None:
                     page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
                     for what, name in things:
                         warm(page, name)
-                        told(what, [drag(page, name, seconds) for _ in range(repeats)])
+                        print_row(what, [drag(page, name, seconds) for _ in range(repeats)])
 
 
 if __name__ == "__main__":

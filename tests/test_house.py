@@ -10,6 +10,12 @@ import pytest
 
 HOUSE = Path(__file__).resolve().parent.parent
 SOURCES = sorted((HOUSE / "kinoedu").rglob("*.py"))
+PAGES = sorted(
+    p
+    for room in ("kinoedu", "docs")
+    for kind in ("js", "css")
+    for p in (HOUSE / room).rglob(f"*.{kind}")
+)
 NOTEBOOKS = sorted(
     p for room in ("notebooks", "exercises", "solutions") for p in (HOUSE / room).glob("*.ipynb")
 )
@@ -90,6 +96,13 @@ def first_line_of_code(function):
     """Where a function's own lines begin, below its docstring."""
     has_docstring = ast.get_docstring(function) is not None and len(function.body) > 1
     return function.body[1 if has_docstring else 0].lineno
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(HOUSE).as_posix())
+def test_scripts_and_styles_of_pages_have_at_most_100_columns(page):
+    """As Python files, where ruff counts them."""
+    lines = enumerate(page.read_text(encoding="utf-8").splitlines(), 1)
+    assert [number for number, line in lines if len(line) > 100] == []
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())

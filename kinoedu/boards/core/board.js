@@ -4,7 +4,7 @@
 // each change to Python, which answers with a *drawing*: layers of lines, dots, arrows and texts,
 // and a text below the picture. Only Python knows what they mean.
 //
-//   Board   shared by all views of one widget: the scene, its changes, the answers, the growth shown
+//   Board   shared by all views of one widget: the scene, its changes, the answers, the step shown
 //   View    one picture of it on a page: painting, pointers and keys
 //
 // A *stop* is a handle that the answer draws. A click on it moves the second handle (the goal)
@@ -13,23 +13,24 @@
 // A *drawn* item is painted only by the answer, which may move it: an arm's tip stays within reach,
 // wherever it is pulled.
 //
-// A *driven* item is moved only by Python, while arrow keys are held: see `hold`. In a *posed* scene
-// the handles are pairs of a place and its tip, the point that it looks at. A press on the ground
-// moves the second place there, with Shift the first, and its tip is dragged.
+// A *driven* item is moved only by Python, while arrow keys are held: see `hold`.
 //
-// A *thing* can be moved: {kind: "handle" | "disc" | "polygon", i}, or {kind: "vertex", i, r, v} for
-// vertex v of ring r.
+// In a *posed* scene the handles are pairs of a place and its tip, the point that it looks at. A
+// press on the ground moves the second place there, with Shift the first, and its tip is dragged.
+//
+// A *thing* can be moved: {kind: "handle" | "disc" | "polygon", i}, or {kind: "vertex", i, r, v},
+// which is vertex v of ring r.
 
 const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a round trip
 const SLOW = 100;             // ms: after a slower answer only one question is open at a time
-const VERY_SLOW = 1000;       // ms: after a slower answer nothing is asked until the thing is released or rests
-const REST = 300;             // ms: a thing rests that was not moved for so long
+const VERY_SLOW = 1000;       // ms: after a slower answer a question waits for a release or a rest
+const REST = 300;             // ms: a thing that has not moved for this time is at rest
 const PENDING = 250;          // ms after which an outdated answer is shown pale
 const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms to play the whole growth
 const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
-const TURNS = 12;             // pixels: a pointer that moved less has not pulled the tip of a new pose
+const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
@@ -56,8 +57,18 @@ const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], Arrow
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
-const floats = (view) => new Float32Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
-const nameOf = (thing) => [thing.kind, thing.i, thing.r, thing.v].filter((part) => part !== undefined).join("-");
+function floats(view) {
+  const end = view.byteOffset + view.byteLength;
+  return new Float32Array(view.buffer.slice(view.byteOffset, end));
+}
+
+// A name of a thing, such as "vertex-0-1-2".
+function nameOf({ kind, i, r, v }) {
+  return [kind, i, r, v].filter((part) => part !== undefined).join("-");
+}
+
+const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+const distanceOnPage = (a, b) => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
 
 function make(tag, className, parent, attributes = {}) {
   const element = document.createElement(tag);
@@ -74,26 +85,43 @@ function crossings(y, rings) {           // the x where a horizontal line crosse
   })).sort((a, b) => a - b);
 }
 
-// Whether a point is in the first ring and outside the others: a ray crosses an odd number of edges.
+// Whether a point is in the first ring and outside the others. Then a ray crosses an odd number of
+// edges.
 function inside(x, y, rings) {
   return crossings(y, rings).filter((at) => x < at).length % 2 === 1;
 }
 
-function middleAt(y, rings) {            // the middle of the longest piece of a horizontal line in rings
-  const at = crossings(y, rings), wide = at.map((x, k) => (k % 2 ? x - at[k - 1] : 0)), k = wide.indexOf(Math.max(...wide));
+// The middle of the longest piece of a horizontal line that is within rings; null without one.
+function middleAt(y, rings) {
+  const at = crossings(y, rings);
+  const lengths = at.map((x, k) => (k % 2 ? x - at[k - 1] : 0));
+  const k = lengths.indexOf(Math.max(...lengths));
   return k > 0 ? (at[k - 1] + at[k]) / 2 : null;
+}
+
+// A colour "#rrggbb" as a pixel of a canvas's image: bytes a, b, g, r.
+function pixelOf(colour) {
+  const [r, g, b] = [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
+  return (255 << 24) | (b << 16) | (g << 8) | r;
 }
 
 // ---- shared by all views
 
 class Board {
   constructor(model) {
-    Object.assign(this, { model, key: model.get("key"), words: model.get("words"), palette: model.get("palette") });
+    this.model = model;
+    this.key = model.get("key");
+    this.words = model.get("words");
+    this.palette = model.get("palette");
     this.views = new Set();
-    this.id = Math.random().toString(36).slice(2);       // of this page; several may show one widget
+    this.id = Math.random().toString(36).slice(2);       // of this page; a widget may be on several
     this.scene = copy(model.get("scene"));
-    this.drawing = { text: "", warning: "", layers: [], total: 0, unit: "", stepTexts: [], places: [] };
-    Object.assign(this, { seq: 0, shown: 0, asked: 0, stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
+    this.drawing = { text: "", warning: "", layers: [], places: [] };
+    Object.assign(this.drawing, { total: 0, unit: "", stepTexts: [] });
+    this.seq = 0;                                        // the number of the newest scene
+    this.shown = 0;                                      // the number of the scene that is answered
+    this.open = 0;                                       // questions without an answer
+    Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     Object.assign(this, { held: new Set(), ticking: 0 });
     this.moved = new Map();                              // the things moved since the last question
@@ -122,7 +150,10 @@ class Board {
     return polygon.rings.flatMap((ring, r) => ring.map((_, v) => ({ kind: "vertex", i, r, v })));
   }
 
-  item(thing) { return this.scene[{ handle: "handles", disc: "discs" }[thing.kind] ?? "polygons"][thing.i]; }
+  item({ kind, i }) {
+    const { handles, discs, polygons } = this.scene;
+    return { handle: handles, disc: discs, polygon: polygons, vertex: polygons }[kind][i];
+  }
 
   shape(thing) {                         // the coordinates: a point, or the rings of a polygon
     const item = this.item(thing);
@@ -130,38 +161,47 @@ class Board {
     return thing.kind === "vertex" ? item.rings[thing.r][thing.v] : item.at;
   }
 
-  place(thing) {                         // one point; for a polygon one inside, if possible its box's middle
+  place(thing) {                         // one point; of a polygon one inside, at best its middle
     if (thing.kind !== "polygon") return this.shape(thing);
     const rings = this.shape(thing);
-    const [x, y] = [0, 1].map((k) => (Math.min(...rings[0].map((p) => p[k])) + Math.max(...rings[0].map((p) => p[k]))) / 2);
+    const [x, y] = [0, 1].map((k) => {
+      const values = rings[0].map((p) => p[k]);
+      return (Math.min(...values) + Math.max(...values)) / 2;
+    });
     return inside(x, y, rings) ? [x, y] : [middleAt(y, rings) ?? x, y];
   }
 
-  // Move a thing of the shape `from` by the vector from `anchor` to `to`; `to` is kept in the world.
+  // Move a thing of the shape `from` by the vector from `anchor` to `to`. `to` stays in the world.
   move(thing, from, anchor, to) {
     const { decimals } = this.scene, kept = this.kept(to);
     const shift = [0, 1].map((k) => kept[k] - anchor[k]);
     const item = this.item(thing), taken = this.riders(item);
+    const moved = (point, by, digits) => point.map((x, k) => Number((x + by[k]).toFixed(digits)));
     if (thing.kind === "polygon") {
       const rounded = shift.map((d) => Number(d.toFixed(decimals)));
-      item.rings = from.map((ring) => ring.map((p) => p.map((x, k) => Number((x + rounded[k]).toFixed(decimals + 3)))));
+      item.rings = from.map((ring) => ring.map((p) => moved(p, rounded, decimals + 3)));
     } else {
-      const point = from.map((x, k) => Number((x + shift[k]).toFixed(decimals)));
+      const point = moved(from, shift, decimals);
       if (thing.kind === "vertex") item.rings[thing.r][thing.v] = point; else item.at = point;
       for (const i of taken) this.scene.handles[i].at = [...point];
     }
-    this.hasMoved({ kind: thing.kind === "vertex" ? "polygon" : thing.kind, i: thing.i }, ...taken.map((i) => ({ kind: "handle", i })));
+    const kind = thing.kind === "vertex" ? "polygon" : thing.kind;
+    this.hasMoved({ kind, i: thing.i }, ...taken.map((i) => ({ kind: "handle", i })));
   }
 
-  kept([x, y]) {                         // a place clamped to the world, or wrapped where sides are glued
+  kept([x, y]) {                         // clamped to the world, or wrapped where sides are glued
     const { lo, hi, glued } = this.scene;
     if (!glued) return [clamp(x, lo[0], hi[0]), clamp(y, lo[1], hi[1])];
-    return [x, y].map((value, k) => { const low = glued.lo[k], round = glued.hi[k] - low; return low + ((((value - low) % round) + round) % round); });
+    return [x, y].map((value, k) => {
+      const low = glued.lo[k], period = glued.hi[k] - low;
+      return low + ((((value - low) % period) + period) % period);
+    });
   }
 
-  riders(stop) {                         // the handles that stand exactly on a stop and move with it
+  riders(stop) {                         // the handles exactly on a stop, which move with it
     const { handles } = this.scene;
-    return stop.stop ? [...handles.keys()].filter((i) => !handles[i].stop && same(handles[i].at, stop.at)) : [];
+    if (!stop.stop) return [];
+    return [...handles.keys()].filter((i) => !handles[i].stop && same(handles[i].at, stop.at));
   }
 
   call(i, stop) {                        // move handle i to a stop
@@ -179,7 +219,7 @@ class Board {
     this.timer = setTimeout(() => this.changed(), PENDING + 20);
   }
 
-  settle() {                             // a thing was released: store the scene when it is answered
+  settle() {                             // after a release: store the scene when it is answered
     this.unkept = true;
     this.ask(true);
     this.keep();
@@ -205,7 +245,7 @@ class Board {
     this.changed();
   }
 
-  replaced() {                           // Python or another page set the scene: ask for its drawing
+  replaced() {                           // Python or another page set the scene: get its drawing
     if (same(this.model.get("scene"), this.scene)) return;
     this.scene = copy(this.model.get("scene"));
     this.moved.clear();
@@ -219,9 +259,10 @@ class Board {
     this.changed();
   }
 
-  put() {                                // move things as the newest answer says, except those being dragged
+  put() {                                // move things as the newest answer says, except those held
     if (this.shown !== this.seq) return;
-    const held = [...this.views].flatMap((view) => [...view.grabs.values()].map(({ thing }) => this.item(thing)));
+    const grabs = [...this.views].flatMap((view) => [...view.grabs.values()]);
+    const held = grabs.map(({ thing }) => this.item(thing));
     for (const [kind, i, where] of this.drawing.places) {
       const item = this.item({ kind, i });
       if (!held.includes(item)) item[kind === "polygon" ? "rings" : "at"] = where;
@@ -233,22 +274,27 @@ class Board {
   ask(released) {
     const limit = this.took > SLOW ? 1 : IN_FLIGHT;
     clearTimeout(this.resting);
-    if (this.took > VERY_SLOW && !released) { this.resting = setTimeout(() => this.ask(true), REST); return; }
-    this.waiting = this.asked >= limit;
+    if (this.took > VERY_SLOW && !released) {
+      this.resting = setTimeout(() => this.ask(true), REST);
+      return;
+    }
+    this.waiting = this.open >= limit;
     if (this.waiting) return;
     if (this.moved.size === 0) return;
     const moved = [...this.moved.values()].map(([kind, i]) => [kind, i, this.shape({ kind, i })]);
     this.moved.clear();
-    this.asked += 1;
+    this.open += 1;
     this.model.send({ kind: "scene", from: this.id, seq: this.seq, moved });
-    this.tell("asked", this.seq);
+    this.emit("sent", this.seq);
   }
 
   receive(message, buffers) {
-    if (!["drawing", "skipped"].includes(message.kind) || (message.to && message.to !== this.id)) return;
-    if (message.seq !== null) this.asked = Math.max(this.asked - 1, 0);
+    if (!["drawing", "skipped"].includes(message.kind)) return;
+    if (message.to && message.to !== this.id) return;
+    if (message.seq !== null) this.open = Math.max(this.open - 1, 0);
     if (message.kind === "drawing") {
-      if (message.seq !== null && message.seq < this.shown) this.stale += 1; else this.show(message, buffers);
+      const stale = message.seq !== null && message.seq < this.shown;
+      if (stale) this.stale += 1; else this.show(message, buffers);
     }
     if (this.waiting) this.ask(true);
   }
@@ -264,10 +310,10 @@ class Board {
 
   tick() {
     this.ticking = this.held.size ? setTimeout(() => this.tick(), TICK) : 0;
-    if (!this.held.size || this.asked >= IN_FLIGHT) return;
-    this.asked += 1;
+    if (!this.held.size || this.open >= IN_FLIGHT) return;
+    this.open += 1;
     this.model.send({ kind: "keys", from: this.id, seq: this.seq, held: [...this.held] });
-    this.tell("asked", this.seq);
+    this.emit("sent", this.seq);
   }
 
   show(message, buffers) {
@@ -282,21 +328,26 @@ class Board {
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
     this.step = total;
-    this.tell("answered", seq);
+    this.emit("answered", seq);
     this.changed();
   }
 
-  tell(what, seq) { this.views.forEach((view) => view.root.dispatchEvent(new CustomEvent(`kinoedu-${what}`, { detail: seq, bubbles: true }))); }
+  emit(name, seq) { this.views.forEach((view) => view.emit(name, seq)); }
 
   // growth
 
-  growTo(step) { this.step = clamp(Math.round(step), 0, this.drawing.total); this.lead(); this.changed(); }
+  growTo(step) {
+    this.step = clamp(Math.round(step), 0, this.drawing.total);
+    this.lead();
+    this.changed();
+  }
 
   team() { return this.model.get("partner") || this.key; }
 
   lead() {                               // scrub the partners that have the same number of steps
     for (const other of boards.values()) {
-      if (other === this || other.team() !== this.team() || other.drawing.total !== this.drawing.total) continue;
+      if (other === this || other.team() !== this.team()) continue;
+      if (other.drawing.total !== this.drawing.total) continue;
       Object.assign(other, { step: this.step, playing: null });
       other.changed();
     }
@@ -326,11 +377,15 @@ class Board {
 
   text() {
     const { text, warning, total, unit, stepTexts } = this.drawing;
-    if (this.pendingSince !== null && performance.now() - this.pendingSince > PENDING) return this.words.thinking;
+    if (this.isLate()) return this.words.thinking;
     if (this.step < total && !warning) {
       return stepTexts[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     }
     return warning || text;
+  }
+
+  isLate() {                             // whether the newest change has waited long for its answer
+    return this.pendingSince !== null && performance.now() - this.pendingSince > PENDING;
   }
 }
 
@@ -352,7 +407,15 @@ class View {
     this.resize();
   }
 
-  close() { this.resizing.disconnect(); clearTimeout(this.speaking); this.board.views.delete(this); }
+  close() {
+    this.resizing.disconnect();
+    clearTimeout(this.speaking);
+    this.board.views.delete(this);
+  }
+
+  emit(name, seq) {
+    this.root.dispatchEvent(new CustomEvent(`kinoedu-${name}`, { detail: seq, bubbles: true }));
+  }
 
   build(el) {
     const { words, palette } = this.board;
@@ -361,33 +424,53 @@ class View {
     this.root.style.setProperty("--kinoedu-warning", palette.goal);
     this.stage = make("div", "kinoedu-stage", this.root);
     this.canvas = make("canvas", "kinoedu-canvas", this.stage, { role: "img" });
-    this.overlay = make("div", "kinoedu-overlay", this.stage, { role: "group", "aria-label": words.movable });
+    const group = { role: "group", "aria-label": words.movable };
+    this.overlay = make("div", "kinoedu-overlay", this.stage, group);
     this.growth = make("div", "kinoedu-growth", this.root);
     this.button = make("button", "kinoedu-play", this.growth, { type: "button" });
-    this.slider = make("input", "kinoedu-slider", this.growth, { type: "range", min: 0, step: 1, "aria-label": words.slider });
+    const range = { type: "range", min: 0, step: 1, "aria-label": words.slider };
+    this.slider = make("input", "kinoedu-slider", this.growth, range);
     this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
     this.back.textContent = words.reset;
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
     if (this.driven >= 0) this.buildPad();
     this.text = make("div", "kinoedu-text", this.root, { "aria-hidden": "true" });
     this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
-    const { handles, polygons, posed } = this.board.scene;
-    const hints = [words.hint, polygons.some((p) => p.vertices) && words.deeper, handles.some((h) => h.stop) && words.stops,
-      posed && words.posed, this.driven >= 0 && words.driving];
-    if (this.board.things().length) make("div", "kinoedu-hint", this.root).textContent = hints.filter(Boolean).join(" ");
+    const hint = this.board.things().length ? make("div", "kinoedu-hint", this.root) : null;
+    if (hint) hint.textContent = this.hint();
     this.pen = this.canvas.getContext("2d");
   }
 
+  hint() {                               // how to use this board
+    const { words } = this.board, { handles, polygons, posed } = this.board.scene;
+    const hints = [words.hint];
+    if (polygons.some((polygon) => polygon.vertices)) hints.push(words.deeper);
+    if (handles.some((handle) => handle.stop)) hints.push(words.stops);
+    if (posed) hints.push(words.posed);
+    if (this.driven >= 0) hints.push(words.driving);
+    return hints.join(" ");
+  }
+
   buildPad() {                           // a button for each arrow key, for touch screens
-    const { board } = this;
-    this.pad = make("div", "kinoedu-pad", this.growth, { role: "group", "aria-label": board.words.pad });
+    const { board } = this, { words } = board;
+    this.pad = make("div", "kinoedu-pad", this.growth, { role: "group", "aria-label": words.pad });
     for (const [key, sign] of Object.entries(SIGNS)) {
-      const button = make("button", "", this.pad, { type: "button", "data-key": key, "aria-label": board.words[key] });
+      const label = { type: "button", "data-key": key, "aria-label": words[key] };
+      const button = make("button", "", this.pad, label);
+      const press = () => board.hold(key, true), release = () => board.hold(key, false);
       button.textContent = sign;
-      button.addEventListener("pointerdown", (event) => { button.setPointerCapture(event.pointerId); board.hold(key, true); });
-      for (const end of ["pointerup", "pointercancel"]) button.addEventListener(end, () => board.hold(key, false));
-      button.addEventListener("contextmenu", (event) => event.preventDefault());         // of a long touch
-      button.addEventListener("click", (event) => { if (event.detail === 0) { board.hold(key, true); board.hold(key, false); } });
+      button.addEventListener("pointerdown", (event) => {
+        button.setPointerCapture(event.pointerId);
+        press();
+      });
+      button.addEventListener("pointerup", release);
+      button.addEventListener("pointercancel", release);
+      button.addEventListener("contextmenu", (event) => event.preventDefault());  // of a long touch
+      button.addEventListener("click", (event) => {
+        if (event.detail !== 0) return;  // the pointer's; a click by a key has detail 0
+        press();
+        release();
+      });
     }
     this.steered(this.pad);
   }
@@ -408,12 +491,18 @@ class View {
     const { board, canvas } = this;
     canvas.addEventListener("pointerdown", (e) => this.grab(e));
     canvas.addEventListener("pointermove", (e) => this.drag(e));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (e) => this.letGo(e));
+    canvas.addEventListener("pointerup", (e) => this.letGo(e));
+    canvas.addEventListener("pointercancel", (e) => this.letGo(e));
     // The notebook must not handle the keys that the board uses.
-    this.root.addEventListener("keydown", (e) => { if (!e.ctrlKey && !e.metaKey) e.stopPropagation(); });
+    this.root.addEventListener("keydown", (e) => {
+      if (!e.ctrlKey && !e.metaKey) e.stopPropagation();
+    });
     this.button.addEventListener("click", () => board.play());
     this.back.addEventListener("click", () => board.reset());
-    this.slider.addEventListener("input", () => { board.playing = null; board.growTo(this.slider.valueAsNumber); });
+    this.slider.addEventListener("input", () => {
+      board.playing = null;
+      board.growTo(this.slider.valueAsNumber);
+    });
   }
 
   // coordinates: the world's (x, y) with y up, and the picture's pixels with y down
@@ -432,15 +521,21 @@ class View {
     this.request();
   }
 
-  look() {                               // at the whole world, or at the part that an eye shows at this step
-    const { lo, hi } = this.board.scene, eye = this.board.drawing.layers.find((layer) => layer.kind === "eye");
+  look() {                               // at the whole world, or where an eye looks at this step
+    const { board, fit } = this, { lo, hi } = board.scene;
     const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
-    Object.assign(this, { scale: this.fit, unit: this.fit * size, left: PAD, bottom: this.height - PAD });
+    Object.assign(this, { scale: fit, unit: fit * size, left: PAD, bottom: this.height - PAD });
+    const eye = board.drawing.layers.find((layer) => layer.kind === "eye");
     if (!eye) return;
+    const { data } = eye;
     let [x, y, seen] = [0, 0, 1];
-    for (let k = 0; k + 4 <= eye.data.length && eye.data[k + 3] <= this.board.step; k += 4) [x, y, seen] = eye.data.subarray(k, k + 3);
-    Object.assign(this, { scale: this.fit / seen, unit: (this.fit * size) / seen });
-    Object.assign(this, { left: this.width / 2 - x * this.unit, bottom: this.height / 2 + y * this.unit });
+    for (let k = 0; k + 4 <= data.length && data[k + 3] <= board.step; k += 4) {
+      [x, y, seen] = data.subarray(k, k + 3);
+    }
+    this.scale = fit / seen;
+    this.unit = (fit * size) / seen;
+    this.left = this.width / 2 - x * this.unit;
+    this.bottom = this.height / 2 + y * this.unit;
   }
 
   toPixels([x, y]) {
@@ -450,62 +545,83 @@ class View {
 
   toWorld(event) {
     const box = this.canvas.getBoundingClientRect(), { lo } = this.board.scene;
-    const px = ((event.clientX - box.left) / box.width) * this.width, py = ((event.clientY - box.top) / box.height) * this.height;
+    const px = ((event.clientX - box.left) / box.width) * this.width;
+    const py = ((event.clientY - box.top) / box.height) * this.height;
     return [lo[0] + (px - this.left) / this.scale, lo[1] + (this.bottom - py) / this.scale];
   }
 
   // pointers
 
-  nearest(things, at, reach) {           // the thing nearest to a place within `reach` pixels; ties: the first
-    const far = things.map((thing) => { const p = this.board.place(thing); return Math.hypot(p[0] - at[0], p[1] - at[1]) * this.scale; });
+  // The thing nearest to a place, if it is within `reach` pixels. Ties go to the first one.
+  nearest(things, at, reach) {
+    const far = things.map((thing) => distance(this.board.place(thing), at) * this.scale);
     const best = far.indexOf(Math.min(...far));
     return far[best] <= reach ? things[best] : null;
   }
 
-  handleAt(at, touch) { return this.nearest(this.board.things().filter((thing) => thing.kind === "handle"), at, touch ? 28 : 16); }
+  handleAt(at, touch) {
+    const handles = this.board.things().filter((thing) => thing.kind === "handle");
+    return this.nearest(handles, at, touch ? 28 : 16);
+  }
 
-  stopAt(at, touch) { return this.nearest(this.board.things().filter((thing) => this.board.item(thing).stop), at, touch ? 28 : 16); }
+  stopAt(at, touch) {
+    const stops = this.board.things().filter((thing) => this.board.item(thing).stop);
+    return this.nearest(stops, at, touch ? 28 : 16);
+  }
 
-  under(at, touch) {                     // the thing at a place: the nearest point in reach, or what covers it
-    const { board } = this, { scene } = board;
-    const point = this.handleAt(at, touch) ?? this.nearest(scene.polygons.flatMap((_, i) => board.vertices(i)), at, touch ? 18 : 12);
-    if (point) return point;
-    return board.things().findLast((thing) => {
-      const item = board.item(thing);
-      if (thing.kind === "disc") return Math.hypot(item.at[0] - at[0], item.at[1] - at[1]) <= Math.max(item.radius, 12 / this.scale);
-      return thing.kind === "polygon" && inside(...at, item.rings);
-    }) ?? null;
+  vertexAt(at, touch) {
+    const vertices = this.board.scene.polygons.flatMap((_, i) => this.board.vertices(i));
+    return this.nearest(vertices, at, touch ? 18 : 12);
+  }
+
+  covers(thing, at) {                    // a small disc can be grabbed near its centre too
+    const item = this.board.item(thing);
+    if (thing.kind === "polygon") return inside(...at, item.rings);
+    return thing.kind === "disc" && distance(item.at, at) <= Math.max(item.radius, 12 / this.scale);
+  }
+
+  under(at, touch) {                     // the thing at a place: a point near it, or what covers it
+    const point = this.handleAt(at, touch) ?? this.vertexAt(at, touch);
+    return point ?? this.board.things().findLast((thing) => this.covers(thing, at)) ?? null;
   }
 
   grab(event) {
-    const anchor = this.toWorld(event), thing = this.under(anchor, event.pointerType === "touch");
-    if (event.button > 0 || (!thing && !this.board.scene.posed)) return;
+    const { board } = this, anchor = this.toWorld(event);
+    const thing = this.under(anchor, event.pointerType === "touch");
+    if (event.button > 0 || (!thing && !board.scene.posed)) return;
     event.preventDefault();
-    if (thing && this.board.item(thing).driven) { this.buttons.get(nameOf(thing)).focus({ preventScroll: true }); return; }
+    if (thing && board.item(thing).driven) { this.focus(thing); return; }
     this.canvas.setPointerCapture(event.pointerId);
     if (!thing) { this.pose(event, anchor); return; }
-    const point = thing.kind !== "polygon";
+    const { clientX, clientY } = event, from = copy(board.shape(thing)), place = board.place(thing);
     // Points keep their distance from the pointer, so that they do not jump.
-    const offset = point ? this.board.place(thing).map((x, k) => x - anchor[k]) : [0, 0];
-    const held = { thing, offset, anchor: point ? this.board.place(thing) : anchor, from: copy(this.board.shape(thing)) };
-    this.grabs.set(event.pointerId, { ...held, x: event.clientX, y: event.clientY, still: true });
+    const held = thing.kind === "polygon"
+      ? { thing, from, anchor, offset: [0, 0] }
+      : { thing, from, anchor: place, offset: place.map((x, k) => x - anchor[k]) };
+    this.grabs.set(event.pointerId, { ...held, clientX, clientY, still: true });
     if (thing.kind === "vertex") this.enter(thing.i);
-    this.buttons.get(nameOf(thing))?.focus({ preventScroll: true });
+    this.focus(thing);
     this.request();
   }
 
+  focus(thing) { this.buttons.get(nameOf(thing))?.focus({ preventScroll: true }); }
+
   pose(event, anchor) {                  // move a place to the pointer, and drag its tip
-    const { board } = this, place = { kind: "handle", i: event.shiftKey ? 0 : 2 }, tip = { kind: "handle", i: place.i + 1 };
+    const { board } = this, { clientX, clientY } = event;
+    const place = { kind: "handle", i: event.shiftKey ? 0 : 2 };
+    const tip = { kind: "handle", i: place.i + 1 };
     board.move(place, board.place(place), board.place(place), anchor);
-    this.grabs.set(event.pointerId, { thing: tip, offset: [0, 0], anchor, from: anchor, x: event.clientX, y: event.clientY, fresh: true });
-    this.buttons.get(nameOf(place))?.focus({ preventScroll: true });
+    const held = { thing: tip, from: anchor, anchor, offset: [0, 0] };
+    this.grabs.set(event.pointerId, { ...held, clientX, clientY, fresh: true });
+    this.focus(place);
   }
 
   drag(event) {
     const held = this.grabs.get(event.pointerId), at = this.toWorld(event);
     if (!held) { this.canvas.style.cursor = this.under(at, false) ? "grab" : ""; return; }
-    held.still &&= this.stopAt(at, false) !== null && Math.hypot(event.clientX - held.x, event.clientY - held.y) < JITTER;
-    held.fresh &&= Math.hypot(event.clientX - held.x, event.clientY - held.y) < TURNS;
+    const moved = distanceOnPage(event, held);
+    held.still &&= moved < JITTER && this.stopAt(at, false) !== null;
+    held.fresh &&= moved < TURNS;
     if (held.still || held.fresh) return;
     this.canvas.style.cursor = "grabbing";
     this.board.move(held.thing, held.from, held.anchor, at.map((x, k) => x + held.offset[k]));
@@ -516,10 +632,12 @@ class View {
     if (!held) return;
     this.grabs.delete(event.pointerId);
     this.canvas.style.cursor = "";
-    const { board } = this, item = board.item(held.thing);
-    const stop = this.stopAt(held.still || !item.at ? this.toWorld(event) : item.at, event.pointerType === "touch");
-    if (stop && held.still) board.call(event.shiftKey ? 0 : 1, board.item(stop));
-    else if (stop && held.thing.kind === "handle" && !item.stop) board.call(held.thing.i, board.item(stop));   // released near it
+    const { board } = this, { thing, still } = held, item = board.item(thing);
+    const at = still || !item.at ? this.toWorld(event) : item.at;
+    const stop = this.stopAt(at, event.pointerType === "touch");
+    const isHandle = thing.kind === "handle" && !item.stop;
+    if (stop && still) board.call(event.shiftKey ? 0 : 1, board.item(stop));
+    else if (stop && isHandle) board.call(thing.i, board.item(stop));      // released near the stop
     board.settle();
     this.request();
   }
@@ -527,17 +645,14 @@ class View {
   // keys: every thing has a button over it, visible only while it has the focus
 
   press(event, thing) {
-    const way = WAYS[event.key];
-    const { board } = this, { lo, hi } = board.scene;
+    const { board } = this, way = WAYS[event.key];
+    const opens = event.key === "Enter" && thing.kind === "polygon";
     if (way) {
-      const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]) * (event.shiftKey ? 0.05 : 0.01), at = board.place(thing);
-      board.move(thing, copy(board.shape(thing)), at, at.map((x, k) => x + way[k] * size));
-      clearTimeout(this.settling);
-      this.settling = setTimeout(() => board.settle(), 300);
+      this.nudge(thing, way, event.shiftKey ? 0.05 : 0.01);
     } else if (event.key === "Enter" && board.item(thing).stop) {
       board.call(event.shiftKey ? 0 : 1, board.item(thing));
       board.settle();
-    } else if (event.key === "Enter" && thing.kind === "polygon" && board.vertices(thing.i).length) {
+    } else if (opens && board.vertices(thing.i).length) {
       this.enter(thing.i);
       this.buttons.get(nameOf(board.vertices(thing.i)[0])).focus();
     } else if (event.key === "Escape" && thing.kind === "vertex") {
@@ -548,13 +663,22 @@ class View {
     event.stopPropagation();
   }
 
+  nudge(thing, way, share) {             // move a thing by a share of the world's size
+    const { board } = this, { lo, hi } = board.scene, at = board.place(thing);
+    const size = share * Math.max(hi[0] - lo[0], hi[1] - lo[1]);
+    board.move(thing, copy(board.shape(thing)), at, at.map((x, k) => x + way[k] * size));
+    clearTimeout(this.settling);
+    this.settling = setTimeout(() => board.settle(), 300);
+  }
+
   enter(i) { this.entered = i; this.placeButtons(); }
 
   placeButtons() {
     const { board } = this, wanted = new Map();
     for (const thing of board.things()) {
       wanted.set(nameOf(thing), thing);
-      if (thing.kind === "polygon" && thing.i === this.entered) board.vertices(thing.i).forEach((v) => wanted.set(nameOf(v), v));
+      if (thing.kind !== "polygon" || thing.i !== this.entered) continue;
+      board.vertices(thing.i).forEach((vertex) => wanted.set(nameOf(vertex), vertex));
     }
     if (!same([...wanted.keys()], [...this.buttons.keys()])) this.makeButtons(wanted);
     for (const [name, thing] of wanted) {
@@ -567,22 +691,35 @@ class View {
 
   makeButtons(wanted) {                  // in Tab order: a polygon's vertices follow it
     const before = this.buttons;
-    this.buttons = new Map([...wanted].map(([name, thing]) => {
-      const button = before.get(name) ?? make("button", "kinoedu-thing", null, { type: "button", "data-thing": name });
-      if (before.has(name)) return [name, button];
-      if (this.board.item(thing).driven) this.steered(button); else button.addEventListener("keydown", (event) => this.press(event, thing));
-      return [name, button];
-    }));
+    const kept = ([name, thing]) => [name, before.get(name) ?? this.makeButton(name, thing)];
+    this.buttons = new Map([...wanted].map(kept));
     before.forEach((button, name) => { if (!wanted.has(name)) button.remove(); });
-    const inOrder = [...this.buttons.values()];
-    inOrder.forEach((button, k) => { if (this.overlay.children[k] !== button) this.overlay.insertBefore(button, this.overlay.children[k] ?? null); });
+    const { overlay } = this;
+    [...this.buttons.values()].forEach((button, k) => {
+      const present = overlay.children[k] ?? null;
+      if (present !== button) overlay.insertBefore(button, present);
+    });
+  }
+
+  makeButton(name, thing) {
+    const button = make("button", "kinoedu-thing", null, { type: "button", "data-thing": name });
+    if (this.board.item(thing).driven) this.steered(button);
+    else button.addEventListener("keydown", (event) => this.press(event, thing));
+    return button;
   }
 
   label(thing, [x, y]) {
-    const { words, scene } = this.board, show = (value) => value.toFixed(scene.decimals);
+    const { words, scene } = this.board, { name } = this.board.item(thing);
+    const [xText, yText] = [x, y].map((value) => value.toFixed(scene.decimals));
+    return fill(words[this.role(thing)], { name, number: thing.v, x: xText, y: yText });
+  }
+
+  role(thing) {                          // the key of the words that describe a thing
     const item = this.board.item(thing);
-    const kind = thing.kind === "polygon" && item.vertices ? "polygon" : thing.kind === "vertex" ? "vertex" : item.stop ? "stop" : item.driven ? "driven" : "handle";
-    return fill(words[kind], { name: item.name, number: thing.v, x: show(x), y: show(y) });
+    if (thing.kind === "vertex") return "vertex";
+    if (thing.kind === "polygon" && item.vertices) return "polygon";
+    if (item.stop) return "stop";
+    return item.driven ? "driven" : "handle";
   }
 
   // painting: at most once a frame
@@ -590,65 +727,82 @@ class View {
   request() { this.frame ||= requestAnimationFrame(() => { this.frame = 0; this.paint(); }); }
 
   paint() {
-    const { board, pen } = this, ratio = window.devicePixelRatio || 1;
-    const [across, down] = [Math.round(this.width * ratio), Math.round(this.height * ratio)];
-    if (this.canvas.width !== across || this.canvas.height !== down) Object.assign(this.canvas, { width: across, height: down });
+    const { board, pen, canvas } = this, ratio = window.devicePixelRatio || 1;
+    const [across, down] = [this.width, this.height].map((size) => Math.round(size * ratio));
+    if (canvas.width !== across) canvas.width = across;
+    if (canvas.height !== down) canvas.height = down;
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
     if (!this.grabs.size) this.look();   // the view does not move during a drag
-    const late = board.pendingSince !== null && performance.now() - board.pendingSince > PENDING;
-    const layers = board.drawing.layers.filter((layer) => !layer.last || board.step >= board.drawing.total);
+    const late = board.isLate(), complete = board.step >= board.drawing.total;
+    const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
     const paint = (wanted) => {
       pen.globalAlpha = late ? 0.35 : 1;
-      for (const layer of layers) if ((layer.kind === "cells") === wanted) this[`paint_${layer.kind}`]?.(layer);
+      wanted.forEach((layer) => this[`paint_${layer.kind}`]?.(layer));
       pen.globalAlpha = 1;
     };
     this.paintGround();
-    paint(true);
+    paint(layers.filter((layer) => layer.kind === "cells"));
     this.paintSolids();
-    paint(false);
+    paint(layers.filter((layer) => layer.kind !== "cells"));
     board.scene.handles.forEach((handle) => this.paintHandle(handle));
     this.placeButtons();
-    this.tellState(late);
+    this.showState(late);
     this.paints += 1;
-    this.root.dispatchEvent(new CustomEvent("kinoedu-painted", { detail: board.shown, bubbles: true }));
+    this.emit("painted", board.shown);
   }
 
   paintGround() {
     const { pen, board } = this, { scene, palette } = board;
-    pen.fillStyle = scene.boundary || (this.bitmap && !scene.glued) ? palette.outside : palette.free;
+    const shaped = scene.boundary || (this.bitmap && !scene.glued);
+    pen.fillStyle = shaped ? palette.outside : palette.free;
     pen.fillRect(0, 0, this.width, this.height);
     if (this.bitmap) this.paintBitmap();
     pen.lineWidth = 1.5;
     pen.strokeStyle = palette.obstacle;
-    if (scene.boundary) { this.trace([scene.boundary]); pen.fillStyle = palette.free; pen.fill(); pen.stroke(); }
+    if (!scene.boundary) return;
+    this.trace([scene.boundary]);
+    pen.fillStyle = palette.free;
+    pen.fill();
+    pen.stroke();
   }
 
   paintSolids() {
-    const { pen } = this, { scene, palette } = this.board, polygons = scene.polygons.filter((polygon) => !polygon.drawn);
+    const { pen } = this, { scene, palette } = this.board;
+    const polygons = scene.polygons.filter((polygon) => !polygon.drawn);
     pen.fillStyle = palette.obstacle;
     for (const polygon of polygons) { this.trace(polygon.rings); pen.fill("evenodd"); }
-    for (const { at, radius } of scene.discs) { pen.beginPath(); pen.arc(...this.toPixels(at), radius * this.scale, 0, 7); pen.fill(); }
-    for (const polygon of polygons) if (polygon.vertices) polygon.rings.flat().forEach((p) => this.dot(p, 4, palette.free, palette.obstacle));
+    for (const { at, radius } of scene.discs) {
+      pen.beginPath();
+      pen.arc(...this.toPixels(at), radius * this.scale, 0, 7);
+      pen.fill();
+    }
+    for (const { rings, vertices } of polygons) {
+      if (vertices) rings.flat().forEach((p) => this.dot(p, 4, palette.free, palette.obstacle));
+    }
   }
 
   trace(rings) {
     this.pen.beginPath();
     for (const ring of rings) {
-      ring.forEach((p, k) => (k ? this.pen.lineTo(...this.toPixels(p)) : this.pen.moveTo(...this.toPixels(p))));
+      ring.forEach((p, k) => this.pen[k ? "lineTo" : "moveTo"](...this.toPixels(p)));
       this.pen.closePath();
     }
   }
 
-  bitmapPicture() {                      // one bit per cell, or one byte with own colours; lowest row first
-    const { size, colours } = this.board.scene, view = this.board.model.get("bitmap"), { palette } = this.board;
+  // A bitmap has one bit for each cell, or with own colours one byte; the lowest row is first.
+  bitmapPicture() {
+    const { model, palette } = this.board, { size, colours } = this.board.scene;
+    const view = model.get("bitmap");
     if (!size || !view || !view.byteLength) return null;
-    const [rows, columns] = size, bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
-    const picture = make("canvas", "", null, { width: columns, height: rows }), pen = picture.getContext("2d");
+    const [rows, columns] = size;
+    const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
+    const bit = (cell) => (bytes[cell >> 3] >> (7 - (cell & 7))) & 1;
+    const number = colours ? (cell) => bytes[cell] : bit;
+    const shades = (colours ?? ["obstacle", "free"]).map((name) => pixelOf(palette[name]));
+    const picture = make("canvas", "", null, { width: columns, height: rows });
+    const pen = picture.getContext("2d");
     const image = pen.createImageData(columns, rows), pixels = new Uint32Array(image.data.buffer);
-    const colour = (hex) => { const [r, g, b] = [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16)); return (255 << 24) | (b << 16) | (g << 8) | r; };
-    const shades = (colours ?? ["obstacle", "free"]).map((name) => colour(palette[name]));
-    const number = colours ? (cell) => bytes[cell] : (cell) => (bytes[cell >> 3] >> (7 - (cell & 7))) & 1;
     for (let cell = 0; cell < rows * columns; cell += 1) {
       const row = rows - 1 - Math.floor(cell / columns);
       pixels[row * columns + (cell % columns)] = shades[number(cell)];
@@ -658,7 +812,8 @@ class View {
   }
 
   paintBitmap() {
-    const { lo, hi } = this.board.scene.glued ?? this.board.scene, [x0, y1] = this.toPixels(lo), [x1, y0] = this.toPixels(hi);
+    const { lo, hi } = this.board.scene.glued ?? this.board.scene;
+    const [x0, y1] = this.toPixels(lo), [x1, y0] = this.toPixels(hi);
     // Smooth only when the bitmap is made smaller, so that cells stay sharp.
     this.pen.imageSmoothingEnabled = (x1 - x0) * (window.devicePixelRatio || 1) < this.bitmap.width;
     this.pen.drawImage(this.bitmap, x0, y0, x1 - x0, y1 - y0);
@@ -666,12 +821,22 @@ class View {
 
   paintHandle({ name, at, colour, marker, radius, stop, drawn }) {
     if (stop || drawn) return;
-    const { pen } = this, { palette, scene } = this.board, [px, py] = this.toPixels(at), paint = palette[colour];
-    if (radius) { pen.globalAlpha = 0.35; pen.fillStyle = paint; pen.beginPath(); pen.arc(px, py, radius * this.scale, 0, 7); pen.fill(); pen.globalAlpha = 1; }
+    const { pen } = this, { palette, scene } = this.board, { lo, hi } = scene;
+    const [px, py] = this.toPixels(at), paint = palette[colour];
+    if (radius) {
+      pen.globalAlpha = TINT;
+      pen.fillStyle = paint;
+      pen.beginPath();
+      pen.arc(px, py, radius * this.scale, 0, 7);
+      pen.fill();
+      pen.globalAlpha = 1;
+    }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
-    const right = at[0] < scene.lo[0] + 0.75 * (scene.hi[0] - scene.lo[0]), low = scene.handles.some((h) => h.stop);
-    const up = !low && at[1] < scene.lo[1] + 0.85 * (scene.hi[1] - scene.lo[1]);       // stops' names are above
-    this.write(name, px + (right ? 11 : -11), py + (up ? -15 : 15), paint, right ? "left" : "right", true);
+    const right = at[0] < lo[0] + 0.75 * (hi[0] - lo[0]);
+    const room = at[1] < lo[1] + 0.85 * (hi[1] - lo[1]);
+    const up = room && !scene.handles.some((handle) => handle.stop);       // stops' names are above
+    const [x, y] = [px + (right ? 11 : -11), py + (up ? -15 : 15)];
+    this.write(name, x, y, paint, right ? "left" : "right", "bold");
   }
 
   dot(at, size, inner, rim) {
@@ -696,9 +861,10 @@ class View {
     pen.fill();
   }
 
-  write(text, px, py, colour, align = "left", bold = false) {
+  write(text, px, py, colour, align, weight = "normal") {
     const { pen } = this;
-    Object.assign(pen, { font: `${bold ? "bold " : ""}14px system-ui, sans-serif`, textAlign: align, textBaseline: "middle" });
+    pen.font = `${weight} 14px system-ui, sans-serif`;
+    Object.assign(pen, { textAlign: align, textBaseline: "middle" });
     Object.assign(pen, { strokeStyle: this.board.palette.free, lineWidth: 4, fillStyle: colour });
     pen.strokeText(text, px, py);
     pen.fillText(text, px, py);
@@ -708,12 +874,16 @@ class View {
   // that grows each row ends with the step at which it appears, and where rows do not stay, also
   // with the step at which it disappears.
 
-  eachRow({ data, grows, ends }, size, visit) {
-    const stride = size + (grows ? 1 : 0) + (ends ? 1 : 0), { unit, left, bottom } = this;
+  stride({ grows, ends }, size) { return size + (grows ? 1 : 0) + (ends ? 1 : 0); }
+
+  eachRow(layer, size, visit) {
+    const { unit, left, bottom } = this, { step } = this.board, { data, grows, ends } = layer;
+    const stride = this.stride(layer, size);
     for (let k = 0; k + stride <= data.length; k += stride) {
-      if (grows && data[k + size] > this.board.step) break;
-      if (ends && data[k + stride - 1] <= this.board.step) continue;
-      visit(left + data[k] * unit, bottom - data[k + 1] * unit, data[k + 2] * unit, data[k + 3] * unit, k / stride);
+      if (grows && data[k + size] > step) break;
+      if (ends && data[k + stride - 1] <= step) continue;
+      const [px, py] = [left + data[k] * unit, bottom - data[k + 1] * unit];
+      visit(px, py, data[k + 2] * unit, data[k + 3] * unit, k / stride);
     }
   }
 
@@ -728,17 +898,21 @@ class View {
   paint_edges(layer) {
     const { pen, left, bottom } = this;
     pen.beginPath();
-    this.eachRow(layer, 4, (px, py, x, y) => { pen.moveTo(px, py); pen.lineTo(left + x, bottom - y); });
+    this.eachRow(layer, 4, (px, py, x, y) => {
+      pen.moveTo(px, py);
+      pen.lineTo(left + x, bottom - y);
+    });
     this.stroke(layer);
   }
 
   outline(layer) {                       // trace the polygon of each row
-    const { pen, unit, left, bottom } = this, size = 2 * layer.points, stride = size + (layer.grows ? 1 : 0) + (layer.ends ? 1 : 0);
+    const { pen, unit, left, bottom } = this, { data } = layer;
+    const size = 2 * layer.points, stride = this.stride(layer, size);
     pen.beginPath();
     this.eachRow(layer, size, (_px, _py, _dx, _dy, k) => {
       for (let c = k * stride; c < k * stride + size; c += 2) {
-        const at = [left + layer.data[c] * unit, bottom - layer.data[c + 1] * unit];
-        if (c === k * stride) pen.moveTo(...at); else pen.lineTo(...at);
+        const at = [left + data[c] * unit, bottom - data[c + 1] * unit];
+        pen[c > k * stride ? "lineTo" : "moveTo"](...at);
       }
       pen.closePath();
     });
@@ -750,8 +924,16 @@ class View {
     this.pen.fill();
   }
 
+  hatch() {                              // trace stripes over the whole picture
+    const { pen, width, height } = this;
+    for (let x = -height; x < width; x += STRIPES) {
+      pen.moveTo(x, height);
+      pen.lineTo(x + height, 0);
+    }
+  }
+
   paint_bodies(layer) {
-    const { pen, height } = this;
+    const { pen } = this;
     pen.save();
     this.outline(layer);
     pen.fillStyle = this.board.palette[layer.colour];
@@ -760,7 +942,7 @@ class View {
     pen.globalAlpha /= TINT;
     pen.clip();
     pen.beginPath();
-    if (layer.hatched) for (let x = -height; x < this.width; x += STRIPES) { pen.moveTo(x, height); pen.lineTo(x + height, 0); }
+    if (layer.hatched) this.hatch();
     this.stroke(layer);
     pen.restore();
     this.outline(layer);
@@ -790,7 +972,10 @@ class View {
       const ex = px + dx, ey = py - dy, angle = Math.atan2(ey - py, ex - px);
       pen.moveTo(px, py);
       pen.lineTo(ex, ey);
-      for (const turn of [2.6, -2.6]) { pen.moveTo(ex, ey); pen.lineTo(ex + 12 * Math.cos(angle + turn), ey + 12 * Math.sin(angle + turn)); }
+      for (const turn of [2.6, -2.6]) {
+        pen.moveTo(ex, ey);
+        pen.lineTo(ex + 12 * Math.cos(angle + turn), ey + 12 * Math.sin(angle + turn));
+      }
     });
     this.stroke(layer);
   }
@@ -798,28 +983,45 @@ class View {
   paint_labels(layer) {
     this.pen.font = "14px system-ui, sans-serif";
     this.eachRow(layer, 2, (px, py, _dx, _dy, k) => {
-      const right = px + 12 + this.pen.measureText(layer.texts[k]).width < this.width;
-      this.write(layer.texts[k], px + (right ? 10 : -10), clamp(py - 12, 12, this.height - 12), this.board.palette[layer.colour], right ? "left" : "right");
+      const text = layer.texts[k], colour = this.board.palette[layer.colour];
+      const right = px + 12 + this.pen.measureText(text).width < this.width;
+      const [x, y] = [px + (right ? 10 : -10), clamp(py - 12, 12, this.height - 12)];
+      this.write(text, x, y, colour, right ? "left" : "right");
     });
   }
 
   // the text below the picture
 
-  tellState(late) {
-    const { board } = this, { drawing, words } = board, text = board.text();
+  showState(late) {
+    const { board } = this, { drawing, words, step } = board, { total, unit, warning } = drawing;
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.text.textContent = text;
-    this.text.classList.toggle("kinoedu-warning", Boolean(drawing.warning) && !late);
-    this.growth.classList.toggle("kinoedu-nothing", drawing.total === 0);
-    this.slider.max = drawing.total;
-    this.slider.value = board.step;
-    this.slider.setAttribute("aria-valuetext", fill(words.growth, { shown: board.step, total: drawing.total, unit: drawing.unit }));
+    this.text.textContent = board.text();
+    this.text.classList.toggle("kinoedu-warning", Boolean(warning) && !late);
+    this.growth.classList.toggle("kinoedu-nothing", total === 0);
+    this.slider.max = total;
+    this.slider.value = step;
+    const growth = fill(words.growth, { shown: step, total, unit });
+    this.slider.setAttribute("aria-valuetext", growth);
     this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
-    const layers = drawing.layers.map((layer) => layer.kind).join(" "), { shown: seq, seq: newest, answers, stale, step, bitmaps } = board;
-    Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps, total: drawing.total, paints: this.paints, warning: drawing.warning });
+    this.storeState();
+    this.speakLater(this.text.textContent);
+  }
+
+  storeState() {                         // the data- attributes of the board, for tests
+    const { drawing, shown: seq, seq: newest, answers, stale, step, bitmaps } = this.board;
+    const layers = drawing.layers.map((layer) => layer.kind).join(" ");
+    const { total, warning } = drawing, { paints } = this;
+    Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps });
+    Object.assign(this.root.dataset, { total, paints, warning });
+  }
+
+  speakLater(text) {                     // read a text out once it has not changed for a while
     if (text === this.last) return;
     this.last = text;
     clearTimeout(this.speaking);
-    this.speaking = setTimeout(() => { this.state.textContent = this.last; this.canvas.ariaLabel = this.last; }, QUIET);
+    this.speaking = setTimeout(() => {
+      this.state.textContent = text;
+      this.canvas.ariaLabel = text;
+    }, QUIET);
   }
 }
