@@ -21,7 +21,7 @@ import kinoedu as ke
 from kinoedu.collision import free_motions
 from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.judge.submission import grade
-from kinoedu.grading.sandbox.sandbox import Sandbox, why_not
+from kinoedu.grading.sandbox.sandbox import Sandbox, explain_no_sandbox
 from kinoedu.planners.roadmaps.neighbours import k_closest
 
 K, STEP, PAIRS, PROVED = 10, 5.0, 3000, 2**18
@@ -154,7 +154,7 @@ def grading(n: int) -> Asked:
     """Submissions, right and empty by turns, one after another in one sandbox: full marks and
     none.
     """
-    if reason := why_not():
+    if reason := explain_no_sandbox():
         raise Missing(reason)
     task, box = read_assignment(NAME), sandbox()
     books = [(HOUSE / room / f"{NAME}.ipynb").read_bytes() for room in ("solutions", "exercises")]

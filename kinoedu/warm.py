@@ -66,9 +66,13 @@ def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -
         return
     for _, job, *given in jobs:
         job(*given)
-    with show_progress("compiling once") as tell:
+    with show_progress("compiling once") as report_progress:
         requests.compile_all(
-            place, requests_of_called_algorithms(), workers=workers, gives_way=gives_way, tell=tell
+            place,
+            requests_of_called_algorithms(),
+            workers=workers,
+            gives_way=gives_way,
+            report_progress=report_progress,
         )
 
 

@@ -16,7 +16,7 @@ from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
 
-NO_SANDBOX = sandbox.why_not()
+NO_SANDBOX = sandbox.explain_no_sandbox()
 HOUSE = Path(__file__).resolve().parent.parent
 SECRET = b"a secret of the tests, no course's"
 ATTACKS = sorted((HOUSE / "tests" / "attacks").glob("*.cells"))

@@ -24,7 +24,7 @@ NAME = "01_geometry"
 SOLUTION = HOUSE / "solutions" / f"{NAME}.ipynb"
 # compiled code is stored by the path of its source, and that is new each time
 QUICK = {"NUMBA_DISABLE_JIT": "1"}
-NO_SANDBOX = sandbox.why_not()
+NO_SANDBOX = sandbox.explain_no_sandbox()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="Gradescope's containers are Linux")
 

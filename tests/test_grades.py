@@ -32,7 +32,7 @@ from kinoedu.support.csv_cells import harmless, unharmed
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, HAND = "01_geometry", "02_bug_algorithms"
-NO_SANDBOX = sandbox.why_not()
+NO_SANDBOX = sandbox.explain_no_sandbox()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 HOSTILE = "</pre></style><script>alert(1)</script>"
 COLUMNS = "student,assignment,question,score,comment\n"

@@ -20,7 +20,7 @@ from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
 
-NO_SANDBOX = sandbox.why_not()
+NO_SANDBOX = sandbox.explain_no_sandbox()
 HOUSE = Path(__file__).resolve().parent.parent
 SECRET = b"a secret of the tests, no course's"
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
@@ -306,7 +306,7 @@ def test_a_python_that_is_a_copy_is_shut_in_too(tmp_path, monkeypatch):
     monkeypatch.setattr(
         sys, "executable", shutil.copy(os.path.realpath(sys.executable), tmp_path / "python")
     )
-    assert sandbox.why_not() == ""
+    assert sandbox.explain_no_sandbox() == ""
 
 
 @pytest.mark.parametrize("seed", [5038, 5073, 5489])

@@ -17,7 +17,7 @@ sys.path.append(str(HOUSE / "benchmarks"))
 
 from grading_soak import class_of, grader, results, soaked  # noqa: E402
 
-NO_SANDBOX = sandbox.why_not()
+NO_SANDBOX = sandbox.explain_no_sandbox()
 pytestmark = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 SIZE = 30
 # attacks that end at once

@@ -219,12 +219,12 @@ def test_lines_that_would_fill_the_memory_are_a_flood(monkeypatch):
     monkeypatch.setattr(talk, "MOST_PARTS", 1000)
     ends = []
     for line in (b'{"cell": 1}\n' * 3, b'{"a": [' + b"{}," * 500 + b"{}]}\n"):
-        asking_end, answering = os.pipe()
-        os.write(answering, line)
-        os.close(answering)
-        conversation = Talk(os.open(os.devnull, os.O_WRONLY), asking_end, 1.0)
+        reply_end, replies = os.pipe()
+        os.write(replies, line)
+        os.close(replies)
+        conversation = Talk(os.open(os.devnull, os.O_WRONLY), reply_end, 1.0)
         list(conversation.lines())
         ends.append(conversation.end)
-        os.close(asking_end)
-        os.close(conversation.asking)
+        os.close(reply_end)
+        os.close(conversation.requests)
     assert ends == ["died", "flood"]

@@ -10,7 +10,7 @@ import pytest
 from kinoedu.grading.sandbox import talk
 
 
-def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float]:
+def exchange(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float]:
     """The lines from a program, how the exchange ended, and its seconds."""
     (read_asking, write_asking), (read_answer, write_answer) = os.pipe(), os.pipe()
     process = subprocess.Popen(
@@ -20,14 +20,14 @@ def talked(program: str, patience: float = 1.0) -> tuple[list[bytes], str, float
         os.close(end)
     begin = time.monotonic()
     one = talk.Talk(write_asking, read_answer, patience)
-    one.say(b"x" * 2**20 + b"\n")
-    heard = list(one.lines())
+    one.send(b"x" * 2**20 + b"\n")
+    received = list(one.lines())
     took = time.monotonic() - begin
     process.kill()
     process.wait()
     for end in (write_asking, read_answer):
         os.close(end)
-    return heard, one.end, took
+    return received, one.end, took
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="there is no sandbox but on Linux")
@@ -47,6 +47,6 @@ def test_an_exchange_ends_whatever_the_program_does(program, end, monkeypatch):
     monkeypatch.setattr(talk, "START", 20.0)
     monkeypatch.setattr(talk, "LONGEST", -18.0)  # two seconds after START
     monkeypatch.setattr(talk, "MOST_OUTPUT", 2**20)
-    _, ended, took = talked(program)
+    _, ended, took = exchange(program)
     assert ended == end
     assert took < 20.0

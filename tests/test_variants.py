@@ -30,7 +30,7 @@ from kinoedu.grading.judge.variants import write_variants
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.planners import bug1, bug2
 
-NO_SANDBOX = sandbox.why_not()
+NO_SANDBOX = sandbox.explain_no_sandbox()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 SECRET = b"a secret of the tests, no course's"
 GRAPHS, BUGS = "04_graph_search", "02_bug_algorithms"

@@ -56,7 +56,7 @@ def compile_all(
     *,
     workers: int,
     gives_way: bool = False,
-    tell: Callable[[int, int], None] = lambda done, of: None,
+    report_progress: Callable[[int, int], None] = lambda done, of: None,
 ) -> list[Request]:
     """Compile all requests in several processes, and wait.
 
@@ -66,7 +66,7 @@ def compile_all(
     wanted : the requests.
     workers : how many processes compile.
     gives_way : whether they run at low priority.
-    tell : is called with the number of requests that are done, and the number of all.
+    report_progress : is called with the number of requests that are done, and the number of all.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def compile_all(
     failures = 0
     try:
         while missing and failures < MAX_FAILURES:
-            tell(total - len(missing), total)
+            report_progress(total - len(missing), total)
             for slot in slots:
                 failures += has_failed(slot)
                 start_worker(place, slot, gives_way=gives_way)

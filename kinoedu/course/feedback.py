@@ -28,19 +28,19 @@ class Feedback:
         self.stage = stage
         self.printed = printed
 
-    def told(self) -> list[tuple[str, str]]:
+    def list_entries(self) -> list[tuple[str, str]]:
         """Text of the feedback, as pairs of a title and a text."""
         return feedback_lines(self.report, self.stage, self.printed.rstrip())
 
     def __repr__(self) -> str:
-        return "\n".join(format_entry(title, text) for title, text in self.told())
+        return "\n".join(format_entry(title, text) for title, text in self.list_entries())
 
     def _repr_html_(self) -> str:
         """The same text as HTML."""
         result = "right" if self.report.is_right else "wrong"
         if self.report.unwritten:
             result = "unanswered"
-        entries = "".join(html_entry(title, text) for title, text in self.told())
+        entries = "".join(html_entry(title, text) for title, text in self.list_entries())
         style = f"class='kinoedu-check kinoedu-{result}' style='{STYLE[result]}'"
         return f"<div {style}>{entries}</div>"
 

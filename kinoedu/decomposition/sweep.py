@@ -15,7 +15,7 @@ Kreveld, M. Overmars, Computational Geometry, sections 2.1 and 6.1.
 The status S is the sorted list of the edges that the line crosses. It is stored in pairs: a floor
 and the ceiling above it, with an open cell between them (status.py). An *event* is all vertices of
 one x. Steps 4 to 7 are in crossing.py and cells.py. They treat all types of vertices alike: the
-numbers of cells that end and begin tell the type (de Berg et al., section 3.2).
+numbers of cells that end and begin give the type (de Berg et al., section 3.2).
 
 | edges of the vertex lead | cells that end | that begin | the vertex is | de Berg et al. |
 |---|---|---|---|---|

@@ -161,7 +161,7 @@ def arguments_from(
 ) -> dict[str, Any]:
     """Arguments of a function from a table, checked against its signature.
 
-    `said` names the keys that are already read.
+    The keys `already_read` are skipped; `renamed` gives arguments other names.
     """
     parameters = inspect.signature(function).parameters
     accepted = {

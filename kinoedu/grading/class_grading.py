@@ -20,7 +20,7 @@ from .judge.contracts import add_contracts, refuse_forgotten
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.writing import write_all
-from .sandbox.sandbox import why_not
+from .sandbox.sandbox import explain_no_sandbox
 
 
 class Run(NamedTuple):
@@ -43,7 +43,7 @@ class Run(NamedTuple):
 
 def require_sandbox(trusted: bool) -> None:
     """Raise InvalidParameter if programs are not trusted and cannot be run in a sandbox."""
-    reason = "" if trusted else why_not()
+    reason = "" if trusted else explain_no_sandbox()
     if reason:
         raise InvalidParameter(
             f"submissions are strangers' programs, and cannot be shut in here: {reason}. If every "

@@ -42,7 +42,7 @@ def harmless(text: str) -> str:
 
 
 def unharmed(text: str) -> str:
-    """What a cell said before it was made harmless.
+    """The text of a cell before it was made harmless.
 
     >>> unharmed(harmless("=ann")), unharmed("'tis")
     ('=ann', "'tis")

@@ -125,7 +125,7 @@ class ArmBoard(Pictured, widgets.VBox):
         layers += draw_arm(self.arm, self.q, hits)
         first, second = (f"{angle:.2f}" for angle in self.q)
         text = get_message(
-            "arm_board.told", first=first, second=second, contact=describe_contact(hits)
+            "arm_board.result", first=first, second=second, contact=describe_contact(hits)
         )
         self._gripped = [joint.tolist() for joint in self.arm.joints(self.q)]
         lines = (text, hindered, self._ride.text if self._ride else "")

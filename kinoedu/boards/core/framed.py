@@ -54,8 +54,8 @@ class Framed(Pictured, widgets.VBox):
         return pictures[0] if len(pictures) == 1 else join_pictures(*pictures)
 
     def __repr__(self) -> str:
-        said = "; ".join(canvas.drawing.message for canvas in self.canvases)
-        return f"{type(self).__name__}({said})"
+        messages = "; ".join(canvas.drawing.message for canvas in self.canvases)
+        return f"{type(self).__name__}({messages})"
 
 
 def arrange_in_row(canvases: Sequence[Canvas], width: str = "19em") -> widgets.HBox:

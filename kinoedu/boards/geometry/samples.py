@@ -76,7 +76,7 @@ class SamplesBoard(Framed):
         ]
         hole, far = f"{ball.radius:.4f}", f"{away.min():.4f}"
         return Drawing(
-            layers, text=get_message("samples_board.told", n=len(points), hole=hole, away=far)
+            layers, text=get_message("samples_board.result", n=len(points), hole=hole, away=far)
         )
 
 

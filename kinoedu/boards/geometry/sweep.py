@@ -137,12 +137,12 @@ def draw_sweep(
     layers += [
         labels(places[k::2], texts[k::2], colour) for k, colour in enumerate((FLOOR, CEILING))
     ]
-    said = {"x": f"{now.x:.4g}", "event": now.kind, "closed": len(done)}
+    values = {"x": f"{now.x:.4g}", "event": now.kind, "closed": len(done)}
     if not len(now.status):
-        return Drawing(layers, text=get_message("sweep_board.ended", **said))
+        return Drawing(layers, text=get_message("sweep_board.ended", **values))
     status = ", ".join(get_message("sweep_board.edge", number=text) for text in texts)
     return Drawing(
-        layers, text=get_message("sweep_board.now", **said, open=len(begun), status=status)
+        layers, text=get_message("sweep_board.now", **values, open=len(begun), status=status)
     )
 
 

@@ -39,7 +39,7 @@ def race_board(
     problem : a Problem in the plane.
     planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours,
         `f(problem)` or `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the
-        questions that it asked.
+        queries that it made.
     nodes, step, rng : the first values of the controls: the most nodes of a tree, its longest edge,
         and the seed.
 

@@ -42,7 +42,7 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
         drawing = draw_attempt(tried, None)
         name = getattr(planner, "__name__", "?")
         outcome = tried.fault or describe_result(tried.length, tried.motions)
-        texts = [get_message("race_board.asked", name=name, result=outcome)] * (drawing.total + 1)
+        texts = [get_message("race_board.reader", name=name, result=outcome)] * (drawing.total + 1)
         return Runner(tried, replace(drawing, warning="", step_texts=texts))
     plan = planner(problem, rng=given.seed, **(tuning if planner in (rrt, rrt_connect) else {}))
     drawing = draw_plan(plan)

@@ -184,7 +184,7 @@ def describe_survey(survey: RoadmapSurvey, exact: bool) -> str:
         bound = "least" if exact else "most"
         efficient = get_message(f"properties_board.{bound}", delta=f"{delta:.3g}")
     return get_message(
-        "properties_board.told",
+        "properties_board.result",
         accessible=reach,
         departable=leave,
         places=len(survey.places),

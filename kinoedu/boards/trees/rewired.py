@@ -146,6 +146,6 @@ def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) 
         if node == log.at_goal:
             texts.append(get_message("rewiring_board.goal", **values, way=way))
         else:
-            counts = {"near": count[node], "hung": rewired[node]}
+            counts = {"near": count[node], "rewired": rewired[node]}
             texts.append(get_message("rewiring_board.node", **values, **counts, way=way))
     return texts

@@ -123,7 +123,7 @@ class Cases(NamedTuple):
 def draw_cases(name: str, secret: bytes, variant: str = "") -> Cases:
     """An exercise's cases, drawn from the secret; equal for all students with the same contract.
 
-    The small cases that are always asked come first. `check` shows them to everybody.
+    The small cases, which are always the same, come first. `check` shows them to everybody.
     """
     exercise = find(name, variant)
     digest = hmac.digest(

@@ -38,9 +38,9 @@ class Receipt(NamedTuple):
             get_message("hand_in.digest", sha256=self.sha256),
             get_message("hand_in.answered", done=done, questions=len(self.answers)),
         ]
-        for name, (answered, said) in self.answers.items():
+        for name, (answered, remark) in self.answers.items():
             state = get_message("hand_in.yes" if answered else "hand_in.no")
-            lines.append(f"  {name}: {state}" + (f"; {said}" if said else ""))
+            lines.append(f"  {name}: {state}" + (f"; {remark}" if remark else ""))
         return "\n".join(lines)
 
 
@@ -60,15 +60,15 @@ def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
     """
     data, assignment = read_bytes(file), find_assignment(file)
     answers = find_answers(data, assignment)
-    asked = {
+    lessons = {
         EXERCISES[name].lesson
         for name in find_marks(parse_notebook(data)["cells"])
         if name in EXERCISES
     }
-    if asked and assignment not in asked:
+    if lessons and assignment not in lessons:
         raise InvalidParameter(
-            f"{file.name} is named like {assignment}, but its cells are those of {min(asked)}: is "
-            "it the wrong file?"
+            f"{file.name} is named like {assignment}, but its cells are those of "
+            f"{min(lessons)}: is it the wrong file?"
         )
     receipt = Receipt(assignment, hashlib.sha256(data).hexdigest(), now, answers)
     with (
@@ -100,11 +100,11 @@ def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
     sources = [cell.source for cell in read_cells(data)]
     written, broken = find_written_functions(sources), find_broken_functions(sources)
     book = parse_notebook(data)["cells"]
-    said = read_check_messages(book)
-    asked = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
+    messages = read_check_messages(book)
+    names = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
     answers = {
-        name: (True, said.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
-        for name in asked
+        name: (True, messages.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
+        for name in names
     }
     return answers | {name: (is_touched, "") for name, is_touched in find_prose_answers(book)}
 
@@ -153,7 +153,7 @@ def is_stub(step: ast.stmt) -> bool:
 
 def read_check_messages(cells: list[Any]) -> dict[str, str]:
     """The first line of the output of each check() that is stored in the notebook."""
-    said = {}
+    messages = {}
     for cell in cells:
         outputs = as_table(cell).get("outputs")
         called = re.match(r"\s*check\((\w+)", join_text(as_table(cell).get("source")))
@@ -163,10 +163,10 @@ def read_check_messages(cells: list[Any]) -> dict[str, str]:
             ).partition("\n")[0]
             # the output that the exercise was handed out with
             stale = text == get_message("check.unanswered", name=called[1])
-            said[called[1]] = (
+            messages[called[1]] = (
                 get_message("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
             )
-    return said
+    return messages
 
 
 def find_marks(cells: list[Any]) -> set[str]:

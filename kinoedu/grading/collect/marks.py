@@ -32,7 +32,9 @@ def count_shared_marks(data: bytes, known: list[str]) -> dict[str, int]:
     marks = find_marks(data)
     return (
         {
-            name: sum(asked.exercise.name in marks for asked in read_assignment(name).questions)
+            name: sum(
+                question.exercise.name in marks for question in read_assignment(name).questions
+            )
             for name in known
         }
         if marks

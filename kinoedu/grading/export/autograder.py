@@ -25,7 +25,7 @@ from ..judge.running import grade_all, use_local_workers
 from ..judge.submission import RIGHT, Grade
 from ..report.failures import explain_failure
 from ..report.rows import Row
-from ..sandbox.sandbox import why_not
+from ..sandbox.sandbox import explain_no_sandbox
 from .tables import make_gradescope_results
 
 Results = dict[str, Any]  # JSON data in Gradescope's format
@@ -67,7 +67,7 @@ def is_trusted(container_is_wall: bool) -> bool:
 
     Raises InvalidParameter where there is no sandbox and the container may not take its place.
     """
-    reason = why_not()
+    reason = explain_no_sandbox()
     if not reason:
         return False
     if not container_is_wall:

@@ -128,7 +128,7 @@ def find_canvas_columns(
         ]
         if len(names) != 1:
             raise InvalidParameter(
-                f"--column is for one assignment; say with --assignment which of {', '.join(names)}"
+                f"--column is for one assignment; choose one with --assignment: {', '.join(names)}"
             )
         if len(at) != 1:
             raise InvalidParameter(
@@ -143,8 +143,8 @@ def find_canvas_columns(
     }
     if not places:
         raise InvalidParameter(
-            f"no column of {template} is named like {' or '.join(names)}; say which with "
-            "--assignment and --column"
+            f"no column of {template} is named like {' or '.join(names)}; choose "
+            "them with --assignment and --column"
         )
     return places
 

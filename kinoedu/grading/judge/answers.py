@@ -2,7 +2,7 @@
 
 If a program ends the sandbox, the remaining cells and questions are run in a new one. Nothing that
 comes back is trusted. Each line is read by the shapes that the exercise declares; a line that does
-not fit counts as no answer, and a line that was not asked for is ignored. A request has three
+not fit counts as no answer, and a line that no question needs is ignored. A request has three
 parts: the cells, the cases that everybody has seen, and the hidden cases. So what a student may
 read, such as an exception's message, is sent before the program has seen a hidden case.
 """
@@ -185,19 +185,19 @@ def is_known(shape: Any) -> bool:
 def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None:
     """Store the outcomes of the cells and questions in a reply.
 
-    Only lines that were asked for are read, each in its part of the reply and in order.
+    Only lines for these questions are read, each in its part of the reply and in order.
     """
-    asked = {question.name: question for question in questions}
+    by_name = {question.name: question for question in questions}
     for part, lines in enumerate(reply.parts):
         for line in lines:
             name = line.get("question")
             if part == CELLS:
                 if type(line.get("cell")) is int and line.get("trouble") is not None:
                     found.troubles[line["cell"]] = decode_line(line["trouble"], Maybe(Truth()))
-            elif isinstance(name, str) and name in asked:
-                store_outcome(line, asked[name], part, found)
+            elif isinstance(name, str) and name in by_name:
+                store_outcome(line, by_name[name], part, found)
     if reply.end == "done":
-        found.outcomes.update({name: found.outcomes.get(name) for name in asked})
+        found.outcomes.update({name: found.outcomes.get(name) for name in by_name})
         for outcomes in (
             found.outcomes[question.name]
             for question in questions

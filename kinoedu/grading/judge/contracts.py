@@ -27,8 +27,10 @@ def choose_contract(exercise: Exercise, secret: bytes, student: str) -> str:
 
 def choose_contracts(task: Assignment, secret: bytes, student: str) -> Choices:
     """A student's contracts for those questions of an assignment that have any."""
-    asked = [one.exercise for one in task.questions if one.exercise.variants]
-    return tuple((exercise.name, choose_contract(exercise, secret, student)) for exercise in asked)
+    exercises = [one.exercise for one in task.questions if one.exercise.variants]
+    return tuple(
+        (exercise.name, choose_contract(exercise, secret, student)) for exercise in exercises
+    )
 
 
 def apply_contracts(task: Assignment, chosen: Choices) -> Assignment:
@@ -56,7 +58,7 @@ def add_contracts(one: Submission, secret: bytes) -> Submission:
 def refuse_forgotten(submissions: Iterable[Submission]) -> None:
     """Raise InvalidParameter if most notebooks hold contracts of their students.
 
-    It is called where contracts were not asked for.
+    Call it where notebooks are graded without `--variants`.
     """
     readable = [one for one in submissions if not one.trouble]
     if 2 * sum(MARK in one.data for one in readable) > len(readable):

@@ -25,7 +25,7 @@ from ...support.completed_futures import CompletedFutures
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
-from ..sandbox.sandbox import NoSandbox, Sandbox, without_walls
+from ..sandbox.sandbox import NoSandbox, Sandbox, trusted_command
 from .contracts import apply_contracts
 from .submission import Grade, grade, is_late
 
@@ -91,8 +91,8 @@ def grade_all(
     jobs = {key: make_job(one, key, secret, trusted) for key, one in keyed}
     kept = {key: read_result(results / f"{key}.json") for key in jobs}
     known = {key: record for key, record in kept.items() if record is not None}
-    tell = progress or (lambda done, everything: None)
-    tell(len(known), len(jobs))
+    report_progress = progress or (lambda done, everything: None)
+    report_progress(len(known), len(jobs))
     troubles: dict[str, str] = {}
     missing = [job for key, job in jobs.items() if key not in known]
     # what was late beside other jobs is graded again, alone and with more time
@@ -109,7 +109,7 @@ def grade_all(
             else:
                 write_result(results / f"{job.key}.json", record)
                 known[job.key] = record
-            tell(len(known) + len(troubles), len(jobs))
+            report_progress(len(known) + len(troubles), len(jobs))
         missing = late
     return [attach_grade(one, known, troubles, secret) for one in submissions]
 
@@ -252,7 +252,7 @@ class ThreadSandboxes(threading.local):
     """
 
     def __init__(self) -> None:
-        self.sandboxes = {False: Sandbox(), True: Sandbox(without_walls)}
+        self.sandboxes = {False: Sandbox(), True: Sandbox(trusted_command)}
         for sandbox in self.sandboxes.values():
             atexit.register(sandbox.close)
 

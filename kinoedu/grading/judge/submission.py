@@ -40,59 +40,57 @@ def grade(
         return {
             "status": "unreadable",
             "message": str(trouble),
-            "questions": [make_blank_record(asked) for asked in task.questions],
+            "questions": [make_blank_record(question) for question in task.questions],
             "cells": [],
         }
-    asked = {
-        one.exercise.name: (one, draw_cases(one.exercise.name, secret, one.exercise.variant))
-        for one in task.questions
-    }
-    to_ask = [Question(one.exercise, *known) for one, known in asked.values()]
-    found = run_program(sandbox, cells, to_ask, task.lent, patience=patience)
-    questions = [
-        judge_question(one, known, found.outcomes[name]) for name, (one, known) in asked.items()
-    ]
+    exercises = [question.exercise for question in task.questions]
+    cases = [draw_cases(exercise.name, secret, exercise.variant) for exercise in exercises]
+    to_run = [Question(exercise, *drawn) for exercise, drawn in zip(exercises, cases, strict=True)]
+    answers = run_program(sandbox, cells, to_run, task.lent, patience=patience)
     return {
         "status": "graded",
         "message": "",
-        "questions": questions,
-        "cells": encode_troubles(found, cells),
+        "questions": [
+            judge_question(question, drawn, answers.outcomes[question.exercise.name])
+            for question, drawn in zip(task.questions, cases, strict=True)
+        ],
+        "cells": encode_troubles(answers, cells),
     }
 
 
-def make_blank_record(asked: AssignmentQuestion) -> Grade:
+def make_blank_record(question: AssignmentQuestion) -> Grade:
     """The record of a question without an answer."""
-    variant = {"variant": asked.exercise.variant} if asked.exercise.variant else {}
+    variant = {"variant": question.exercise.variant} if question.exercise.variant else {}
     return variant | {
-        "question": asked.exercise.name,
+        "question": question.exercise.name,
         "score": 0.0,
-        "max_score": asked.points,
+        "max_score": question.points,
         "status": UNANSWERED,
-        "message": get_message("grading.unanswered", name=asked.exercise.name),
+        "message": get_message("grading.unanswered", name=question.exercise.name),
         "failure": None,
         "late": False,
     }
 
 
 def judge_question(
-    asked: AssignmentQuestion, known: Cases, outcomes: Sequence[Outcome] | None
+    question: AssignmentQuestion, cases: Cases, outcomes: Sequence[Outcome] | None
 ) -> Grade:
     """The record of a question with its outcomes."""
     if not outcomes:
-        return make_blank_record(asked)
-    report = judge_outcomes(asked.exercise, known.cases, outcomes)
+        return make_blank_record(question)
+    report = judge_outcomes(question.exercise, cases.cases, outcomes)
     if report.unwritten and report.failure is not None and report.failure.number == 0:
-        return make_blank_record(asked)
+        return make_blank_record(question)
     late = any(isinstance(outcome, Late) for outcome in outcomes)
-    record = make_blank_record(asked) | {
-        "score": asked.points * report.score,
+    record = make_blank_record(question) | {
+        "score": question.points * report.score,
         "status": name_status(report),
         "message": get_message("grading.right"),
         "late": late,
     }
     if report.failure is None:
         return record
-    return record | describe_failure(asked, report, hidden=report.failure.number >= known.seen)
+    return record | describe_failure(question, report, hidden=report.failure.number >= cases.seen)
 
 
 def name_status(report: Report) -> str:
@@ -107,9 +105,9 @@ def name_status(report: Report) -> str:
     return STOPPED if outcome is not None and is_stopped(outcome) else WRONG
 
 
-def describe_failure(asked: AssignmentQuestion, report: Report, *, hidden: bool) -> Grade:
+def describe_failure(question: AssignmentQuestion, report: Report, *, hidden: bool) -> Grade:
     """What a student may know of a failure: rule, hint, and the case unless it is hidden."""
-    failure, exercise = report.failure, asked.exercise
+    failure, exercise = report.failure, question.exercise
     assert failure is not None
     shown = None if hidden else encode_failure(report)
     note = " " + get_message("grading.hidden") if hidden else ""
@@ -140,13 +138,13 @@ def encode_failure(report: Report) -> Grade:
     }
 
 
-def encode_troubles(found: Answers, cells: list[Cell]) -> list[Grade]:
+def encode_troubles(answers: Answers, cells: list[Cell]) -> list[Grade]:
     """The cells that failed, for the student."""
     numbers = {cell.number for cell in cells}
     nothing = Maybe(Truth())
     return [
         {"cell": number, "trouble": encode_outcome(outcome, nothing)}
-        for number, outcome in sorted(found.troubles.items())
+        for number, outcome in sorted(answers.troubles.items())
         if number in numbers
     ]
 

@@ -78,9 +78,9 @@ def insert_contracts(book: Any, chosen: Choices) -> Any:
                 }
             )
         if name.removeprefix("check_") in mine and name.startswith("check_"):
-            asked = name.removeprefix("check_")
+            question = name.removeprefix("check_")
             source = "".join(cell["source"]).replace(
-                f"check({asked}", f'check({asked}, variant="{mine[asked]}"', 1
+                f"check({question}", f'check({question}, variant="{mine[question]}"', 1
             )
             cell = {**cell, "source": source.splitlines(keepends=True)}
         cells.append(cell)

@@ -22,12 +22,12 @@ class Decision(NamedTuple):
     """What a person decided about a question.
 
     score : None where only a comment is given.
-    said_in : where it stands, such as "overrides.csv, line 2".
+    source : where it stands, such as "overrides.csv, line 2".
     """
 
     score: float | None
     comment: str
-    said_in: str
+    source: str
 
 
 Decisions = dict[tuple[str, str, str], Decision]  # by student, assignment, question
@@ -70,20 +70,20 @@ def read_table(file: Path) -> Decisions:
         ) from error
     found: Decisions = {}
     for number, row in rows:
-        said_in = f"{file.name}, line {number}"
+        source = f"{file.name}, line {number}"
         whose = (row["student"], row["assignment"], row["question"])
         if not any(row.values()):
             continue
         if whose in found:
             raise InvalidParameter(
-                f"{said_in}: {' '.join(whose)} has a line already, in {found[whose].said_in}; "
+                f"{source}: {' '.join(whose)} has a line already, in {found[whose].source}; "
                 "leave one"
             )
-        found[whose] = Decision(parse_score(row["score"], said_in), row["comment"], said_in)
+        found[whose] = Decision(parse_score(row["score"], source), row["comment"], source)
     return found
 
 
-def parse_score(text: str, said_in: str) -> float | None:
+def parse_score(text: str, source: str) -> float | None:
     """The score in a cell, or None if the cell is empty. Raises InvalidParameter."""
     if not text:
         return None
@@ -93,7 +93,7 @@ def parse_score(text: str, said_in: str) -> float | None:
         score = math.nan
     if not 0.0 <= score < math.inf:
         raise InvalidParameter(
-            f"{said_in}: a score is a number from 0, with a point and no comma, or empty; got "
+            f"{source}: a score is a number from 0, with a point and no comma, or empty; got "
             f"{text[:40]!r}"
         )
     return score

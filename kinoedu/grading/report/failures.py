@@ -50,12 +50,12 @@ def explain_failure(question: Grade) -> list[tuple[str, str]]:
     These are the case if everybody has seen it, the hint, and the section to read again.
     """
     found = restore_failure(question)
-    told = case_lines(*found, "") if found is not None else []
+    entries = case_lines(*found, "") if found is not None else []
     if question.get("hint"):
-        told.append((get_message("check.hint"), question["hint"]))
+        entries.append((get_message("check.hint"), question["hint"]))
     if found is not None:
-        told.append((get_message("check.read"), found[0].message("section")))
-    return told
+        entries.append((get_message("check.read"), found[0].message("section")))
+    return entries
 
 
 def find_picture(question: Grade, folder: Path) -> bytes | None:

@@ -84,12 +84,12 @@ def render_question(row: Row, question: Grade | None, pictures: Path) -> Iterato
 
 def render_failure(question: Grade, pictures: Path) -> Iterator[str]:
     """Why an answer is wrong: the case if everybody has seen it, its picture, and the hint."""
-    told = explain_failure(question)
-    if told:
+    entries = explain_failure(question)
+    if entries:
         plain = (get_message("check.wanted"), get_message("check.hint"), get_message("check.read"))
         pairs = [
             (title, escape(text) if title in plain else f"<code>{escape(text)}</code>")
-            for title, text in told
+            for title, text in entries
         ]
         yield (
             "<dl>"

@@ -19,7 +19,7 @@ RUN = 24  # words, about two lines; shorter runs are often equal by chance
 WINDOW = 8  # neighbours of which one is kept; RUN + WINDOW - 1 common words are always seen
 LONGEST = 200_000  # characters of a cell that is parsed
 SHORTEST = 12  # characters of a line that counts, in a cell that Python cannot parse
-UNSAID = ("annotation", "returns", "ctx", "type_comment", "type_params")
+IGNORED_FIELDS = ("annotation", "returns", "ctx", "type_comment", "type_params")
 Lines = tuple[int, int]  # the first and the last line
 
 
@@ -119,18 +119,18 @@ def fingerprint_syntax(cell: Cell, own: set[str], window: int) -> Iterator[Piece
         )
 
 
-def select_fingerprints(said: list[tuple[int, int]], window: int) -> dict[int, Lines]:
+def select_fingerprints(words: list[tuple[int, int]], window: int) -> dict[int, Lines]:
     """The fingerprints of words, each word given with its line.
 
     Of every `window` neighbouring runs the smallest is kept; ties go to the last.
     """
     runs = [
-        hash(tuple(word for word, _ in said[at : at + RUN])) for at in range(len(said) - RUN + 1)
+        hash(tuple(word for word, _ in words[at : at + RUN])) for at in range(len(words) - RUN + 1)
     ]
     kept: dict[int, Lines] = {}
     for at in range(min(len(runs), max(1, len(runs) - window + 1))):
         _, back = min((run, -place) for place, run in enumerate(runs[at : at + window]))
-        lines = [line for _, line in said[at - back : at - back + RUN]]
+        lines = [line for _, line in words[at - back : at - back + RUN]]
         kept.setdefault(runs[at - back], (min(lines), max(lines)))
     return kept
 
@@ -141,17 +141,17 @@ def list_words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tup
     while left:
         node = left.pop()
         line = getattr(node, "lineno", line + 1) - 1
-        if is_silent(node):
+        if has_no_effect(node):
             continue
         yield hash_text(name_node(node, own)), line - first
-        below = [value for name, value in ast.iter_fields(node) if name not in UNSAID]
+        below = [value for name, value in ast.iter_fields(node) if name not in IGNORED_FIELDS]
         children = [
             child for value in below for child in (value if isinstance(value, list) else [value])
         ]
         left += [child for child in reversed(children) if isinstance(child, ast.AST)]
 
 
-def is_silent(node: ast.AST) -> bool:
+def has_no_effect(node: ast.AST) -> bool:
     """Whether a node has no effect on how a program works: an import, a docstring."""
     text = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
     return text or isinstance(node, ast.Import | ast.ImportFrom)

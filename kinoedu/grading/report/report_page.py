@@ -49,11 +49,11 @@ def describe_late(count: int) -> str:
 
 def list_not_graded(of: Class, rows: list[Row]) -> Iterator[str]:
     """Yield a table of the submissions without scores, with the reasons."""
-    said = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
+    troubled = {row[:2]: row for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     found = [
-        (entry, said[entry.student, entry.assignment])
+        (entry, troubled[entry.student, entry.assignment])
         for entry in of.entries
-        if (entry.student, entry.assignment) in said
+        if (entry.student, entry.assignment) in troubled
     ]
     if found:
         yield heading(get_message("grades.report.not_graded"))

@@ -50,7 +50,7 @@ def list_class_rows(of: Class, decisions: Decisions) -> list[Row]:
     for whose, decision in decisions.items():
         if whose not in there:
             raise InvalidParameter(
-                f"{decision.said_in}: grades.csv would have no row for {' '.join(whose)}; check "
+                f"{decision.source}: grades.csv would have no row for {' '.join(whose)}; check "
                 "the names"
             )
     return [apply_decision(row, decisions.get(row[:3])) for row in rows]
@@ -64,14 +64,14 @@ def list_entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
     task = read_assignment(entry.assignment)
     if record is None or record["status"] == UNREADABLE:
         trouble = (name_trouble(entry, record), describe_trouble(entry, record))
-        told = [(asked.exercise.name, None, asked.points, *trouble) for asked in task.questions]
+        results = [(one.exercise.name, None, one.points, *trouble) for one in task.questions]
     else:
-        told = [
+        results = [
             (one["question"], one["score"], one["max_score"], one["status"], one["message"])
             for one in record["questions"]
         ]
-    told += [(name, None, most, BY_HAND, "") for name, most in task.by_hand.items()]
-    return [Row(entry.student, entry.assignment, *rest, entry.late) for rest in told]
+    results += [(name, None, most, BY_HAND, "") for name, most in task.by_hand.items()]
+    return [Row(entry.student, entry.assignment, *result, entry.late) for result in results]
 
 
 def name_trouble(entry: Entry, record: Grade | None) -> str:

@@ -119,11 +119,11 @@ def read_course_programs(name: str, house: Path) -> Iterator[tuple[str, list[str
     """Yield the course's own programs: the solution, the bank's wrong answers, and the library."""
     file = solution_path(name, house)
     yield f"solutions/{file.name}", [cell.source for cell in read_cells(file.read_bytes())]
-    asked = [f'"{one.exercise.name}"' for one in read_assignment(name, house).questions]
+    quoted_names = [f'"{one.exercise.name}"' for one in read_assignment(name, house).questions]
     bank = [
         one
         for one in sorted((house / "solutions" / "bank").glob("*.py"))
-        if any(word in one.read_text("utf-8") for word in asked)
+        if any(name in one.read_text("utf-8") for name in quoted_names)
     ]
     library = [file for room in ROOMS for file in sorted((house / "kinoedu" / room).rglob("*.py"))]
     for one in bank + library:

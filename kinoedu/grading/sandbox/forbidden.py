@@ -57,7 +57,7 @@ class Filter(ctypes.Structure):
     _fields_ = [("length", ctypes.c_ushort), ("steps", ctypes.c_char_p)]
 
 
-def filtering() -> Filter:
+def make_filter() -> Filter:
     """The filter of this machine.
 
     Its steps check that the call is made in this machine's own way, and that it is not a refused

@@ -59,13 +59,13 @@ def main() -> None:
         message, files, _, _ = socket.recv_fds(grader, 16, 2)
         if not message:
             return
-        child = shut_in.forked_alone()
+        child = shut_in.fork_alone()
         if child == 0:
             grader.close()
             serve(*files)
         for file in files:
             os.close(file)
-        grader.send(str(ended(child, grader)).encode())
+        grader.send(str(end_child(child, grader)).encode())
 
 
 def practise() -> None:
@@ -80,20 +80,20 @@ def practise() -> None:
     def length(q: Any, ring: Any, r: float) -> Any:
         return np.linalg.norm(np.roll(ring, 1, axis=0) @ q) + np.hypot(*q) + (ring - q).min() + r
 
-    exercise = Asked(
+    exercise = ExerciseShapes(
         Record(q=Numbers((2,)), ring=Numbers(("n", 2)), r=Number()),
         Number(),
         1.0,
-        library.own_call(""),
+        library.load_call(""),
     )
     cases = [{"q": [0.0, 1.0], "ring": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "r": 1.0}] * PRACTICE
     with open(os.devnull, "w", encoding="utf-8") as nowhere:
         # an answer, a result of the wrong shape, an exception
         for function in (length, str, float):
-            answered("", exercise, cases, {"": 0}, function, Channel(nowhere))
+            run_cases("", exercise, cases, {"": 0}, function, Channel(nowhere))
 
 
-def ended(child: int, grader: socket.socket) -> int:
+def end_child(child: int, grader: socket.socket) -> int:
     """Wait until the grader has read enough, kill what still runs, and return its exit code."""
     grader.recv(16)
     with contextlib.suppress(ProcessLookupError):
@@ -101,18 +101,18 @@ def ended(child: int, grader: socket.socket) -> int:
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
-def serve(asking: int, answering: int) -> None:
+def serve(requests: int, replies: int) -> None:
     """Run a request in a process of its own. Never returns."""
     nowhere = os.open(os.devnull, os.O_RDWR)
-    with contextlib.suppress(BaseException), os.fdopen(answering, "w", encoding="utf-8") as out:
+    with contextlib.suppress(BaseException), os.fdopen(replies, "w", encoding="utf-8") as out:
         channel = Channel(out)
         for number in (0, 1, 2):
             os.dup2(nowhere, number)
         try:
-            with os.fdopen(asking, encoding="utf-8") as stream:
+            with os.fdopen(requests, encoding="utf-8") as stream:
                 run(map(json.loads, iter(stream.readline, "")), channel)
         except BaseException as error:
-            channel.say(broken=f"{type(error).__name__}: {error}")
+            channel.send(broken=f"{type(error).__name__}: {error}")
     os._exit(0)  # so functions that a program registered for the exit are not called
 
 
@@ -122,13 +122,13 @@ class Channel:
     def __init__(self, stream: Any) -> None:
         self.stream = stream
 
-    def say(self, **line: Any) -> None:
+    def send(self, **line: Any) -> None:
         """Write a line and flush it."""
         self.stream.write(json.dumps(line) + "\n")
         self.stream.flush()
 
 
-class Asked(NamedTuple):
+class ExerciseShapes(NamedTuple):
     """The part of an exercise that a call needs."""
 
     given: Any
@@ -141,7 +141,7 @@ def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
     """Give up every right, then run the cells and the questions, part by part."""
     request = next(requests)
     library.withhold(request["withheld"])
-    questions = {question["name"]: asked(question) for question in request["questions"]}
+    questions = {question["name"]: read_question(question) for question in request["questions"]}
     names = {cell["number"]: f"cell {cell['number']}" for cell in request["cells"]}
     for cell in request["cells"]:
         linecache.cache[names[cell["number"]]] = (
@@ -150,35 +150,35 @@ def run(requests: Iterator[dict[str, Any]], channel: Channel) -> None:
             cell["source"].splitlines(True),
             names[cell["number"]],
         )
-    shut_in.without_rights(**request["limits"], hidden=library.without_judges(request["lent"]))
-    channel.say(ready=True)
+    shut_in.give_up_rights(**request["limits"], hidden=library.remove_judges(request["lent"]))
+    channel.send(ready=True)
     space: dict[str, Any] = {
         "__name__": "__main__",
         "__builtins__": builtins,
-        "display": silent,
-        "get_ipython": silent,
+        "display": do_nothing,
+        "get_ipython": do_nothing,
     }
     for cell in request["cells"]:
         run_cell(cell, names[cell["number"]], space, channel)
-    channel.say(done=True)
+    channel.send(done=True)
     counts = dict.fromkeys(questions, 0)
     for part in requests:
         for name, cases in part.items():
-            if name in counts and not answered(
+            if name in counts and not run_cases(
                 name, questions[name], cases, counts, space.get(name), channel
             ):
                 del counts[name]
-        channel.say(done=True)
+        channel.send(done=True)
 
 
-def asked(question: dict[str, Any]) -> Asked:
+def read_question(question: dict[str, Any]) -> ExerciseShapes:
     """The shapes and the `call` of a question; the request spells the shapes as Python source."""
-    known: dict[str, Any] = {}
-    planned = ("tasks", "drivable", "expansions") if "ProblemShape()" in question["given"] else ()
-    for name in ("shapes", "whole_shapes", "drawn", *planned):
-        known |= vars(importlib.import_module(f"kinoedu.course.{name}"))
-    given, wanted = (eval(question[part], known) for part in ("given", "answer"))
-    return Asked(given, wanted, question["seconds"], library.own_call(question["call"]))
+    shape_names: dict[str, Any] = {}
+    planning = ("tasks", "drivable", "expansions") if "ProblemShape()" in question["given"] else ()
+    for name in ("shapes", "whole_shapes", "drawn", *planning):
+        shape_names |= vars(importlib.import_module(f"kinoedu.course.{name}"))
+    given, wanted = (eval(question[part], shape_names) for part in ("given", "answer"))
+    return ExerciseShapes(given, wanted, question["seconds"], library.load_call(question["call"]))
 
 
 def run_cell(cell: dict[str, Any], name: str, space: dict[str, Any], channel: Channel) -> None:
@@ -186,26 +186,26 @@ def run_cell(cell: dict[str, Any], name: str, space: dict[str, Any], channel: Ch
     from kinoedu.course.outcomes import Answer, encode_outcome, outcome_of
     from kinoedu.course.shapes import Maybe, Truth
 
-    nothing = Maybe(Truth())
+    no_value = Maybe(Truth())
     outcome = outcome_of(
         lambda: exec(compile(cell["source"], name, "exec"), space),
-        nothing,
+        no_value,
         cell["seconds"],
-        by_alarm,
+        run_with_alarm,
     )
-    trouble = None if isinstance(outcome, Answer) else encode_outcome(outcome, nothing)
-    channel.say(cell=cell["number"], trouble=trouble)
+    trouble = None if isinstance(outcome, Answer) else encode_outcome(outcome, no_value)
+    channel.send(cell=cell["number"], trouble=trouble)
 
 
-def answered(
+def run_cases(
     name: str,
-    exercise: Asked,
+    exercise: ExerciseShapes,
     cases: list[Any],
     counts: dict[str, int],
     function: Any,
     channel: Channel,
 ) -> bool:
-    """Run a function on some cases, and return whether it may be asked more.
+    """Run a function on some cases, and return whether it may get more cases.
 
     It stops at a case that takes too long, and at a function that is not written.
     """
@@ -213,11 +213,11 @@ def answered(
     from kinoedu.course.outcomes import Late, encode_outcome
 
     if not callable(function):
-        channel.say(question=name, missing=True)
+        channel.send(question=name, missing=True)
         return False
     for case in cases:
-        outcome = run_encoded_case(exercise, function, case, by_alarm)  # type: ignore[arg-type]
-        channel.say(
+        outcome = run_encoded_case(exercise, function, case, run_with_alarm)  # type: ignore[arg-type]
+        channel.send(
             question=name, case=counts[name], outcome=encode_outcome(outcome, exercise.answer)
         )
         counts[name] += 1
@@ -226,11 +226,11 @@ def answered(
     return True
 
 
-def silent(*_: Any, **__: Any) -> None:
+def do_nothing(*_: Any, **__: Any) -> None:
     """Stand in for functions that only a notebook has; it does nothing."""
 
 
-def by_alarm(seconds: float, work: Callable[[], Any]) -> Any:
+def run_with_alarm(seconds: float, work: Callable[[], Any]) -> Any:
     """Run `work` with a time limit, and return what it returns or raise what it raises.
 
     Raises TimeUp if it computes for more than `seconds` of processor time, or waits for

@@ -42,15 +42,17 @@ def open_library() -> None:
 
     It changes how modules are imported, so call it only in a process of the sandbox.
     """
-    stand_for("kinoedu", HERE, {}, own=True)
-    stand_for("kinoedu.course", HERE / "course", {"check": nothing, "show": nothing}, own=False)
-    stand_for(JUDGES, LESSONS, {}, own=False)
-    for room in rooms():
-        stand_for(f"{JUDGES}.{room}", LESSONS / room, {}, own=False)
+    register_package("kinoedu", HERE, {}, own=True)
+    register_package(
+        "kinoedu.course", HERE / "course", {"check": do_nothing, "show": do_nothing}, own=False
+    )
+    register_package(JUDGES, LESSONS, {}, own=False)
+    for room in find_lesson_names():
+        register_package(f"{JUDGES}.{room}", LESSONS / room, {}, own=False)
     sys.meta_path.insert(0, Withholding())
 
 
-def rooms() -> list[str]:
+def find_lesson_names() -> list[str]:
     """The names of the packages of the lessons."""
     return [place.parent.name for place in LESSONS.glob("*/__init__.py")]
 
@@ -61,10 +63,10 @@ def withhold(names: Iterable[str]) -> None:
     for module in [
         module for name, module in sys.modules.items() if name.partition(".")[0] == "kinoedu"
     ]:
-        take_out(module)
+        guard_withheld(module)
 
 
-def own_call(name: str) -> Callable[..., Any]:
+def load_call(name: str) -> Callable[..., Any]:
     """The function that calls a student's function for an exercise.
 
     name : "" to pass the arguments as they are, else "module:Class.call". Only that function is
@@ -82,7 +84,7 @@ def own_call(name: str) -> Callable[..., Any]:
     return functools.partial(FunctionType(call.__code__, things), None)
 
 
-def without_judges(lent: Iterable[str]) -> list[str]:
+def remove_judges(lent: Iterable[str]) -> list[str]:
     """Forget every exercise's judge, and return the folders of the judges, to be hidden.
 
     Of the judges' modules only functions that an assignment lends are kept, named as "module:name",
@@ -111,11 +113,11 @@ def without_judges(lent: Iterable[str]) -> list[str]:
     return [str(LESSONS)]
 
 
-def nothing(*_: Any, **__: Any) -> None:
+def do_nothing(*_: Any, **__: Any) -> None:
     """A `check` that does nothing, as answers are judged outside the sandbox."""
 
 
-class Later(ModuleType):
+class LazyPackage(ModuleType):
     """A package whose own file is run at the first use of its names.
 
     Its modules can be imported without it.
@@ -130,13 +132,13 @@ class Later(ModuleType):
         return getattr(self, name)
 
 
-def stand_for(name: str, folder: Path, things: dict[str, Any], *, own: bool) -> None:
+def register_package(name: str, folder: Path, things: dict[str, Any], *, own: bool) -> None:
     """Register a package without running its file; the file is run later if `own`, else never."""
     spec = importlib.util.spec_from_file_location(
         name, folder / "__init__.py", submodule_search_locations=[str(folder)]
     )
     assert spec is not None
-    package = (Later if own else ModuleType)(name)
+    package = (LazyPackage if own else ModuleType)(name)
     package.__dict__.update(
         __spec__=spec,
         __path__=[str(folder)],
@@ -160,19 +162,19 @@ class Withholding:
         spec = importlib.machinery.PathFinder.find_spec(name, path, target)
         if spec is not None and spec.loader is not None:
             load = spec.loader.exec_module
-            spec.loader.exec_module = lambda module: (load(module), take_out(module))  # type: ignore
+            spec.loader.exec_module = lambda module: (load(module), guard_withheld(module))  # type: ignore
         return spec
 
 
-def take_out(module: ModuleType) -> None:
+def guard_withheld(module: ModuleType) -> None:
     """Replace withheld functions in a module by guards."""
     for name, thing in list(vars(module).items()):
         home = (getattr(thing, "__module__", None), getattr(thing, "__name__", None))
         if home in WITHHELD and not hasattr(thing, "withheld"):
-            setattr(module, name, guarded(thing))
+            setattr(module, name, make_guard(thing))
 
 
-def guarded(function: Callable[..., Any]) -> Callable[..., Any]:
+def make_guard(function: Callable[..., Any]) -> Callable[..., Any]:
     """The function, callable only from the library itself."""
 
     @functools.wraps(function)

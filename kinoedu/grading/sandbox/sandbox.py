@@ -4,7 +4,8 @@ bubblewrap isolates Python. There is no network, nothing of the machine but Pyth
 (both read-only), and no secret: judges, answers, grades and other students' files are never there.
 Inside, `inside.py` loads the library once. For each request it forks a process that sees no other
 process, and whose few megabytes of files vanish with it. So every program has a sandbox of its own,
-and none waits for the library to load. Linux only; elsewhere `why_not` says how to get a sandbox.
+and none waits for the library to load. Linux only; elsewhere `explain_no_sandbox` says how to get a
+sandbox.
 """
 
 import contextlib
@@ -61,7 +62,7 @@ class Reply(NamedTuple):
     status: int = 0
 
 
-def why_not() -> str:
+def explain_no_sandbox() -> str:
     """Why there is no sandbox on this machine, and what to do; "" if there is one."""
     if sys.platform != "linux":
         return (
@@ -79,18 +80,22 @@ def why_not() -> str:
             "sudo dnf install bubblewrap)"
         )
     trial = subprocess.run(
-        walled("-c", "print(6 * 7)"), capture_output=True, text=True, timeout=START, check=False
+        sandbox_command("-c", "print(6 * 7)"),
+        capture_output=True,
+        text=True,
+        timeout=START,
+        check=False,
     )
     if trial.stdout.strip() == "42":
         return ""
-    said = " ".join(trial.stderr.split())[-300:]
+    message = " ".join(trial.stderr.split())[-300:]
     return (
-        f"bubblewrap cannot make a sandbox here ({said}); user namespaces must be allowed: see "
+        f"bubblewrap cannot make a sandbox here ({message}); user namespaces must be allowed: see "
         "the instructor's guide"
     )
 
 
-def python(executable: str) -> list[str]:
+def python_command(executable: str) -> list[str]:
     """The command of a Python that ignores the user's own packages.
 
     `-I` is not used: it would ignore PYTHONHASHSEED too, and the order of a set would vary.
@@ -99,7 +104,7 @@ def python(executable: str) -> list[str]:
 
 
 @functools.cache
-def walls() -> tuple[str, ...]:
+def bubblewrap_arguments() -> tuple[str, ...]:
     """bubblewrap's arguments, which define what exists inside."""
     command = ["bwrap", "--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"]
     command += ["--unshare-cgroup-try", "--die-with-parent", "--new-session", "--clearenv"]
@@ -114,7 +119,7 @@ def walls() -> tuple[str, ...]:
     command += ["--cap-add", "CAP_SYS_ADMIN"]
     above = {
         str(folder): None
-        for place in readable().values()
+        for place in list_readable_places().values()
         for folder in reversed(Path(place).parents[:-1])
     }
     for folder in ("/etc", *above):
@@ -125,7 +130,7 @@ def walls() -> tuple[str, ...]:
             if os.path.islink(path)
             else ["--ro-bind-try", path, path]
         )
-    for source, place in readable().items():
+    for source, place in list_readable_places().items():
         command += ["--ro-bind", str(source), place]
     command += ["--proc", "/proc", "--dev", "/dev"]
     for path, most in (("/dev/shm", 2**20), ("/tmp", 64 * 2**20)):
@@ -136,7 +141,7 @@ def walls() -> tuple[str, ...]:
     return (*command, "--chdir", "/tmp", "--hostname", "sandbox", "--")
 
 
-def readable() -> dict[Path, str]:
+def list_readable_places() -> dict[Path, str]:
     """What a program may read of this machine, beside the system, and its place inside.
 
     Python itself keeps its place. The library and Python's packages get fixed places, wherever the
@@ -146,17 +151,15 @@ def readable() -> dict[Path, str]:
         Path(sysconfig.get_path(kind)): f"/course/site-packages-{kind}"
         for kind in ("purelib", "platlib")
     }
-    itself = Path(sys.base_prefix)
-    return {PACKAGE: LIBRARY, **places} | (
-        {} if itself.is_relative_to("/usr") else {itself: str(itself)}
-    )
+    home = Path(sys.base_prefix)
+    return {PACKAGE: LIBRARY, **places} | ({} if home.is_relative_to("/usr") else {home: str(home)})
 
 
 class Sandbox:
     """Runs requests one after another, each isolated from the others."""
 
     def __init__(self, program: Callable[[], list[str]] | None = None) -> None:
-        self.program = program or functools.partial(walled, INSIDE)
+        self.program = program or functools.partial(sandbox_command, INSIDE)
         self.user = NOBODY if os.geteuid() == 0 else 0
         self.started: dict[tuple[str, ...], Started] = {}
 
@@ -180,18 +183,18 @@ class Sandbox:
             modules, start(self.program(), modules)
         )
         try:
-            heard, end = exchange(
-                inside.grader, [spelled(part) for part in (first, *parts[1:])], patience
+            received, end = exchange(
+                inside.grader, [encode_part(part) for part in (first, *parts[1:])], patience
             )
             status = inside.grader.recv(16)
         except OSError as error:
             self.close()
             raise NoSandbox(f"the sandbox broke: {error}") from error
-        if not status or not heard or heard[0][:1] != [{"ready": True}]:
+        if not status or not received or received[0][:1] != [{"ready": True}]:
             # no program was run yet, so none is at fault
             self.close()
-            raise NoSandbox(f"the sandbox broke before a program was run: {str(heard)[:300]}")
-        return Reply(heard, end, int(status))
+            raise NoSandbox(f"the sandbox broke before a program was run: {str(received)[:300]}")
+        return Reply(received, end, int(status))
 
     def close(self) -> None:
         """End all processes that were started."""
@@ -209,20 +212,20 @@ class Started(NamedTuple):
     grader: socket.socket
 
 
-def walled(*program: str) -> list[str]:
+def sandbox_command(*program: str) -> list[str]:
     """The command that runs a Python program in the sandbox; arguments may be appended."""
     # the Python of a virtual environment may be a copy, which is not inside
     base = getattr(sys, "_base_executable", None) or sys.executable
-    return [*walls(), *python(os.path.realpath(base)), *program]
+    return [*bubblewrap_arguments(), *python_command(os.path.realpath(base)), *program]
 
 
-def without_walls() -> list[str]:
+def trusted_command() -> list[str]:
     """The command that runs trusted.py, inside.py without walls; arguments may be appended."""
     return [
         "env",
         "-i",
         *(f"{name}={value}" for name, value in ENVIRONMENT.items()),
-        *python(sys.executable),
+        *python_command(sys.executable),
         str(PACKAGE / "grading" / "sandbox" / "trusted.py"),
     ]
 
@@ -247,14 +250,14 @@ def start(program: list[str], modules: tuple[str, ...]) -> Started:
     if not is_ready:
         ours.close()
         process.kill()
-        _, said = process.communicate()
+        _, output = process.communicate()
         raise NoSandbox(
-            f"the sandbox did not start: {' '.join(said.decode(errors='replace').split())[-300:]}"
+            f"the sandbox did not start: {' '.join(output.decode(errors='replace').split())[-300:]}"
         )
     return Started(process, ours)
 
 
-def spelled(part: dict[str, Any]) -> bytes:
+def encode_part(part: dict[str, Any]) -> bytes:
     """A part of a request as a line that inside.py reads."""
     return json.dumps(part).encode() + b"\n"
 
@@ -264,37 +267,39 @@ def exchange(
 ) -> tuple[list[list[dict[str, Any]]], str]:
     """Send a request part by part, return the lines after each part, and stop what still runs."""
     with contextlib.ExitStack() as files:
-        (asking, request_end), (answer_end, answering) = (
+        (requests, request_end), (answer_end, replies) = (
             [
                 files.enter_context(os.fdopen(end, mode, buffering=0))
                 for end, mode in zip(os.pipe(), ("rb", "wb"), strict=True)
             ]
             for _ in range(2)
         )
-        socket.send_fds(grader, [b"ask"], [asking.fileno(), answering.fileno()])
-        asking.close()
-        answering.close()
-        heard, end = dialogue(Talk(request_end.fileno(), answer_end.fileno(), patience), parts)
+        socket.send_fds(grader, [b"ask"], [requests.fileno(), replies.fileno()])
+        requests.close()
+        replies.close()
+        received, end = exchange_lines(
+            Talk(request_end.fileno(), answer_end.fileno(), patience), parts
+        )
     grader.send(b"end")
-    return heard, end
+    return received, end
 
 
-def dialogue(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, Any]]], str]:
+def exchange_lines(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, Any]]], str]:
     """The lines after each part, up to the first that is not JSON, and how it ended."""
-    heard: list[list[dict[str, Any]]] = []
+    received: list[list[dict[str, Any]]] = []
     for part in parts:
-        heard.append([])
-        talk.say(part)
+        received.append([])
+        talk.send(part)
         for line in talk.lines():
             try:
-                said = json.loads(line)
+                answer = json.loads(line)
             except (ValueError, RecursionError):
-                return heard, "died"
-            if not isinstance(said, dict):
-                return heard, "died"
-            if said == {"done": True}:
+                return received, "died"
+            if not isinstance(answer, dict):
+                return received, "died"
+            if answer == {"done": True}:
                 break
-            heard[-1].append(said)
+            received[-1].append(answer)
         else:
-            return heard, talk.end
-    return heard, "done"
+            return received, talk.end
+    return received, "done"

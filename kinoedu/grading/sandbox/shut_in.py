@@ -21,7 +21,7 @@ CAPABILITIES_OF_SELF = (ctypes.c_uint32 * 2)(0x2008_0522, 0)
 LIBC = ctypes.PyDLL(None, use_errno=True)  # PyDLL keeps Python's lock, as a fork must
 
 
-def forked_alone() -> int:
+def fork_alone() -> int:
     """Fork a process that sees no other, and return its number; 0 in the new process.
 
     When it ends, so does every process that it may have started. This takes a single system call.
@@ -32,22 +32,22 @@ def forked_alone() -> int:
     child = int(LIBC.syscall(forbidden.FORK, NEW_PROCESSES | signal.SIGCHLD, 0, 0, 0, 0))
     if child == 0:
         ctypes.pythonapi.PyOS_AfterFork_Child()
-        must(LIBC.unshare(NEW_MOUNTS | NEW_IPC))
+        check_call(LIBC.unshare(NEW_MOUNTS | NEW_IPC))
         return 0
     ctypes.pythonapi.PyOS_AfterFork_Parent()
-    must(min(child, 0))
+    check_call(min(child, 0))
     return child
 
 
-def with_new_files(files: int, hidden: list[str]) -> None:
+def isolate_files(files: int, hidden: list[str]) -> None:
     """Give this process new, empty /tmp and /dev/shm, and hide folders.
 
     /tmp holds at most `files` bytes, /dev/shm 1 MB. /proc, /dev/pts and the folders `hidden` are
     empty.
     """
-    must(LIBC.mount(None, b"/", None, AND_BELOW | PRIVATE, None))
+    check_call(LIBC.mount(None, b"/", None, AND_BELOW | PRIVATE, None))
     for place, most in ((b"/tmp", files), (b"/dev/shm", 2**20)):
-        must(
+        check_call(
             LIBC.mount(
                 b"tmpfs",
                 place,
@@ -57,7 +57,7 @@ def with_new_files(files: int, hidden: list[str]) -> None:
             )
         )
     for folder in ("/proc", "/dev/pts", *hidden):
-        must(
+        check_call(
             LIBC.mount(
                 b"tmpfs",
                 folder.encode(),
@@ -69,7 +69,7 @@ def with_new_files(files: int, hidden: list[str]) -> None:
     os.chdir("/tmp")
 
 
-def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list[str]) -> None:
+def give_up_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list[str]) -> None:
     """Give up every right, for good.
 
     No capability is left, and no file of others. Bounded are memory, processor time and files; no
@@ -83,13 +83,13 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list
     hidden : folders that are empty from now on.
     """
     mapped = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    with_new_files(files, hidden)
+    isolate_files(files, hidden)
     if user:
         os.setgroups([])
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
-    must(LIBC.prctl(NO_NEW_RIGHTS, 1, 0, 0, 0))
-    must(LIBC.capset(CAPABILITIES_OF_SELF, (ctypes.c_uint32 * 6)()))
+    check_call(LIBC.prctl(NO_NEW_RIGHTS, 1, 0, 0, 0))
+    check_call(LIBC.capset(CAPABILITIES_OF_SELF, (ctypes.c_uint32 * 6)()))
     for what, most in (
         (resource.RLIMIT_AS, mapped + memory),
         (resource.RLIMIT_CPU, cpu),
@@ -99,14 +99,14 @@ def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list
         (resource.RLIMIT_NPROC, 0),
     ):
         resource.setrlimit(what, (most, most))
-    must(
+    check_call(
         LIBC.prctl(
-            forbidden.SECCOMP, forbidden.BY_FILTER, ctypes.byref(forbidden.filtering()), 0, 0
+            forbidden.SECCOMP, forbidden.BY_FILTER, ctypes.byref(forbidden.make_filter()), 0, 0
         )
     )
 
 
-def must(result: int) -> None:
+def check_call(result: int) -> None:
     """Raise OSError if a system call failed."""
     if result != 0:
         error = ctypes.get_errno()

@@ -23,65 +23,65 @@ class Talk:
     `end` is how it ended: "late", "flood", or "died" where the process closed its pipe.
     """
 
-    def __init__(self, asking: int, answering: int, patience: float) -> None:
-        self.asking, self.answering, self.patience = asking, answering, patience
+    def __init__(self, requests: int, replies: int, patience: float) -> None:
+        self.requests, self.replies, self.patience = requests, replies, patience
         self.end = ""
-        self.unsaid = self.kept = b""
-        self.heard: deque[bytes] = deque()
+        self.unsent = self.rest = b""
+        self.received: deque[bytes] = deque()
         self.total = self.parts = 0
-        self.last = time.monotonic() + START
-        self.very_last = self.last + LONGEST * max(1.0, patience / USUAL)
-        self.ready = selectors.DefaultSelector()
-        self.ready.register(answering, selectors.EVENT_READ)
-        os.set_blocking(asking, False)
+        self.line_deadline = time.monotonic() + START
+        self.deadline = self.line_deadline + LONGEST * max(1.0, patience / USUAL)
+        self.selector = selectors.DefaultSelector()
+        self.selector.register(replies, selectors.EVENT_READ)
+        os.set_blocking(requests, False)
 
-    def say(self, line: bytes) -> None:
+    def send(self, line: bytes) -> None:
         """Queue a line; it is written as soon as the process reads."""
-        if not self.unsaid:
-            self.ready.register(self.asking, selectors.EVENT_WRITE)
-        self.unsaid += line
+        if not self.unsent:
+            self.selector.register(self.requests, selectors.EVENT_WRITE)
+        self.unsent += line
 
     def lines(self) -> Iterator[bytes]:
         """Yield each line as it comes, until the exchange ends."""
         while not self.end:
-            while self.heard:
-                yield self.heard.popleft()
-            self.listen()
-        self.ready.close()
+            while self.received:
+                yield self.received.popleft()
+            self.wait_for_pipes()
+        self.selector.close()
 
-    def listen(self) -> None:
+    def wait_for_pipes(self) -> None:
         """Wait until a pipe can be read or written, and do so."""
-        able = [
+        ready = [
             key.fd
-            for key, _ in self.ready.select(
-                max(0.0, min(self.last, self.very_last) - time.monotonic())
+            for key, _ in self.selector.select(
+                max(0.0, min(self.line_deadline, self.deadline) - time.monotonic())
             )
         ]
-        if not able:
+        if not ready:
             self.end = "late"
-        if self.asking in able:
-            self.say_more()
-        if self.answering in able:
-            self.hear_more(os.read(self.answering, 2**16))
+        if self.requests in ready:
+            self.write_more()
+        if self.replies in ready:
+            self.read_more(os.read(self.replies, 2**16))
 
-    def say_more(self) -> None:
+    def write_more(self) -> None:
         """Write what the pipe takes; drop the rest if nobody reads any more."""
         try:
-            self.unsaid = self.unsaid[os.write(self.asking, self.unsaid) :]
+            self.unsent = self.unsent[os.write(self.requests, self.unsent) :]
         except BrokenPipeError:
-            self.unsaid = b""
-        if not self.unsaid:
-            self.ready.unregister(self.asking)
+            self.unsent = b""
+        if not self.unsent:
+            self.selector.unregister(self.requests)
 
-    def hear_more(self, data: bytes) -> None:
+    def read_more(self, data: bytes) -> None:
         """Split data into lines, and end the exchange if there is too much."""
         self.total += len(data)
         self.parts += sum(map(data.count, (b",", b"[", b"{")))
-        *whole, self.kept = (self.kept + data).split(b"\n")
-        if whole:
-            self.last = time.monotonic() + self.patience
-        self.heard.extend(whole)
-        if self.total > MOST_OUTPUT or self.parts > MOST_PARTS or len(self.kept) > MOST_LINE:
+        *complete, self.rest = (self.rest + data).split(b"\n")
+        if complete:
+            self.line_deadline = time.monotonic() + self.patience
+        self.received.extend(complete)
+        if self.total > MOST_OUTPUT or self.parts > MOST_PARTS or len(self.rest) > MOST_LINE:
             self.end = "flood"
         elif not data:
             self.end = "died"

@@ -18,20 +18,20 @@ from typing import Any
 PLACE = Path(tempfile.gettempdir())
 NO_NEW_RIGHTS = 38  # an argument of prctl
 
-forked_alone = os.fork  # an ordinary process, which sees the others
+fork_alone = os.fork  # an ordinary process, which sees the others
 
 
-def folder_of(process: int) -> Path:
+def find_folder(process: int) -> Path:
     """The folder in which a program starts."""
     return PLACE / f"kinoedu-trusted-{process}"
 
 
-def without_rights(user: int, *, memory: int, cpu: int, files: int, hidden: object = ()) -> None:
+def give_up_rights(user: int, *, memory: int, cpu: int, files: int, hidden: object = ()) -> None:
     """Bound memory, processor time and files, as far as the system can.
 
     If this process is root, it becomes a user that the system does not know.
     """
-    folder = folder_of(os.getpid())
+    folder = find_folder(os.getpid())
     folder.mkdir(mode=0o700)
     os.chdir(folder)
     if user:
@@ -66,14 +66,14 @@ def main() -> None:
     sys.modules["shut_in"] = sys.modules[__name__]
     import inside
 
-    end_of = inside.ended
+    inside_end_child = inside.end_child
 
-    def ended(child: int, *others: Any) -> int:
-        status = end_of(child, *others)
-        shutil.rmtree(folder_of(child), ignore_errors=True)
+    def end_child(child: int, *others: Any) -> int:
+        status = inside_end_child(child, *others)
+        shutil.rmtree(find_folder(child), ignore_errors=True)
         return int(status)
 
-    inside.ended = ended
+    inside.end_child = end_child
     inside.main()
 
 

@@ -113,7 +113,7 @@ class SampledRoadmap(PlannerExercise):
         return [], None
 
     def describe_expected(self, case: Case) -> str:
-        """Describe what is asked for."""
+        """Describe what the answer must be."""
         _, n, k, _ = case.given.values()
         return get_message(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
 

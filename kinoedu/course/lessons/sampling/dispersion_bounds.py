@@ -78,7 +78,7 @@ class DispersionBounds(Exercise):
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def describe_expected(self, case: Case) -> str:
-        """Describe what is asked for."""
+        """Describe what the answer must be."""
         return self.message("wanted", truth=f"{dispersion(case.given['points']):.6f}", apart=APART)
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:

@@ -69,7 +69,7 @@ class UniformRandom(Exercise):
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def describe_expected(self, case: Case) -> str:
-        """Describe what is asked for."""
+        """Describe what the answer must be."""
         n, d, _ = case.given.values()
         return self.message("wanted", n=n, d=d)
 

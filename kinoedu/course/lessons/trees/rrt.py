@@ -94,7 +94,7 @@ class Rrt(TreeExercise):
         return case.given["goal_bias"] < 1.0 and super().uses_chance(case)
 
     def describe_expected(self, case: Case) -> str:
-        """Describe what is asked for."""
+        """Describe what the answer must be."""
         return (
             super().describe_expected(case)
             if case.given["goal_bias"] < 1.0
