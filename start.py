@@ -1,4 +1,4 @@
-"""Sets kinoedu up in .venv beside this file, once, and then starts what is asked.
+"""Sets kinoedu up in .venv beside this file, once, and then starts a command.
 
 This file must parse on any Python, so that one which is too old says so in a line: no f-strings, no
 annotations.
@@ -94,9 +94,9 @@ def main(arguments):
     except KeyboardInterrupt:
         return 130
     except Stop as stop:
-        say("start.py: %s" % stop)
+        write_line("start.py: %s" % stop)
     except (OSError, subprocess.CalledProcessError) as error:
-        say("start.py: %s" % explain(str(error)))
+        write_line("start.py: %s" % explain(str(error)))
     return 2
 
 
@@ -143,12 +143,12 @@ def gather(folder):
     with open(LOCK, "ab") as lock:
         wait_for(lock)
         open(LOG, "wb").close()
-        tell = progress("downloading wheels into %s" % folder)
+        show_progress = progress("downloading wheels into %s" % folder)
         stamp = installed()
         for name in sorted(name for name in MEGABYTES if stamp.get(name)):
-            if not with_pip(name, lock, tell, task=["download", "--dest", folder]):
+            if not with_pip(name, lock, show_progress, task=["download", "--dest", folder]):
                 raise Stop("%s (log: %s)" % (explain(read_log()), LOG))
-        tell("\n")
+        show_progress("\n")
     return 0
 
 
@@ -248,7 +248,7 @@ def binary_interface():
     except OSError as error:
         if error.errno in (errno.ENOENT, errno.ENOTDIR, errno.ENOEXEC, errno.EACCES):
             return None
-        raise  # no memory, say: that tells nothing about .venv
+        raise  # for example no memory, which says nothing about .venv
 
 
 def packages():
@@ -357,7 +357,8 @@ def install(name, tool, lock):
             "%d MB of disk are needed in %s; make room and run this again" % (MEGABYTES[name], HERE)
         )
     how = tool.__name__.replace("_", " ")
-    tell = progress("installing %s %s (%d MB, once, a few minutes)" % (name, how, MEGABYTES[name]))
+    text = "installing %s %s (%d MB, once, a few minutes)" % (name, how, MEGABYTES[name])
+    show_progress = progress(text)
     again = name in stamp and stamp[name] is None
     if again:
         forget_the_half_written()
@@ -366,10 +367,10 @@ def install(name, tool, lock):
     write_stamp(dict(stamp, **dict.fromkeys(touched)))
     done = False
     try:
-        done = tool(name, lock, tell, ["--force-reinstall"] if again else [])
+        done = tool(name, lock, show_progress, ["--force-reinstall"] if again else [])
         return done
     finally:
-        tell("\n")
+        show_progress("\n")
         if done:
             write_stamp(dict(stamp, **{name: digest(name)}))
         elif contents() == before:
@@ -385,18 +386,18 @@ def forget_the_half_written():
             shutil.rmtree(folder)
 
 
-def with_uv(name, lock, tell, again=()):
+def with_uv(name, lock, show_progress, again=()):
     """Install what a file pins with the uv that the user has."""
     line = [shutil.which("uv"), "pip", "install", "--python", PYTHON] + list(again)
-    return finish(line + source() + PIP_OPTIONS + [name], lock, tell)
+    return finish(line + source() + PIP_OPTIONS + [name], lock, show_progress)
 
 
-def with_pip(name, lock, tell, again=(), task=("install", "--no-compile")):
+def with_pip(name, lock, show_progress, again=(), task=("install", "--no-compile")):
     """Compiling bytecode is left to the first import, as most modules are never imported."""
     pip = [PYTHON, "-I", "-m", "pip"] + list(task) + list(again)
     pip += ["--no-input", "--disable-pip-version-check", "--retries", "2"]
-    return finish([PYTHON, "-I", "-m", "ensurepip"], lock, tell) and finish(
-        pip + source() + PIP_OPTIONS + [name], lock, tell
+    return finish([PYTHON, "-I", "-m", "ensurepip"], lock, show_progress) and finish(
+        pip + source() + PIP_OPTIONS + [name], lock, show_progress
     )
 
 
@@ -408,7 +409,7 @@ def source():
     return ["--no-index", "--find-links", os.path.abspath(folder)] if folder else []
 
 
-def finish(line, lock, tell):
+def finish(line, lock, show_progress):
     """Run an installer to its end, its output in the log; whether it succeeded."""
     with open(LOG, "ab") as log:
         try:
@@ -426,7 +427,7 @@ def finish(line, lock, tell):
             return False
         try:
             while child.poll() is None:
-                tell()
+                show_progress()
                 time.sleep(0.1)
         finally:
             child.terminate()
@@ -435,17 +436,17 @@ def finish(line, lock, tell):
 
 
 def progress(text):
-    """A function that tells the seconds since now, on one line of a terminal."""
+    """A function that shows the seconds since now, on one line of a terminal."""
     began, live = time.time(), sys.stderr.isatty()
     if not live:
-        say(text)
+        write_line(text)
 
-    def tell(end=""):
+    def show_progress(end=""):
         if live:
             sys.stderr.write("\r%s: %d s%s" % (text, time.time() - began, end))
             sys.stderr.flush()
 
-    return tell
+    return show_progress
 
 
 def read_log():
@@ -454,14 +455,14 @@ def read_log():
 
 
 def explain(text):
-    """One line for what an installer or the operating system said."""
+    """One line for what an installer or the operating system wrote."""
     for pattern, advice in CAUSES:
         if re.search("(?i)" + pattern, text):
             return advice
     return "the set-up failed: " + "".join(text.strip().splitlines()[-1:])
 
 
-def say(line):
+def write_line(line):
     sys.stderr.write(line + "\n")
     sys.stderr.flush()
 
@@ -469,7 +470,7 @@ def say(line):
 def wait_for(lock):
     """Take the lock on .venv; the system frees it when its last holder has died."""
     if not taken(lock):
-        say("another start.py is setting up; waiting")
+        write_line("another start.py is setting up; waiting")
         while not taken(lock):
             time.sleep(0.2)
 

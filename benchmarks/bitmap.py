@@ -65,8 +65,8 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
     if "OMPL" in answers:
         judge_ompl(case, *answers["OMPL"])
     if PYTHON_MOTION_PLANNING in answers:
-        path, told = answers[PYTHON_MOTION_PLANNING]
-        x, y = np.round(np.array(list(told["expand"]))).astype(int).T
+        path, log = answers[PYTHON_MOTION_PLANNING]
+        x, y = np.round(np.array(list(log["expand"]))).astype(int).T
         assert not path and case.obstacles[y, x].all() and abs(len(x) / NODES - 1.0) < 0.25, len(x)
 
 

@@ -98,9 +98,9 @@ class Verdicts:
         if key in self.wrong:
             return
         scenery = scenery_of(case.world)
-        told = zip(case.poses, case.lengths, case.steering)
+        drives = zip(case.poses, case.lengths, case.steering)
         truth = np.array(
-            [is_free_motion(case.car, scenery, arc(case.car, *drive)) for drive in told]
+            [is_free_motion(case.car, scenery, arc(case.car, *drive)) for drive in drives]
         )
         self.free += truth.sum()
         self.wrong[key] = {

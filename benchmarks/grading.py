@@ -1,7 +1,7 @@
 """How many submissions of the geometry assignment are graded a second, where the time goes, and
 what nbgrader takes beside it.
 
-Seconds of the processor, since they tell more than the clock on a machine with other work; and the
+Seconds of the processor, since they mean more than the clock on a machine with other work; and the
 clock's.
 
     python benchmarks/grading.py [SUBMISSIONS]

@@ -27,7 +27,7 @@ from kinoedu.planners.roadmaps.neighbours import k_closest
 K, STEP, PAIRS, PROVED = 10, 5.0, 3000, 2**18
 
 
-class Asked(NamedTuple):
+class Task(NamedTuple):
     """A problem: its true size, the work that is timed, and the judge of its answer, which is
     not.
     """
@@ -39,17 +39,17 @@ class Asked(NamedTuple):
 
 class Growth(NamedTuple):
     """What n counts and begins with, the exponent that is expected, the problem for an n, and what
-    tells the processor's time.
+    measures the processor's time.
     """
 
     unit: str
     first: int
     expected: str
-    ask: Callable[[int], Asked]
+    make_task: Callable[[int], Task]
     clock: Callable[[], float] = time.process_time
 
 
-def neighbours(n: int) -> Asked:
+def neighbours(n: int) -> Task:
     """The closest of each point; for some points, all distances are looked through."""
     problem, rng = among_boxes(0).problem, np.random.default_rng(0)
     points = rng.uniform(0, SIDE, (n, 2))
@@ -60,10 +60,10 @@ def neighbours(n: int) -> Asked:
             apart[i] = np.inf
             assert near.shape == (n, K) and np.array_equal(apart[near[i]], np.sort(apart)[:K])
 
-    return Asked(n, lambda: k_closest(problem, points, K), judge)
+    return Task(n, lambda: k_closest(problem, points, K), judge)
 
 
-def rrt(n: int) -> Asked:
+def rrt(n: int) -> Task:
     """A tree whose goal cannot be reached; every motion in it is free and no longer than a step."""
     problem = among_polygons(0).problem
 
@@ -73,10 +73,10 @@ def rrt(n: int) -> Asked:
         assert len(nodes) == n and np.linalg.norm(b - a, axis=1).max() <= STEP * (1 + 1e-9)
         assert free_motions(problem.robot, problem.world, a, b).all()
 
-    return Asked(n, lambda: ke.rrt(problem, step=STEP, max_nodes=n, rng=0), judge)
+    return Task(n, lambda: ke.rrt(problem, step=STEP, max_nodes=n, rng=0), judge)
 
 
-def prm(n: int) -> Asked:
+def prm(n: int) -> Task:
     """A roadmap; every edge is free."""
     problem = among_boxes(0).problem
 
@@ -87,10 +87,10 @@ def prm(n: int) -> Asked:
             problem.robot, problem.world, nodes[edges[:, 0]], nodes[edges[:, 1]]
         ).all()
 
-    return Asked(n, lambda: ke.prm(problem, n=n, k=K, rng=0), judge)
+    return Task(n, lambda: ke.prm(problem, n=n, k=K, rng=0), judge)
 
 
-def visibility(n: int) -> Asked:
+def visibility(n: int) -> Task:
     """All pairs of corners in sight; shapely says of some pairs whether an obstacle's inside is
     between them.
     """
@@ -114,10 +114,10 @@ def visibility(n: int) -> Asked:
         hidden = shapely.relate_pattern(shapely.linestrings(nodes[pairs]), solid, "T********")
         assert np.array_equal([tuple(pair) in joined for pair in pairs.tolist()], ~hidden)
 
-    return Asked(len(world.edges) - 4, lambda: ke.visibility_roadmap(world), judge)
+    return Task(len(world.edges) - 4, lambda: ke.visibility_roadmap(world), judge)
 
 
-def trapezoids(n: int) -> Asked:
+def trapezoids(n: int) -> Task:
     """Cells, which together are as large as the square without its polygons."""
     polygons, _ = stars(n // 6, 0)
     world = ke.PolygonWorld(SQUARE, polygons)
@@ -126,10 +126,10 @@ def trapezoids(n: int) -> Asked:
     def judge(cells: Any) -> None:
         assert abs(cells.areas.sum() - free) <= 1e-9 * free
 
-    return Asked(len(world.edges), lambda: ke.trapezoidation(world), judge)
+    return Task(len(world.edges), lambda: ke.trapezoidation(world), judge)
 
 
-def astar(n: int) -> Asked:
+def astar(n: int) -> Task:
     """A path over a bitmap, of free cells one move apart; scipy's shortest is as long, where it
     need not be waited for too long.
     """
@@ -147,10 +147,10 @@ def astar(n: int) -> Asked:
         if n <= PROVED:
             assert np.isclose(dijkstra(graph_of(free), indices=0)[-1], plan.cost, rtol=1e-12)
 
-    return Asked(side * side, lambda: ke.plan_on_grid(problem), judge)
+    return Task(side * side, lambda: ke.plan_on_grid(problem), judge)
 
 
-def grading(n: int) -> Asked:
+def grading(n: int) -> Task:
     """Submissions, right and empty by turns, one after another in one sandbox: full marks and
     none.
     """
@@ -161,12 +161,12 @@ def grading(n: int) -> Asked:
 
     def judge(grades: Any) -> None:
         for i, one in enumerate(grades):
-            asked = one["questions"]
-            assert sum(q["score"] for q in asked) == (
-                0 if i % 2 else sum(q["max_score"] for q in asked)
+            questions = one["questions"]
+            assert sum(q["score"] for q in questions) == (
+                0 if i % 2 else sum(q["max_score"] for q in questions)
             )
 
-    return Asked(n, lambda: [grade(books[i % 2], task, SECRET, box) for i in range(n)], judge)
+    return Task(n, lambda: [grade(books[i % 2], task, SECRET, box) for i in range(n)], judge)
 
 
 @cache

@@ -1,7 +1,7 @@
 """How time and memory grow with n, doubled up to a few seconds: neighbours, trees, roadmaps, cells,
 searches, grading.
 
-Seconds of the processor, since they tell more than the clock on a machine with other work.
+Seconds of the processor, since they mean more than the clock on a machine with other work.
 """
 
 import csv
@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from growing import GROWTHS, Asked
+from growing import GROWTHS, Task
 from timing import Missing, run, turn
 
 from kinoedu.bench import surroundings
@@ -34,33 +34,33 @@ ALONE = (
 )
 
 
-def doubled(name: str, limit: float) -> list[Asked]:
+def doubled(name: str, limit: float) -> list[Task]:
     """Problems of doubled size, up to the first that takes half the limit; each is solved and its
     answer judged.
     """
     growth, found, took = GROWTHS[name], [], 0.0
-    growth.ask(growth.first).work()  # compiles
+    growth.make_task(growth.first).work()  # compiles
     while took < limit / 2 or len(found) < LAST:
-        asked = growth.ask(growth.first * 2 ** len(found))
-        took, answer = once(asked, growth.clock, runs=1)
-        asked.judge(answer)
-        found.append(asked)
+        task = growth.make_task(growth.first * 2 ** len(found))
+        took, answer = once(task, growth.clock, runs=1)
+        task.judge(answer)
+        found.append(task)
     return found
 
 
 def timed(name: str, limit: float, repeats: int) -> Curve:
     """All sizes, round after round."""
     problems = doubled(name, limit)
-    rounds = [[once(asked, GROWTHS[name].clock)[0] for asked in problems] for _ in range(repeats)]
-    n, seconds = np.array([asked.n for asked in problems], float), np.array(rounds).T
+    rounds = [[once(task, GROWTHS[name].clock)[0] for task in problems] for _ in range(repeats)]
+    n, seconds = np.array([task.n for task in problems], float), np.array(rounds).T
     return Curve(
         name, GROWTHS[name].unit, n, seconds, float(np.median(exponents(n, seconds))), LAST
     )
 
 
-def once(asked: Asked, clock: Callable[[], float], *, runs: int = 5) -> tuple[float, Any]:
+def once(task: Task, clock: Callable[[], float], *, runs: int = 5) -> tuple[float, Any]:
     """Seconds of the processor for a problem, the best of a few runs, and the answer."""
-    return turn(lambda _: asked.work, None, runs=runs, clock=clock)
+    return turn(lambda _: task.work, None, runs=runs, clock=clock)
 
 
 def exponents(n: np.ndarray, seconds: np.ndarray) -> np.ndarray:
@@ -72,11 +72,11 @@ def memory_of(name: str, n: int) -> int:
     """The most bytes that this process holds while it works, over what it held before: the problem
     and code compiled are not in it.
 
-    Raises Missing where the system does not tell.
+    Raises Missing where the system does not know it.
     """
     growth = GROWTHS[name]
-    growth.ask(growth.first).work()
-    work, status = growth.ask(n).work, Path("/proc/self/status")
+    growth.make_task(growth.first).work()
+    work, status = growth.make_task(n).work, Path("/proc/self/status")
     try:
         Path("/proc/self/clear_refs").write_text("5")  # the most from now on
         before = kilobytes(status, "VmRSS")
@@ -93,11 +93,11 @@ def kilobytes(status: Path, key: str) -> int:
     )
 
 
-def memory_alone(curve: Curve, asked: int) -> str:
-    """The memory of the largest n in a process of its own, in MB; nothing where it cannot be
-    told.
+def memory_alone(curve: Curve, n: int) -> str:
+    """The memory of the largest n in a process of its own, in MB; "" where the system does not
+    know it.
     """
-    command = [sys.executable, "-c", ALONE, str(HERE), curve.name, str(asked)]
+    command = [sys.executable, "-c", ALONE, str(HERE), curve.name, str(n)]
     ran = subprocess.run(
         command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )

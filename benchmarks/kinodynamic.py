@@ -98,22 +98,22 @@ def ruler() -> Contestant:
     library.grow.restype = None
 
     def contestant(case: Case) -> Callable[[], Any]:
-        asked = as_car_problem(case.problem, "the ruler", None)
+        problem = as_car_problem(case.problem, "the ruler", None)
         bias, drives = (
-            as_bias(asked, 4, 7, None, np.radians(90.0)),
-            as_drives(asked, TRIALS, None, None, 4),
+            as_bias(problem, 4, 7, None, np.radians(90.0)),
+            as_drives(problem, TRIALS, None, None, 4),
         )
-        robot, space, world = asked.robot, asked.space, world_of(asked)
-        contact = contact_size(asked.world.lo, asked.world.hi)
+        robot, space, world = problem.robot, problem.space, world_of(problem)
+        contact = contact_size(problem.world.lo, problem.world.hi)
         numbers = robot.wheelbase, robot.max_steering, space.weight[2], contact
         car = CarInC(pointer(robot.outline), pointer(robot.speeds), len(robot.speeds), *numbers)
 
         def run() -> Any:
-            growth, rng = begin_tree(asked, ITERATIONS + 1), np.random.default_rng(case.seed)
+            growth, rng = begin_tree(problem, ITERATIONS + 1), np.random.default_rng(case.seed)
             growth.tree.head[:] = -1  # the ruler adds the root itself
             in_c, draws = tree_of(growth.tree), rng.bit_generator.ctypes
             arrays = [pointer(array) for array in (growth.controls, growth.durations)]
-            ends = [pointer(q) for q in (space.lo, space.hi, asked.start, asked.goal)]
+            ends = [pointer(q) for q in (space.lo, space.hi, problem.start, problem.goal)]
             how = byref(BiasInC(*bias)), byref(DrivesInC(*drives)), c_int64(ITERATIONS)
             library.grow(
                 byref(world),

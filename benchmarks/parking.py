@@ -103,12 +103,12 @@ def ever_finer(problem: ProblemRecord) -> Plan:
         problem.robot.wheelbase,
     )
     for spacing, step in LADDER:
-        for asked in (problem, out):
+        for query in (problem, out):
             plan = ke.hybrid_astar(
-                asked, spacing=spacing * base, step=step * base, max_nodes=50_000
+                query, spacing=spacing * base, step=step * base, max_nodes=50_000
             )
             if plan.path is not None:
-                there = plan.trajectory if asked is problem else plan.trajectory.reversed
+                there = plan.trajectory if query is problem else plan.trajectory.reversed
                 return replace(plan, path=there.poses, trajectory=there, problem=problem)
     return plan
 

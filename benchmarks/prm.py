@@ -98,8 +98,8 @@ def pathplanning(n: int) -> Contestant:
         free = SIDE * SIDE - case.obstacles[:, 2:].prod(axis=1).sum()
         radius = np.sqrt(2.0 * checks * free / np.pi) / n
         params = RoadmapParams(sample_count=n, gamma=float(radius / np.sqrt(np.log(n) / n)))
-        asked = ContinuousProblem(space, problem.start, GoalState(problem.goal))
-        return lambda: plan_prm_star(asked, params=params, rng=np.random.default_rng(case.seed))
+        query = ContinuousProblem(space, problem.start, GoalState(problem.goal))
+        return lambda: plan_prm_star(query, params=params, rng=np.random.default_rng(case.seed))
 
     return contestant
 

@@ -66,12 +66,12 @@ def triangle() -> Contestant:
             np.column_stack([np.arange(len(r)), np.roll(np.arange(len(r)), -1)]) + i
             for r, i in zip(rings, first)
         ]
-        asked = {
+        triangle_input = {
             "vertices": np.concatenate(rings),
             "segments": np.concatenate(segments),
             "holes": case.centres,
         }
-        return lambda: triangulate(asked, "pn")
+        return lambda: triangulate(triangle_input, "pn")
 
     return contestant
 

@@ -104,8 +104,8 @@ def pathplanning(planner: str, space_of: Callable[[Case], Any]) -> Contestant:
         params = RrtParams(
             max_iters=iterations, step_size=STEP, allow_python_callbacks=True, **radius
         )
-        asked = ContinuousProblem(space_of(case), case.problem.start, GoalState(case.problem.goal))
-        return lambda: plan(asked, params=params, rng=np.random.default_rng(case.seed))
+        query = ContinuousProblem(space_of(case), case.problem.start, GoalState(case.problem.goal))
+        return lambda: plan(query, params=params, rng=np.random.default_rng(case.seed))
 
     return contestant
 

@@ -1,8 +1,8 @@
 """Writes the second half of licences.md: every pinned package with its licence, as its own metadata
 tells it, and who needs it.
 
-python docs/licences.py, where all that is to be told is installed. The line of a package that is
-not installed here, as it is for another system, is kept; one that was never told is named, to be
+python docs/licences.py, where all packages to be listed are installed. The line of a package that
+is not installed here, as it is for another system, is kept; one without such a line is named, to be
 written by hand.
 """
 
@@ -37,13 +37,13 @@ def licence(package: Distribution) -> str:
     """In the package's own words: an SPDX expression, or else a line of its own, or else its
     classifiers.
     """
-    told = package.metadata
-    expression, own = told.get("License-Expression"), (told.get("License") or "").strip()
+    metadata = package.metadata
+    expression, own = metadata.get("License-Expression"), (metadata.get("License") or "").strip()
     if expression or (own and len(own) < 50 and "\n" not in own and own != "UNKNOWN"):
         return expression or own
     classifiers = [
         line.rpartition(" :: ")[2]
-        for line in told.get_all("Classifier") or []
+        for line in metadata.get_all("Classifier") or []
         if line.startswith("License ::")
     ]
     return ", ".join(classifiers)
@@ -71,8 +71,8 @@ def users(name: str, installed: dict[str, Distribution], *, extras: bool) -> lis
 def rows(
     file: Path, installed: dict[str, Distribution], kept: dict[str, str], course: set[str]
 ) -> list[str]:
-    """The table of a file: the course's own choices are marked, of others is told who brings
-    them.
+    """The table of a file: the course's own choices are marked; for others the packages that need
+    them are named.
     """
     table = [
         "",
@@ -101,7 +101,7 @@ def main() -> None:
         if canonical(package.name) in pins
     }
     kept = {row[1]: row[0] for row in ROW.finditer(text)}
-    asked = re.findall(
+    chosen = re.findall(
         r'^    "([A-Za-z0-9._-]+)[^"]*",',
         (HOUSE / "pyproject.toml").read_text(encoding="utf-8"),
         re.MULTILINE,
@@ -109,7 +109,7 @@ def main() -> None:
     tables = [
         row
         for file in environments()
-        for row in rows(file, installed, kept, set(map(canonical, asked)))
+        for row in rows(file, installed, kept, set(map(canonical, chosen)))
     ]
     PAGE.write_text(
         text.partition(HEADING)[0] + HEADING + "\n" + "\n".join(tables) + "\n", encoding="utf-8"

@@ -31,7 +31,7 @@ def setup(app):
     app.connect("autodoc-process-docstring", mark_up)
     app.connect("autodoc-process-signature", as_written)
     app.connect("autodoc-skip-member", is_field)
-    app.connect("doctree-read", tell_pictures)
+    app.connect("doctree-read", describe_pictures)
     # before Sphinx copies what is linked
     app.connect("doctree-read", lead_to_sources, priority=400)
     app.connect("build-finished", name_the_entrance)
@@ -109,7 +109,7 @@ def as_written(app, what, name, thing, options, arguments, returned):
 
 
 def is_field(app, what, name, thing, skip, options):
-    """Fields of records are told in the record's docstring."""
+    """Fields of records are described in the record's docstring."""
     return True if type(thing).__name__ == "_tuplegetter" else None
 
 
@@ -132,7 +132,7 @@ def lead_to_sources(app, doctree):
             link += code
 
 
-def tell_pictures(app, doctree):
+def describe_pictures(app, doctree):
     """A picture of a notebook says in words what it shows, and if it is wide; one of a board, that
     the board is elsewhere.
     """
@@ -140,10 +140,10 @@ def tell_pictures(app, doctree):
         if output.get("nb_element") == "mime_bundle":
             kinds = {kind["mime_type"]: kind for kind in output.children}
             for image in output.findall(nodes.image):
-                told = kinds["text/plain"].astext()
-                figure = FIGURE.match(told)
+                text = kinds["text/plain"].astext()
+                figure = FIGURE.match(text)
                 image["alt"] = (
-                    get_message("site.figure", section=section_of(output)) if figure else told
+                    get_message("site.figure", section=section_of(output)) if figure else text
                 )
                 image["classes"] += ["wide"] if figure and int(figure[1]) > WIDE else []
             if BOARD in kinds:

@@ -2,7 +2,7 @@
 
 No numba, no processes, no threads that start, no file locks: what Pyodide lacks is made to fail
 here as it fails there. Prints, as JSON, what each code cell shows as text and the modules that were
-asked for in vain.
+imported in vain.
 """
 
 import io
@@ -41,7 +41,7 @@ ABSENT |= {
     "nbval",
     "nbgrader",
 }
-asked: set[str] = set()
+requested: set[str] = set()
 
 
 class Absent(MetaPathFinder):
@@ -49,7 +49,7 @@ class Absent(MetaPathFinder):
 
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> None:
         if name.partition(".")[0] in ABSENT:
-            asked.add(name)
+            requested.add(name)
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
 
@@ -107,7 +107,7 @@ def main() -> None:
     sys.meta_path.insert(0, Absent())
     refuse_processes_and_threads()
     texts = shown(notebook)
-    print(json.dumps({"texts": texts, "asked": sorted(asked)}))
+    print(json.dumps({"texts": texts, "requested": sorted(requested)}))
 
 
 if __name__ == "__main__":

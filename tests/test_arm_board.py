@@ -119,10 +119,10 @@ def test_both_pictures_show_one_configuration():
     made = arm_board(ARM, WORLD, q=(0.6, 0.3))
     workspace, square = Page(made.canvas), Page(made.square)
     assert repr(made) == "ArmBoard(q = (0.60, 0.30): link 2 is in contact)"
-    told = workspace.moves(("handle", 1, [0.5, -2]))
-    assert made.canvas.drawing.message == told["text"] and at(made.square) == [made.q.tolist()]
+    reply = workspace.moves(("handle", 1, [0.5, -2]))
+    assert made.canvas.drawing.message == reply["text"] and at(made.square) == [made.q.tolist()]
     assert ARM.joints(made.q)[1] == pytest.approx([0.5, -2]) and square.sent[-1][0]["to"] is None
-    assert told["places"] == [
+    assert reply["places"] == [
         ["handle", 0, ARM.joints(made.q)[0].tolist()],
         ["handle", 1, ARM.joints(made.q)[1].tolist()],
     ]

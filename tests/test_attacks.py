@@ -136,10 +136,10 @@ def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
 def test_hidden_cases_are_never_told(box):
     data, _ = submission(HOUSE / "tests" / "attacks" / "hidden_cases_told.cells")
     record = json.dumps(grade(data, read_assignment("01_geometry"), SECRET, box, patience=HASTE))
-    for asked in read_assignment("01_geometry").questions:
-        known = draw_cases(asked.exercise.name, SECRET)
-        hidden = [asked.exercise.given.encode(case.given) for case in known.cases[known.seen :]]
-        shown = [spell_case(asked.exercise, case) for case in known.cases[: known.seen]]
+    for question in read_assignment("01_geometry").questions:
+        cases = draw_cases(question.exercise.name, SECRET)
+        hidden = [question.exercise.given.encode(case.given) for case in cases.cases[cases.seen :]]
+        shown = [spell_case(question.exercise, case) for case in cases.cases[: cases.seen]]
         points = [
             json.dumps(value)
             for case in hidden
@@ -198,7 +198,7 @@ def test_marks_and_points_in_a_submission_are_ignored(box):
         record["questions"]
     )
     assert {question["max_score"] for question in record["questions"]} == {
-        asked.points for asked in read_assignment("01_geometry").questions
+        question.points for question in read_assignment("01_geometry").questions
     }
 
 

@@ -95,15 +95,15 @@ def test_the_zip_asks_what_the_solution_asks_and_tells_no_answer(packed, root):
     mine, course = read_assignment(NAME), read_assignment(NAME, root / "source" / "kinoedu-course")
     assert course.questions == mine.questions
     assert (course.by_hand, course.lent) == (mine.by_hand, mine.lent)
-    asked = archive.read(f"kinoedu-course/solutions/{NAME}.ipynb").decode()
+    notebook = archive.read(f"kinoedu-course/solutions/{NAME}.ipynb").decode()
     answers = [
         cell["source"]
         for cell in json.loads(SOLUTION.read_text())["cells"]
         if "BEGIN SOLUTION" in "".join(cell["source"])
     ]
-    given = {line for cell in json.loads(asked)["cells"] for line in cell["source"]}
+    given = {line for cell in json.loads(notebook)["cells"] for line in cell["source"]}
     assert answers
-    assert "BEGIN SOLUTION" not in asked
+    assert "BEGIN SOLUTION" not in notebook
     for cell in answers:
         lines = {
             line.strip()
@@ -130,27 +130,27 @@ def test_a_submission_is_graded_in_the_sandbox(root):
     (root / "submission" / "receipt.txt").write_text("a receipt")
     ran = run(root)
     assert ran.returncode == 0, ran.stderr
-    told = results(root)
-    asked = read_assignment(NAME).questions
-    assert told["score"] == sum(one.points for one in asked)
-    assert [(one["name"], one["score"], one["max_score"]) for one in told["tests"]] == [
-        (one.exercise.name, one.points, one.points) for one in asked
+    output = results(root)
+    questions = read_assignment(NAME).questions
+    assert output["score"] == sum(one.points for one in questions)
+    assert [(one["name"], one["score"], one["max_score"]) for one in output["tests"]] == [
+        (one.exercise.name, one.points, one.points) for one in questions
     ]
-    assert told["visibility"] == "visible" and told["stdout_visibility"] == "hidden"
-    assert {"score", "output", "visibility", "tests"} <= set(told)
+    assert output["visibility"] == "visible" and output["stdout_visibility"] == "hidden"
+    assert {"score", "output", "visibility", "tests"} <= set(output)
 
 
 def test_the_wrong_file_is_named(tmp_path):
     """Cells of another assignment are refused, as `grade` does; cells without any marks are run."""
     other = (HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_bytes()
-    for data, told in (
+    for data, output in (
         (other, "wrong file"),
         (SOLUTION.read_bytes(), ""),
         (notebook("x = 1").encode(), ""),
     ):
         (tmp_path / f"{NAME}.ipynb").write_bytes(data)
         trouble = find_submission(tmp_path, NAME).trouble
-        assert told in trouble and bool(told) == bool(trouble)
+        assert output in trouble and bool(output) == bool(trouble)
 
 
 SPY = """
@@ -211,8 +211,8 @@ def test_where_the_container_is_the_wall_it_must_be_said(root, tmp_path):
     script.write_text(script.read_text().rstrip() + " --trust-container\n")
     ran = run(root, PATH=str(tools))
     assert ran.returncode == 0, ran.stderr
-    told = {one["name"]: one for one in results(root)["tests"]}
-    assert told["point_line_distance"]["score"] == 5.0
+    output = {one["name"]: one for one in results(root)["tests"]}
+    assert output["point_line_distance"]["score"] == 5.0
     assert "1" in results(root)["output"]
     shown = main_record(root, tools)
     assert shown == "(False, False, False, False, False)"
@@ -274,9 +274,9 @@ def test_what_a_student_can_mend_is_told(root):
         notebook("def point_line_distance(q, p1, p2):\n    return 0.0")
     )
     assert run(root).returncode == 0
-    told = {one["name"]: one for one in results(root)["tests"]}["point_line_distance"]
-    assert told["score"] < told["max_score"]
-    assert "smallest case" in told["output"] and "Hint" in told["output"]
+    output = {one["name"]: one for one in results(root)["tests"]}["point_line_distance"]
+    assert output["score"] < output["max_score"]
+    assert "smallest case" in output["output"] and "Hint" in output["output"]
 
 
 def test_an_autograder_is_for_one_assignment(tmp_path, capsys):

@@ -349,8 +349,8 @@ def leaves(problem):
 )
 def test_what_a_readers_planner_did_is_said(planner, words):
     """Every failure has its message, with the reader's own line and none of the library's."""
-    told = repr(board(walled(), planner=planner))
-    assert words in told and "kinoedu/" not in told and "site-packages" not in told
+    text = repr(board(walled(), planner=planner))
+    assert words in text and "kinoedu/" not in text and "site-packages" not in text
 
 
 def test_a_hanging_planner_is_stopped():

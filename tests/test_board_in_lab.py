@@ -71,7 +71,7 @@ class Seen:
         )
 
     def settled(self):
-        """Wait until every change is painted, asked and answered."""
+        """Wait until every change is painted and answered."""
         self.page.evaluate(
             "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
         )
@@ -134,13 +134,13 @@ def test_the_scene_is_kept_in_the_notebook(yard, page):
     other, label = Seen(page, 1), yard.label("handle-1")
     other.until("root.querySelector('[data-thing=handle-1]').ariaLabel === label", label=label)
     assert other.shown_text() == yard.shown_text()
-    asked = """async () => {
+    script = """async () => {
         const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel; let text = '';
         const code = "print(board.canvas.scene['handles'][1]['at'], board.plan.path[-1].tolist())";
         const future = kernel.requestExecute({code});
         future.onIOPub = m => { text += m.content.text ?? ''; };
         await future.done; return text; }"""
-    scene, goal = json.loads(f"[{page.evaluate(asked).replace('] [', '], [')}]")
+    scene, goal = json.loads(f"[{page.evaluate(script).replace('] [', '], [')}]")
     assert scene == goal
     assert label == f"goal at ({scene[0]:.2f}, {scene[1]:.2f})"
 

@@ -368,18 +368,18 @@ def test_size_does_not_matter(world, name, turn, power):
 
 # ---- what an algorithm may ask
 
-ASKED = {"place", "travelled", "move_to_goal", "can_move_to_goal", "follow_wall", "turn_round"}
+QUERIES = {"place", "travelled", "move_to_goal", "can_move_to_goal", "follow_wall", "turn_round"}
 
 
 class Witness:
     """A robot that answers the algorithm's calls, records them, and has no other attributes."""
 
     def __init__(self, robot):
-        self.__robot, self.asked = robot, []
+        self.__robot, self.queries = robot, []
 
     def __getattr__(self, name):
-        self.asked.append(name)
-        assert name in ASKED, f"an algorithm asked for {name}"
+        self.queries.append(name)
+        assert name in QUERIES, f"an algorithm used {name}"
         return getattr(self.__robot, name)
 
 
@@ -403,7 +403,7 @@ def test_algorithms_ask_a_contact_sensor_and_nothing_else(algorithm, turn):
     witness = Witness(watched)
     assert algorithm(witness) == algorithm(robot)
     assert watched.trail.places == robot.trail.places
-    assert "move_to_goal" in witness.asked
+    assert "move_to_goal" in witness.queries
 
 
 @pytest.mark.parametrize("walk", [bug_base_walk, bug0_walk, bug1_walk, bug2_walk, bug2_prelim_walk])
@@ -412,7 +412,7 @@ def test_algorithms_hold_no_obstacles(walk):
     no other way to the world.
     """
     tells = {"distance", "on_line", "is_nearer_than", "x", "y"}
-    assert set(walk.__code__.co_names) <= ASKED | tells | {"set", "add"}
+    assert set(walk.__code__.co_names) <= QUERIES | tells | {"set", "add"}
     assert walk.__closure__ is None
 
 

@@ -137,7 +137,7 @@ def test_no_wall_is_too_thin() -> None:
 
 
 def test_a_margin_is_kept() -> None:
-    """The whole body keeps off by the clearance, and no more is asked."""
+    """The whole body keeps off by the clearance, and by no more."""
     world, pose = (
         ke.PolygonWorld(SQUARE, [[(100, 0), (110, 0), (110, 60), (100, 60)]]),
         np.array([20.0, 67.0, 0.0]),

@@ -177,7 +177,7 @@ def test_driving_messages_replayed_are_the_cars_closed_form():
     """Moment by moment `Car.move` gives the board's pose; a control held on is one control."""
     made = car_board(problem_of(start=(3, 3, 0.3)), "you")
     page, car, rng = Page(made.canvas), made.problem.robot, np.random.default_rng(1)
-    pose, notch, told = np.array([3, 3, 0.3]), 0, set()
+    pose, notch, controls = np.array([3, 3, 0.3]), 0, set()
     for _ in range(60):
         held = {key for key in (UP, DOWN, LEFT, RIGHT) if rng.random() < 0.4}
         notch = int(np.clip(notch + (LEFT in held) - (RIGHT in held), -NOTCHES, NOTCHES))
@@ -187,11 +187,11 @@ def test_driving_messages_replayed_are_the_cars_closed_form():
             if not is_free_drive(car, made.problem.world, pose, v * t, car.curvature(phi), 0.0):
                 continue
             pose = car.move(pose, v, phi, t)
-            told.add((v, phi))
+            controls.add((v, phi))
         drawing = keys(page, *held, seq=4)
         assert (drawing["seq"], drawing["to"], drawing["warning"]) == (4, "page", "")
         assert np.allclose(made.driven.poses[-1], pose, atol=1e-9)
-    assert {tuple(control) for control in made.driven.controls.tolist()} == told
+    assert {tuple(control) for control in made.driven.controls.tolist()} == controls
     straight = car_board(problem_of(), "you")
     keys(Page(straight.canvas), UP, times=7)
     assert straight.driven.controls.tolist() == [

@@ -298,7 +298,7 @@ def test_help_tells_formats_and_examples(capsys):
 
 
 def test_same_seed_same_line(capsys):
-    """But for the time, two runs say the same."""
+    """But for the time, two runs print the same."""
     lines = []
     for _ in range(2):
         main(["plan", MAZE, "--seed", "7"])

@@ -73,9 +73,9 @@ def problems() -> dict[str, Any]:
 def digest(plan: Any) -> str:
     """A digest of all bits of a plan's tree, path, cost and statistics."""
     path = b"" if plan.path is None else plan.path.tobytes()
-    told = json.dumps([plan.stats, plan.cost], sort_keys=True).encode()
+    results = json.dumps([plan.stats, plan.cost], sort_keys=True).encode()
     return hashlib.sha256(
-        plan.tree.nodes.tobytes() + plan.tree.parent.tobytes() + path + told
+        plan.tree.nodes.tobytes() + plan.tree.parent.tobytes() + path + results
     ).hexdigest()
 
 
@@ -180,9 +180,9 @@ def test_a_recorder_records_all_queries() -> None:
     """As many motions as the statistics count; every edge of the tree is among the free ones."""
     recorder = Recorder(problems()["point among polygons"])
     plan = rrt(recorder, step=0.4, max_nodes=200, rng=0)
-    asked = [question for question in recorder.log if question.name == "is_free_path"]
-    assert len(asked) == plan.stats["checks"] == recorder.counts()["is_free_path"]
-    found = {(tuple(q.given[0]), tuple(q.given[1])) for q in asked if q.answer}
+    queries = [query for query in recorder.log if query.name == "is_free_path"]
+    assert len(queries) == plan.stats["checks"] == recorder.counts()["is_free_path"]
+    found = {(tuple(q.given[0]), tuple(q.given[1])) for q in queries if q.answer}
     for node, parent in zip(plan.tree.nodes[1:], plan.tree.parent[1:], strict=True):
         assert (tuple(plan.tree.nodes[parent]), tuple(node)) in found
 
@@ -592,7 +592,7 @@ def test_a_folder_that_cannot_be_written_is_no_error(tmp_path: Path) -> None:
         True,
         False,
         "None",
-    ]  # compiled here, as was asked for
+    ]  # compiled in this process, as KINOEDU_MACHINE_CODE says
     assert taken.read_text(encoding="utf-8") == "a file"
 
 

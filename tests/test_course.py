@@ -360,13 +360,13 @@ def test_what_a_student_reads():
     def point_segment_distance(q, p1, p2):
         return EXERCISES["point_line_distance"].source(q, p1, p2) if (p1 != p2).any() else 0.0
 
-    said = repr(check(point_segment_distance))
-    assert "q = np.array([7.0, 4.0])" in said
-    assert "point_segment_distance(q, p1, p2)" in said
-    assert "yours gives: 4" in said
-    assert "it should be: 5" in said
-    assert "You measure to the whole line" in said
-    assert "section 3" in said
+    text = repr(check(point_segment_distance))
+    assert "q = np.array([7.0, 4.0])" in text
+    assert "point_segment_distance(q, p1, p2)" in text
+    assert "yours gives: 4" in text
+    assert "it should be: 5" in text
+    assert "You measure to the whole line" in text
+    assert "section 3" in text
     right = repr(check(EXERCISES["point_segment_distance"].source))
     assert "right, for all" in right
     assert "A question to think about" in right
@@ -381,11 +381,11 @@ def test_an_error_shows_the_students_line_and_nothing_of_ours():
     def helper(q):
         return np.linalg.norm(q) / [][0]
 
-    said = repr(check(point_line_distance))
-    assert "IndexError: list index out of range" in said
-    assert "return np.linalg.norm(q) / [][0]" in said
-    assert "return helper(q)" in said
-    assert "within" not in said.split("in your lines")[1].split("Hint")[0]
+    text = repr(check(point_line_distance))
+    assert "IndexError: list index out of range" in text
+    assert "return np.linalg.norm(q) / [][0]" in text
+    assert "return helper(q)" in text
+    assert "within" not in text.split("in your lines")[1].split("Hint")[0]
 
 
 def test_an_unwritten_answer_is_not_reported_as_wrong():
@@ -394,10 +394,10 @@ def test_an_unwritten_answer_is_not_reported_as_wrong():
     def polygon_tangent(q, polygon):
         raise NotImplementedError
 
-    told = check(polygon_tangent)
-    assert "not answered yet" in repr(told)
-    assert told.picture() is None
-    assert told.report.score == 0.0
+    feedback = check(polygon_tangent)
+    assert "not answered yet" in repr(feedback)
+    assert feedback.picture() is None
+    assert feedback.report.score == 0.0
 
 
 def test_a_hang_ends_with_a_message():
@@ -444,23 +444,23 @@ def test_feedback_can_be_staged(monkeypatch):
 
     monkeypatch.setattr(feedback, "TRIES", {})
 
-    def tell(value):
+    def check_constant(value):
         def point_segment_distance(q, p1, p2):
             return value
 
         return check(point_segment_distance, staged=True)
 
-    first = tell(1.0)
+    first = check_constant(1.0)
     assert "The rule" in repr(first)
     assert "smallest case" not in repr(first)
-    assert "smallest case" not in repr(tell(1.0))
-    second = tell(3.0)
+    assert "smallest case" not in repr(check_constant(1.0))
+    second = check_constant(3.0)
     assert "smallest case" in repr(second)
     assert second.picture() is None
-    third = tell(4.0)
+    third = check_constant(4.0)
     assert third.picture() is not None
     assert "Hint" not in repr(third)
-    assert "Hint" in repr(tell(5.0))
+    assert "Hint" in repr(check_constant(5.0))
 
 
 def test_a_program_that_changes_its_input_is_reported():
@@ -471,9 +471,9 @@ def test_a_program_that_changes_its_input_is_reported():
         polygon[:] = 0.0
         return answer
 
-    told = check(point_polygon_distance)
-    assert "a change of its arguments: polygon" in repr(told)
-    assert told.report.score == 0.0
+    feedback = check(point_polygon_distance)
+    assert "a change of its arguments: polygon" in repr(feedback)
+    assert feedback.report.score == 0.0
 
 
 def test_what_a_program_prints_is_shown_for_the_smallest_case_only(capsys):
@@ -576,9 +576,9 @@ def test_a_picture_of_any_number_is_drawn_soon(value):
     def point_line_distance(q, p1, p2):
         return value
 
-    told = check(point_line_distance)
-    assert told.picture().startswith(b"\x89PNG")
-    assert "nan" in repr(told) or value == value
+    feedback = check(point_line_distance)
+    assert feedback.picture().startswith(b"\x89PNG")
+    assert "nan" in repr(feedback) or value == value
 
 
 @pytest.mark.parametrize("wrong_use", ["point_line_distance", 3.0, None, lambda q: q, 10**60])
@@ -624,10 +624,10 @@ def test_strange_answers_are_wrong_answers(value):
     def point_line_distance(q, p1, p2):
         return value
 
-    told = check(point_line_distance)
-    assert not told.report.is_right
-    assert "it should be" in repr(told)
-    assert "<script" not in told._repr_html_()
+    feedback = check(point_line_distance)
+    assert not feedback.report.is_right
+    assert "it should be" in repr(feedback)
+    assert "<script" not in feedback._repr_html_()
 
 
 def test_what_a_program_says_is_escaped():

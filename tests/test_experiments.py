@@ -122,10 +122,10 @@ def test_rows_are_what_the_planners_answer(table):
 def test_workers_change_nothing_but_seconds(workers, table, monkeypatch):
     """The table is the same for one process or two, and for few runs submitted at a time."""
     monkeypatch.setattr(running, "AHEAD", 3)
-    told = []
-    ran = run(SMALL, workers=workers, progress=lambda *counts: told.append(counts))
+    calls = []
+    ran = run(SMALL, workers=workers, progress=lambda *counts: calls.append(counts))
     assert but_for_seconds(ran) == but_for_seconds(table)
-    assert told == [(n, 20) for n in range(21)]
+    assert calls == [(n, 20) for n in range(21)]
 
 
 def test_a_dask_cluster_gives_the_same_rows(table):
@@ -235,17 +235,17 @@ def test_a_stopped_experiment_resumes(how, tmp_path):
         while len(list(out.glob("runs/*.json"))) < 5 and stopped.poll() is None:
             time.sleep(0.002)
         stopped.send_signal(how)
-        said = stopped.communicate(timeout=60)[1]
+        output = stopped.communicate(timeout=60)[1]
     assert stopped.returncode == (130 if how == signal.SIGINT else -how)
-    assert "Traceback" not in said
+    assert "Traceback" not in output
     before = {kept.name: kept.stat().st_mtime_ns for kept in out.glob("runs/*.json")}
     assert 5 <= len(before) < 120
     assert not (out / "results.csv").exists()
     experiment = read_experiment(file)
-    told = []
-    resumed = run(experiment, where="here", out=out, progress=lambda *counts: told.append(counts))
-    assert told[0] == (len(before), 120)
-    assert len(told) == 121 - len(before)
+    calls = []
+    resumed = run(experiment, where="here", out=out, progress=lambda *counts: calls.append(counts))
+    assert calls[0] == (len(before), 120)
+    assert len(calls) == 121 - len(before)
     assert (
         before.items()
         <= {kept.name: kept.stat().st_mtime_ns for kept in out.glob("runs/*.json")}.items()
@@ -304,20 +304,23 @@ def test_only_what_is_the_same_is_taken_from_the_folder(tmp_path):
 
 def missing(experiment, out):
     """Number of an experiment's runs that a folder does not have."""
-    told = []
-    run(experiment, where="here", out=out, progress=lambda *counts: told.append(counts))
-    return told[-1][1] - told[0][0]
+    calls = []
+    run(experiment, where="here", out=out, progress=lambda *counts: calls.append(counts))
+    return calls[-1][1] - calls[0][0]
 
 
 def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_path):
     """No run is made whose outcome would be lost."""
     (tmp_path / "file").touch()
-    told = []
+    calls = []
     with pytest.raises(OSError, match="file"):
         run(
-            SMALL, where="here", out=tmp_path / "file", progress=lambda *counts: told.append(counts)
+            SMALL,
+            where="here",
+            out=tmp_path / "file",
+            progress=lambda *counts: calls.append(counts),
         )
-    assert told == []
+    assert calls == []
 
 
 PROBLEMS = '[problems.a]\nworld = "narrow passage"\n'
@@ -442,13 +445,13 @@ def test_a_digest_tells_values_and_functions_apart():
         "from kinoedu.experiments.digests import digest; from kinoedu.experiments import "
         "narrow_passage; "
     )
-    told = subprocess.run(
+    ran = subprocess.run(
         [sys.executable, "-c", ask + "print(digest(narrow_passage(2.0)))"],
         capture_output=True,
         text=True,
         check=True,
     )
-    assert told.stdout.strip() == digest(narrow_passage(2.0))
+    assert ran.stdout.strip() == digest(narrow_passage(2.0))
 
 
 def capturing(value):
@@ -562,11 +565,11 @@ def test_the_command_writes_table_summary_and_plots(tmp_path, capsys):
         FILE.replace("40\n", "3\n", 1) + '[planners.bad]\nplanner = "rrt"\nstep = -1.0\n'
     )
     assert main(["experiment", str(file), "--out", str(out), "--workers", "1", "--plots"]) == 1
-    said, err = capsys.readouterr()
-    assert "12 runs; " in said
-    assert "not run: bad: InvalidParameter: step must be a positive number" in said
+    output, err = capsys.readouterr()
+    assert "12 runs; " in output
+    assert "not run: bad: InvalidParameter: step must be a positive number" in output
     assert "running small: 0/12" in err
-    assert (out / "summary.txt").read_text(encoding="utf-8") in said + "\n"
+    assert (out / "summary.txt").read_text(encoding="utf-8") in output + "\n"
     pictures = {"1_rubble_medians.png", "1_rubble_ecdf.png", "1_rubble_growth.png"}
     assert {item.name for item in out.iterdir()} == {
         "results.csv",

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.course.lessons import find
+from kinoedu.course.lessons import EXERCISES, find
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.collect.handing_in import hand_in
@@ -32,6 +32,9 @@ from kinoedu.support.csv_cells import harmless, unharmed
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, HAND = "01_geometry", "02_bug_algorithms"
+QUESTIONS = sum(exercise.lesson == NAME for exercise in EXERCISES.values())
+POINTS = {one.exercise.name: one.points for one in read_assignment(NAME).questions}
+TOTAL = f"{sum(POINTS.values()):g}"
 NO_SANDBOX = sandbox.explain_no_sandbox()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 HOSTILE = "</pre></style><script>alert(1)</script>"
@@ -60,12 +63,12 @@ def record(name: str = NAME, *, share: float = 1.0, message: str = "A rule.") ->
         "message": "",
         "questions": [
             question(
-                asked.exercise.name,
-                share * asked.points,
-                asked.points,
+                one.exercise.name,
+                share * one.points,
+                one.points,
                 message="Right." if share == 1.0 else message,
             )
-            for asked in read_assignment(name).questions
+            for one in read_assignment(name).questions
         ],
         "cells": [],
     }
@@ -117,8 +120,8 @@ def failing() -> dict:
         "slip": "",
     }
     one = record()
-    asked = next(asked for asked in one["questions"] if asked["question"] == "point_line_distance")
-    asked |= {
+    names = [question["question"] for question in one["questions"]]
+    one["questions"][names.index("point_line_distance")] |= {
         "score": 0.0,
         "status": "wrong",
         "message": f"A rule {HOSTILE}",
@@ -181,16 +184,14 @@ def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
     of = a_class(tmp_path, {"=ann": record(), "bob": None}, troubles={"cy": "the file is empty"})
     write_all(of)
     rows = table(tmp_path / "grades.csv")
-    asked = len(read_assignment(NAME).questions)
     ann, bob, cy = (
         [row for row in rows if row["student"] == name] for name in ("'=ann", "bob", "cy")
     )
-    assert len(ann) == len(bob) == len(cy) == asked
+    assert len(ann) == len(bob) == len(cy) == QUESTIONS
     assert {(row["score"], row["status"]) for row in bob} == {("", "not graded")}
     assert {row["score"] for row in cy} == {""}
     assert {(row["status"], row["message"]) for row in cy} == {("unreadable", "the file is empty")}
-    points = sum(one.points for one in read_assignment(NAME).questions)
-    assert sum(float(row["score"]) for row in ann) == points
+    assert sum(float(row["score"]) for row in ann) == sum(POINTS.values())
 
 
 def test_the_same_class_is_written_in_the_same_bytes(tmp_path):
@@ -216,8 +217,8 @@ def test_pages_escape_whatever_they_are_told(tmp_path):
         text = page.read_text(encoding="utf-8")
         assert "<script" not in text and "<img src=x" not in text
         assert text.count("</style>") == 1
-    told = (tmp_path / name_page(student, NAME)).read_text(encoding="utf-8")
-    assert "data:image/png;base64," in told and "np.array([2.0, 3.0])" in told and "Cell 3" in told
+    page = (tmp_path / name_page(student, NAME)).read_text(encoding="utf-8")
+    assert "data:image/png;base64," in page and "np.array([2.0, 3.0])" in page and "Cell 3" in page
 
 
 def test_a_picture_that_cannot_be_drawn_loses_no_page(tmp_path):
@@ -254,11 +255,11 @@ def test_overrides_hold_and_are_never_written(tmp_path):
     rows = {row[:3]: row for row in write_all(of)}
     assert rows["ann", NAME, "exposing_case"].score == 2.5
     assert rows["ann", NAME, "exposing_case"].status == "set by hand"
-    assert rows["bob", NAME, "exposing_case"].score == 3.0
+    assert rows["bob", NAME, "exposing_case"].score == POINTS["exposing_case"]
     assert "seen &lt;b&gt;it" in (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
     assert "well done" in (tmp_path / name_page("bob", NAME)).read_text(encoding="utf-8")
     export_csv(list(rows.values()), tmp_path / "totals.csv")
-    assert [row[NAME] for row in table(tmp_path / "totals.csv")] == ["2.5", "25"]
+    assert [row[NAME] for row in table(tmp_path / "totals.csv")] == ["2.5", TOTAL]
     by_hand = COLUMNS + "".join(f"{name},{NAME},exposing_case,1,\n" for name in ("ann", "bob"))
     (tmp_path / "by_hand.csv").write_text(by_hand, encoding="utf-8")
     assert [row.score for row in write_all(of) if row.question == "exposing_case"] == [2.5, 1.0]
@@ -285,8 +286,8 @@ def test_a_wrong_override_is_refused_by_its_line(tmp_path, text, message):
         write_all(of)
 
 
-CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,01 Geometry (991),Other (5)
-    Points Possible,,,,,25,10
+CANVAS = f"""Student,ID,SIS User ID,SIS Login ID,Section,01 Geometry (991),Other (5)
+    Points Possible,,,,,{TOTAL},10
 "Doe, Ann",11,,ann,S1,,3
 "Roe, Bob",12,,bob,S1,7,
 "Poe, Cy",13,,cy,S1,6,
@@ -316,7 +317,7 @@ def test_canvas_gets_its_own_table_back(tmp_path):
         list(csv.reader(io.StringIO(text)))
         for text in (CANVAS, (tmp_path / "out.csv").read_text(encoding="utf-8"))
     )
-    assert [line[5] for line in after] == ["01 Geometry (991)", "25", "25", "0", "6", "", ""]
+    assert [line[5] for line in after] == ["01 Geometry (991)", TOTAL, TOTAL, "0", "6", "", ""]
     assert [line[:5] + line[6:] for line in after] == [line[:5] + line[6:] for line in before]
     assert unknown == ["same", "x_13"]
     (tmp_path / "template.csv").write_text("name,score\nann,1\n", encoding="utf-8")
@@ -451,12 +452,12 @@ NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
 
 def test_a_receipt_says_what_is_answered(tmp_path):
     """An untouched exercise has no answers, a solution has all; `collect` reads the zip."""
-    for room, done in (("exercises", 0), ("solutions", 6)):
+    for room, done in (("exercises", 0), ("solutions", QUESTIONS)):
         folder = tmp_path / room / "ann"
         folder.mkdir(parents=True)
         receipt = hand_in(HOUSE / room / f"{NAME}.ipynb", folder / "mine.zip", NOW)
         assert sum(answered for answered, _ in receipt.answers.values()) == done
-        assert f"Answered: {done} of 6" in str(receipt)
+        assert f"Answered: {done} of {QUESTIONS}" in str(receipt)
         (one,) = collect(tmp_path / room)
         assert (one.student, one.assignment, one.trouble) == ("ann", NAME, "")
         assert one.data == (HOUSE / room / f"{NAME}.ipynb").read_bytes()
@@ -526,7 +527,7 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     assert (tmp_path / "out" / "grades.csv").read_bytes() == first
     assert main(["export", str(tmp_path / "out"), "--to", "csv"]) == 0
     assert table(tmp_path / "out" / "totals.csv") == [
-        {"student": "ann", NAME: "25"},
+        {"student": "ann", NAME: TOTAL},
         {"student": "bob", NAME: ""},
     ]
     regrade = ["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new")]

@@ -185,11 +185,11 @@ class Liar:
     """A sandbox whose program returned these lines and ended this way."""
 
     def __init__(self, parts: list[list[dict]], end: str) -> None:
-        self.reply, self.asked = Reply(parts, end), 0
+        self.reply, self.requests = Reply(parts, end), 0
 
     def ask(self, *_: object) -> Reply:
         """Return the same reply each time, and count the requests."""
-        self.asked += 1
+        self.requests += 1
         return self.reply
 
 
@@ -212,7 +212,7 @@ def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):
     found = run_program(
         liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]
     ).outcomes
-    assert liar.asked == 0 and list(found.values()) == [[Late(False)]] * 2
+    assert liar.requests == 0 and list(found.values()) == [[Late(False)]] * 2
 
 
 def test_lines_that_would_fill_the_memory_are_a_flood(monkeypatch):

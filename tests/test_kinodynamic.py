@@ -145,19 +145,19 @@ def test_interpreted_is_compiled(planner: str) -> None:
 
 def test_steps_passed_over_are_never_the_closest() -> None:
     """The closest step is that of simulating every one of the 150."""
-    asked, rng = as_car_problem(PROBLEM, "a test", None), np.random.default_rng(5)
-    drives, there = as_drives(asked, 20, None, None, 1), np.empty(3)
+    problem, rng = as_car_problem(PROBLEM, "a test", None), np.random.default_rng(5)
+    drives, there = as_drives(problem, 20, None, None, 1), np.empty(3)
     assert (drives.steps, drives.step) == (150, pytest.approx(0.1))
     for _ in range(300):
-        q, q_rand = asked.sample(rng), asked.sample(rng)
+        q, q_rand = problem.sample(rng), problem.sample(rng)
         if rng.random() < 0.7:
             q_rand = q + rng.normal(0, (8, 8, 0.5))
-        v, phi = asked.control(rng)
+        v, phi = problem.control(rng)
         distances = []
         for k in range(1, 151):
-            asked.drive(q, v, phi, k * drives.step, there)
-            distances.append(asked.distance(there, q_rand))
-        step, least = closest_step(asked, q, q_rand, v, phi, drives, np.inf, there)
+            problem.drive(q, v, phi, k * drives.step, there)
+            distances.append(problem.distance(there, q_rand))
+        step, least = closest_step(problem, q, q_rand, v, phi, drives, np.inf, there)
         assert (step, least) == (1 + int(np.argmin(distances)), min(distances))
 
 
@@ -242,7 +242,7 @@ def test_alternative_routes() -> None:
 
 
 def test_curves_as_controls() -> None:
-    """A path of Reeds and Shepp's curves, told as controls, leads to the goal itself; a plan's own
+    """A path of Reeds and Shepp's curves, given as controls, leads to the goal itself; a plan's own
     trajectory is kept.
     """
     plan = ke.rrt(PROBLEM, rng=0)

@@ -362,9 +362,9 @@ def test_benchmr_maps_are_read_upright_and_mended(name, bad):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         world = ke.read_world(file)
-    said = " ".join(str(warning.message) for warning in caught)
-    assert [i for i in range(100) if f"polygon {i} crosses" in said] == bad
-    assert all(warning.category is MendedPolygons for warning in caught) and name in said + name
+    messages = " ".join(str(warning.message) for warning in caught)
+    assert [i for i in range(100) if f"polygon {i} crosses" in messages] == bad
+    assert all(warning.category is MendedPolygons for warning in caught) and name in messages + name
     drawn = [np.array(polygon) for polygon in json.loads(file.read_text())["polygons"]]
     bottom = max(polygon[:, 1].max() for polygon in drawn)
     upright = shapely.union_all(

@@ -129,8 +129,8 @@ def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
     )
     assert sources(house / "solutions" / f"{LESSON}.ipynb")[: len(before)] == before
     code = f"import sys; sys.path.insert(0, 'tests'); {WORDS}; {MARKS.format(LESSON)}"
-    said = run(house, "-c", code)
-    assert said.stdout.strip() == "[3.0, 3.0]", said.stderr
+    ran = run(house, "-c", code)
+    assert ran.stdout.strip() == "[3.0, 3.0]", ran.stderr
 
 
 @pytest.mark.parametrize(

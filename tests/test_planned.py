@@ -66,7 +66,7 @@ def test_a_wrong_tree_is_named():
 
 @pytest.mark.parametrize("name", list(TRAPS))
 def test_a_problem_travels_and_reads_as_the_line_that_makes_it(name):
-    """Through JSON, and through what a student copies; of the copy nothing has been asked."""
+    """Through JSON, and through what a student copies; the copy has answered no query yet."""
     problem = TRAPS[name]
     sent = ProblemShape().decode(json.loads(json.dumps(ProblemShape().encode(problem))))
     copied = eval(repr(problem), {"problem_of": problem_of})

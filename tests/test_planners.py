@@ -190,7 +190,7 @@ def test_start_at_the_goal():
 
 def test_recorder_sees_every_question_and_changes_nothing():
     """The tree, the path and the counts equal those of the compiled run; the log holds every motion
-    asked about.
+    that was checked.
     """
     problem = problem_of("polygons", "disk")
     for planner in ("rrt", "prm"):

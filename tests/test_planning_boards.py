@@ -288,14 +288,14 @@ def test_a_dragged_node_takes_its_edges_along():
         "node 3",
     ]
     assert "path cost 2.828, edges 2" in repr(made)
-    told = page.moves(("handle", 2 + 2, [1, -3]))
+    reply = page.moves(("handle", 2 + 2, [1, -3]))
     anew = Graph(
         nodes=[(0, 0), (1, 1), (1, -3), (2, 0)],
         edges=graph.edges,
         weights=[5, 10**0.5, 2**0.5, 10**0.5],
     )
     cost = dijkstra(anew, 0).cost[3]
-    assert told["text"].endswith(f"path cost {cost:.4g}, edges 2") and cost == pytest.approx(
+    assert reply["text"].endswith(f"path cost {cost:.4g}, edges 2") and cost == pytest.approx(
         2 * 10**0.5
     )
     assert (
@@ -430,8 +430,8 @@ def test_a_samples_board_shows_points_and_their_largest_hole(sampler, shown_poin
     assert len(points.rows) == shown_points
     ball = ke.sampling.largest_empty_ball(points.rows)
     assert np.allclose(np.linalg.norm(hole.rows.reshape(-1, 2) - ball.centre, axis=1), ball.radius)
-    said = made.answer(move_parts(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
-    assert said.count(f"{ball.radius:.4f}") == 2
+    text = made.answer(move_parts(made.canvas.scene, [["handle", 0, ball.centre.tolist()]])).text
+    assert text.count(f"{ball.radius:.4f}") == 2
     made.n.value = 9
     assert repr(made).startswith("SamplesBoard(points 9;")
     made.sampler.value = "sukharev"

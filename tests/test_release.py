@@ -1,4 +1,4 @@
-"""Exercises are made from solutions, tell no answers, and are what is committed; students get
+"""Exercises are made from solutions, hold no answers, and are what is committed; students get
 neither solutions nor bank.
 """
 
@@ -11,6 +11,7 @@ import nbformat
 import numpy as np
 import pytest
 
+from kinoedu.course import EXERCISES
 from kinoedu.course.release import assignments, pack_course, release, remove_answers
 from kinoedu.errors import InvalidParameter
 
@@ -18,7 +19,7 @@ HOUSE = Path(__file__).resolve().parent.parent
 
 
 def sources(book):
-    """What the cells say and are, without what running them added."""
+    """The sources and kinds of the cells, without what running them added."""
     return [
         (cell["cell_type"], cell["source"], cell["metadata"], cell["id"]) for cell in book["cells"]
     ]
@@ -40,13 +41,13 @@ def test_an_exercise_tells_no_answer(name):
     exercise = json.loads(text)
     assert "BEGIN SOLUTION" not in text
     assert "right, for all" not in text
-    said = {"".join(cell["source"]) for cell in exercise["cells"]}
+    sources = {"".join(cell["source"]) for cell in exercise["cells"]}
     given = {line.strip() for cell in solution.cells for line in outside_answers(cell.source)}
     for cell in solution.cells:
         if "BEGIN SOLUTION" in cell.source:
             secret = cell.source.split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0]
             for line in {*map(str.strip, secret.splitlines())} - given - {""}:
-                assert not any(line in other for other in said), line
+                assert not any(line in other for other in sources), line
 
 
 def outside_answers(source):
@@ -58,8 +59,6 @@ def outside_answers(source):
 @pytest.mark.parametrize("name", assignments())
 def test_points_are_the_kinds_of_input(name):
     """What nbgrader counts for a check is what the judge counts."""
-    from kinoedu.course import EXERCISES
-
     for cell in nbformat.read(HOUSE / "solutions" / f"{name}.ipynb", as_version=4).cells:
         mark = cell.metadata.get("nbgrader", {})
         if mark.get("grade") and cell.cell_type == "code":
@@ -71,7 +70,6 @@ def test_points_are_the_kinds_of_input(name):
 @pytest.mark.parametrize("name", assignments())
 def test_the_solutions_answers_are_right_for_other_seeds(name):
     """What the solution says is right on cases that nobody has seen."""
-    from kinoedu.course import EXERCISES
     from kinoedu.course.judging import judge_outcomes, run_case
 
     names = {}
@@ -82,9 +80,9 @@ def test_the_solutions_answers_are_right_for_other_seeds(name):
             and "show(" not in cell.source
         ):
             exec(compile(cell.source, "solution.py", "exec"), names)
-    asked = [exercise for exercise in EXERCISES.values() if exercise.lesson == name]
-    assert asked
-    for exercise in asked:
+    exercises = [exercise for exercise in EXERCISES.values() if exercise.lesson == name]
+    assert exercises
+    for exercise in exercises:
         for seed in (1, 2):
             cases = list(exercise.cases(np.random.default_rng(seed)))
             exercise.describe_expected(cases[0])
@@ -107,7 +105,8 @@ def test_release_runs_every_cell_and_stores_no_times(house):
     """The same twice; every check says that nothing is answered yet."""
     first = release("01_geometry", house).read_text(encoding="utf-8")
     assert release("01_geometry", house).read_text(encoding="utf-8") == first
-    assert first.count("not answered yet") == 2 * 6  # as text and as HTML
+    exercises = [one for one in EXERCISES.values() if one.lesson == "01_geometry"]
+    assert first.count("not answered yet") == 2 * len(exercises)  # as text and as HTML
     assert '"execution"' not in first
     assert "iopub" not in first
 

@@ -118,7 +118,7 @@ def test_a_read_scene_is_written_and_read_back_equal(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("path", "value", "error", "said"),
+    ("path", "value", "error", "message"),
     [
         (["version"], 2, UnreadableScene, "version must be 1"),
         (["version"], None, UnreadableScene, "lacks 'version'"),
@@ -159,9 +159,9 @@ def test_a_read_scene_is_written_and_read_back_equal(tmp_path):
         (["clearance"], -1, InvalidParameter, "clearance"),
     ],
 )
-def test_what_is_wrong_is_named(tmp_path, path, value, error, said):
+def test_what_is_wrong_is_named(tmp_path, path, value, error, message):
     """The error's kind, the field and the file."""
-    with pytest.raises(error, match=said) as caught:
+    with pytest.raises(error, match=message) as caught:
         ke.read_scene(written(tmp_path, changed(path, value)))
     assert "scene.json" in str(caught.value)
 

@@ -215,9 +215,9 @@ def test_whatever_two_share_that_is_long_enough_is_seen():
         )
         first, second = (
             select_fingerprints(
-                [(hash_text(str(word)), at) for at, word in enumerate(said)], WINDOW
+                [(hash_text(str(word)), at) for at, word in enumerate(words)], WINDOW
             )
-            for said in (one, other)
+            for words in (one, other)
         )
         assert first.keys() & second.keys()
 
@@ -272,8 +272,8 @@ def test_the_command_says_where_to_look(tmp_path, capsys):
         (tmp_path / "in" / student).mkdir(parents=True)
         (tmp_path / "in" / student / f"{NAME}.ipynb").write_bytes(data)
     assert main(["similar", str(tmp_path / "in"), "--out", str(tmp_path / "out")]) == 0
-    said = capsys.readouterr().out
-    assert "similar.html" in said and "1 submissions could not be read" in said
+    output = capsys.readouterr().out
+    assert "similar.html" in output and "1 submissions could not be read" in output
     (tmp_path / "empty").mkdir()
     assert main(["similar", str(tmp_path / "empty"), "--out", str(tmp_path / "x")]) == 2
     assert not (tmp_path / "x").exists()

@@ -32,9 +32,9 @@ needs_proc = pytest.mark.skipif(
 
 STUB = """
 import json, os, random, sys
-told = dict(arguments=sys.argv[1:], folder=os.getcwd(), prefix=sys.prefix, file=__file__,
+output = dict(arguments=sys.argv[1:], folder=os.getcwd(), prefix=sys.prefix, file=__file__,
             pid=os.getpid(), path=sys.path, variables=dict(os.environ))
-print(json.dumps(told))
+print(json.dumps(output))
 sys.exit(int(sys.argv[2]) if sys.argv[1:2] == ["exit"] else 0)
 """
 
@@ -191,8 +191,8 @@ def test_an_old_python_is_refused_in_one_line_with_both_versions(version, monkey
     start = load(ROOT / "start.py")
     monkeypatch.setattr(sys, "version_info", version)
     assert start.main(["lab"]) == 2
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1 and "3.11" in told and f"{version[0]}.{version[1]}" in told
+    output = capsys.readouterr().err
+    assert output.count("\n") == 1 and "3.11" in output and f"{version[0]}.{version[1]}" in output
 
 
 def test_help_needs_no_set_up(course):
@@ -221,7 +221,7 @@ def test_arguments_folder_and_status_pass_through(course, tmp_path):
 
 def test_alone_it_opens_the_course_at_once(course):
     """Nothing is compiled before: the lab has that done beside it."""
-    assert [told["arguments"] for told in course.run().seen] == [["lab"]]
+    assert [run["arguments"] for run in course.run().seen] == [["lab"]]
 
 
 def test_what_is_installed_is_not_installed_again(course):
@@ -432,14 +432,14 @@ def test_where_nobody_lists_who_runs_a_folder_in_use_cannot_be_moved(course, mon
             os, "rename", lambda *_: (_ for _ in ()).throw(PermissionError("Access is denied"))
         )
         assert start.main(["plan"]) == 2
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1 and "in use by programs; close" in told and package.exists()
+    output = capsys.readouterr().err
+    assert output.count("\n") == 1 and "in use by programs; close" in output and package.exists()
     start.make_way()
     assert not list(course.home.glob(".venv*/"))
 
 
 def test_a_python_that_cannot_be_asked_now_clears_nothing(course, monkeypatch, capsys):
-    """No memory, say: that is told, and tells nothing about the environment."""
+    """Where there is no memory, for example, a message says so, and the environment stays."""
     course.run("plan")
     package, start = course.package(), load(course.home / "start.py")
 
@@ -563,15 +563,15 @@ def test_what_a_failing_uv_left_is_not_trusted(course, monkeypatch):
     start = load(course.home / "start.py")
     monkeypatch.setenv("PATH", f"{course.bin}{os.pathsep}{os.defpath}")
     monkeypatch.setenv("FAKE_UV", "half")
-    asked = []
+    options = []
 
     def with_pip(*given):
-        asked.append(given[-1])
+        options.append(given[-1])
         return True
 
     monkeypatch.setattr(start, "with_pip", with_pip)
     start.set_up([start.COURSE])
-    assert asked == [["--force-reinstall"]]
+    assert options == [["--force-reinstall"]]
 
 
 def test_a_full_disk_is_told_before_installing(course, monkeypatch, capsys):
@@ -579,8 +579,8 @@ def test_a_full_disk_is_told_before_installing(course, monkeypatch, capsys):
     full = shutil.disk_usage(course.home)._replace(free=10**6)
     monkeypatch.setattr(shutil, "disk_usage", lambda _: full)
     assert start.main(["plan"]) == 2
-    told = capsys.readouterr().err
-    assert told.count("\n") == 1 and "make room" in told
+    output = capsys.readouterr().err
+    assert output.count("\n") == 1 and "make room" in output
 
 
 @pytest.mark.skipif(
@@ -588,13 +588,13 @@ def test_a_full_disk_is_told_before_installing(course, monkeypatch, capsys):
 )
 def test_a_folder_that_cannot_be_written_is_told(course):
     course.home.chmod(0o500)
-    told = complaint(course.run("plan"))
+    output = complaint(course.run("plan"))
     course.home.chmod(0o700)
-    assert "cannot write" in told
+    assert "cannot write" in output
 
 
 @pytest.mark.parametrize(
-    ("said", "advice"),
+    ("message", "advice"),
     [
         ("OSError: [Errno 28] No space left on device", "make room"),
         ("There is not enough space on the disk. (os error 112)", "make room"),
@@ -620,9 +620,9 @@ def test_a_folder_that_cannot_be_written_is_told(course):
         ("", "failed"),
     ],
 )
-def test_each_cause_has_its_advice_in_one_line(said, advice):
-    told = load(ROOT / "start.py").explain(said)
-    assert advice in told and "\n" not in told
+def test_each_cause_has_its_advice_in_one_line(message, advice):
+    output = load(ROOT / "start.py").explain(message)
+    assert advice in output and "\n" not in output
 
 
 # --- the pins

@@ -16,7 +16,7 @@ from kinoedu.support import time_limit
 from kinoedu.support.time_limit import TimeUp, run_within, run_within_processor_time
 
 has_clocks = pytest.mark.skipif(
-    not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is told here"
+    not hasattr(time, "pthread_getcpuclockid"), reason="no thread's processor time is known here"
 )
 
 
@@ -190,7 +190,7 @@ sys.argv = ["inside.py"]
 from kinoedu.grading.sandbox import inside
 from kinoedu.support.time_limit import TimeUp
 
-def told(work):
+def report(work):
     try:
         return inside.by_alarm(0.1, work)
     except TimeUp as over:
@@ -200,7 +200,7 @@ def endless():
     while True:
         pass
 
-print(told(endless)[:2], told(lambda: time.sleep(100)), told(lambda: time.sleep(0.2)))
+print(report(endless)[:2], report(lambda: time.sleep(100)), report(lambda: time.sleep(0.2)))
 """
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100)
     assert run.stdout.strip() == "(True, 0.1) (False, 0.1, True) None", run.stderr

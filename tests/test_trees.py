@@ -99,7 +99,7 @@ def test_a_tree_is_made_of_free_steps(planner):
 @pytest.mark.parametrize("planner", ["rrt_connect", "rrt_star", "informed_rrt_star"])
 @pytest.mark.parametrize("world", WORLDS)
 def test_compiled_interpreted_and_recorded_are_one(planner, world):
-    """The same tree, path and counts, past the size from which buckets are asked."""
+    """The same tree, path and counts, past the size from which buckets are used."""
     problem = problem_of(world, "disk")
     compiled = PLANNERS[planner](problem, rng=5, max_nodes=400, step=0.4)
     recorder = ke.Recorder(problem)

@@ -110,9 +110,10 @@ def test_every_contract_has_words_of_its_own(exercise):
     assert len(set(words)) == len(words)
     assert exercise.contract == ""
     for mine, other in zip(exercise.variants, exercise.variants[::-1]):
-        said = check(PROGRAMS[exercise.name, other], exercise.name, variant=mine)
-        assert "Your contract" in repr(said) and find(exercise.name, mine).contract in repr(said)
-        assert said.picture() is not None
+        feedback = check(PROGRAMS[exercise.name, other], exercise.name, variant=mine)
+        assert "Your contract" in repr(feedback)
+        assert find(exercise.name, mine).contract in repr(feedback)
+        assert feedback.picture() is not None
         assert "right, for all" in repr(
             check(PROGRAMS[exercise.name, mine], exercise.name, variant=mine)
         )

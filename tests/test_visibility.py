@@ -219,7 +219,7 @@ def test_what_it_is_not_for_is_refused_by_name():
         ke.visibility_roadmap(round_world)
     with pytest.raises(InvalidWorld, match="round"):
         ke.plan_by_visibility(ke.Problem(ke.Point(), round_world, (1, 1), (9, 9)))
-    for asked in (
+    for problem in (
         ke.Problem(ke.Disk(0.1), WORLDS["a room"], (1, 1), (9, 9)),
         ke.Problem(ke.Point(), WORLDS["a room"], (1, 1), (9, 9), clearance=0.1),
         ke.Problem(ke.Point(), ke.Terrain([[1, 1], [1, 1]]), (0.5, 0.5), (1.5, 1.5)),
@@ -228,6 +228,6 @@ def test_what_it_is_not_for_is_refused_by_name():
     ):
         for function in (ke.visibility_roadmap, ke.plan_by_visibility):
             with pytest.raises(InvalidParameter):
-                function(asked)
+                function(problem)
     with pytest.raises(InvalidStart):
         ke.Problem(ke.Point(), WORLDS["a room"], (3, 3), (9, 9))

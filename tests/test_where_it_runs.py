@@ -43,13 +43,13 @@ def test_every_pinned_package_has_a_licence():
     assert HOUSE / "environment.txt" in script.environments() and len(script.environments()) >= 3
     for file in script.environments():
         table = page.partition(f"### `{file.relative_to(HOUSE).as_posix()}`")[2].partition("###")[0]
-        told = {
+        result = {
             row[1]: row[0].split(" | ")[1].strip()
             for row in script.ROW.finditer(table)
             if row[1] != "package"
         }
-        assert script.pinned(file) == sorted(told), "run python docs/licences.py"
-        assert all(re.search("[A-Z]", licence) for licence in told.values()), told
+        assert script.pinned(file) == sorted(result), "run python docs/licences.py"
+        assert all(re.search("[A-Z]", licence) for licence in result.values()), result
 
 
 def test_every_folder_of_data_has_a_licence():
@@ -75,16 +75,16 @@ def test_every_folder_of_data_has_a_licence():
 
 
 def test_a_wheelhouse_is_gathered_and_set_up_from(course, tmp_path, monkeypatch):
-    """What pip and uv are asked: to download all that was set up; to install from nothing but the
+    """What pip and uv get: to download all that was set up; to install from nothing but the
     folder.
     """
     start = load(course.home / "start.py")
-    asked = []
-    monkeypatch.setattr(start, "finish", lambda line, *_: asked.append(line) or True)
+    commands = []
+    monkeypatch.setattr(start, "finish", lambda line, *_: commands.append(line) or True)
     monkeypatch.setenv("PATH", f"{course.bin}{os.pathsep}{os.defpath}")
     wheels = tmp_path / "whéels 1"
     assert start.main(["wheelhouse", str(wheels)]) == 0
-    install, *_, download = (" ".join(line) for line in asked)
+    install, *_, download = (" ".join(line) for line in commands)
     assert "--no-index" not in install and "--no-index" not in download
     assert f"pip download --dest {wheels} " in download and download.endswith(
         "--no-deps --only-binary :all: -r environment.txt"
@@ -95,7 +95,7 @@ def test_a_wheelhouse_is_gathered_and_set_up_from(course, tmp_path, monkeypatch)
     monkeypatch.setenv("KINOEDU_WHEELS", wheels.name)  # relative: the installers run elsewhere
     for tool in (start.with_uv, start.with_pip):
         assert tool("environment.txt", None, None)
-        assert f"--no-index --find-links {wheels} --no-deps" in " ".join(asked[-1])
+        assert f"--no-index --find-links {wheels} --no-deps" in " ".join(commands[-1])
 
 
 def test_a_folder_of_wheels_is_named_and_is_there(course, tmp_path):
@@ -120,7 +120,7 @@ def wheels(tmp_path):
 
     (tmp_path / "wheels").mkdir()
     with zipfile.ZipFile(tmp_path / "wheels" / "only_here-1.0-py3-none-any.whl", "w") as wheel:
-        wheel.writestr("only_here.py", "told = 42\n")
+        wheel.writestr("only_here.py", "result = 42\n")
         wheel.writestr(
             "only_here-1.0.dist-info/METADATA",
             "Metadata-Version: 2.1\nName: only-here\nVersion: 1.0\n",
@@ -139,7 +139,7 @@ def test_wheels_in_a_folder_are_enough(course, tmp_path, wheels):
     ended = course.run("--wheels", "wheels", "plan", cwd=tmp_path, uv="refuse")
     assert ended.status == 0, ended.complaints
     assert [path.read_text() for path in course.venv.glob("[Ll]ib/**/only_here.py")] == [
-        "told = 42\n"
+        "result = 42\n"
     ]
 
 
@@ -156,7 +156,7 @@ def test_pip_makes_a_half_written_package_whole(course, wheels, lost):
     (course.venv / "installed.json").unlink()
     ended = course.run("plan", **how)
     assert ended.status == 0, ended.complaints
-    assert package.read_text() == "told = 42\n"
+    assert package.read_text() == "result = 42\n"
 
 
 # --- a course that nobody writes to
@@ -299,15 +299,15 @@ def test_a_lesson_shows_the_same_in_a_browsers_python(lesson):
     command = [sys.executable, str(HOUSE / "tests" / "like_pyodide.py"), str(notebook)]
     run = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=500)
     assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-2000:]
-    told = json.loads(run.stdout.splitlines()[-1])
-    assert "numba" in told["asked"]
+    result = json.loads(run.stdout.splitlines()[-1])
+    assert "numba" in result["requested"]
     cells = [
         cell
         for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]
         if cell["cell_type"] == "code"
     ]
-    assert len(cells) == len(told["texts"])
-    for cell, text in zip(cells, told["texts"]):
+    assert len(cells) == len(result["texts"])
+    for cell, text in zip(cells, result["texts"]):
         outputs = cell["outputs"]
         printed = [
             "".join(out["text"])

@@ -182,14 +182,14 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
 
 def test_the_stored_table_is_of_the_experiment_beside_it():
     """The table has the problems, planners and seeds of the experiment, and every run."""
-    asked = read_experiment(EXPERIMENTS / "driving.toml")
+    experiment = read_experiment(EXPERIMENTS / "driving.toml")
     with open(EXPERIMENTS / "driving.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     wanted = {
         (p, c.name, str(seed))
-        for p in asked.problems
-        for c in asked.contestants
-        for seed in asked.seeds
+        for p in experiment.problems
+        for c in experiment.contestants
+        for seed in experiment.seeds
     }
     assert {(row["problem"], row["planner"], row["seed"]) for row in rows} == wanted
     assert {row["status"] for row in rows} == {"found", "no path"}
