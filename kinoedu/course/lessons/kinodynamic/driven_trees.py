@@ -161,7 +161,7 @@ class DrivingPlanner(PlannerExercise):
         ]
 
     def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
-        """Return nothing to draw: `answer_words` describes the answer."""
+        """Return nothing to draw: `describe_answer` describes the answer."""
         return [], None
 
     def describe_answer(self, case: Case, value: Any) -> str:
