@@ -55,13 +55,13 @@ def test_a_way_on_the_torus_is_short_and_even():
 
     rng = np.random.default_rng(1)
     for a, b in rng.uniform(-np.pi, np.pi, (50, 2, 2)):
-        way = configurations.way_on_torus(a, b)
-        steps = torus_distance(way[1:], way[:-1])
+        path = configurations.sample_torus_path(a, b)
+        steps = torus_distance(path[1:], path[:-1])
         assert np.allclose(
             steps, torus_distance(a, b) / configurations.PIECES, rtol=1e-9, atol=1e-12
         )
-        assert torus_distance(way[-1], b) < 1e-12
-        (line,) = configurations.draw_way_on_square(a, b, Figure().add_subplot())
+        assert torus_distance(path[-1], b) < 1e-12
+        (line,) = configurations.draw_torus_path(a, b, Figure().add_subplot())
         crossed = int((np.abs(b - a) > np.pi).sum())
         assert np.isnan(line.get_xdata()).sum() == crossed
 
@@ -93,6 +93,6 @@ def test_the_torus_board_draws_no_line_across_the_square():
     rng = np.random.default_rng(2)
     for a, b in rng.uniform(-np.pi, np.pi, (20, 2, 2)):
         canvas = torus_board(a, b)
-        way = canvas.drawing.layers[1].rows.reshape(-1, 2, 2)
-        assert np.hypot(*(way[:, 1] - way[:, 0]).T).sum() <= torus_distance(a, b) * (1 + 1e-9)
-        assert len(way) >= configurations.PIECES - 2
+        path = canvas.drawing.layers[1].rows.reshape(-1, 2, 2)
+        assert np.hypot(*(path[:, 1] - path[:, 0]).T).sum() <= torus_distance(a, b) * (1 + 1e-9)
+        assert len(path) >= configurations.PIECES - 2

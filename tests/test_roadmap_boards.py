@@ -17,7 +17,7 @@ from kinoedu.boards import (
     roadmap_board,
 )
 from kinoedu.boards.core.drawing import Drawing, cells, encode_drawing
-from kinoedu.boards.trees.rewired import costs_at, find_near_pairs, find_ways_to_goal
+from kinoedu.boards.trees.rewired import costs_at, find_near_pairs, find_paths_to_goal
 from kinoedu.errors import InvalidParameter
 from kinoedu.graphs import dijkstra
 from kinoedu.planners.exploring.receding_horizon import plan_from_looks, receding_horizon_looks
@@ -282,9 +282,9 @@ def test_the_tree_and_the_way_are_shown_as_they_were():
     """At every step each node but the root has one edge, and the path is that tree's."""
     made = rewiring_board(problem_of(), nodes=200)
     log, (tree,) = made.rewirings, layers_of(made.canvas, "edges", "tree")
-    ways = find_ways_to_goal(log)
-    assert ways[-1].cost == pytest.approx(made.plan.cost) and ways[0].step == log.at_goal + 1
-    costs = np.array(costs_at(ways, len(log.nodes)))
+    paths = find_paths_to_goal(log)
+    assert paths[-1].cost == pytest.approx(made.plan.cost) and paths[0].step == log.at_goal + 1
+    costs = np.array(costs_at(paths, len(log.nodes)))
     assert (np.diff(costs[np.isfinite(costs)]) <= 1e-12).all()
     (way,) = layers_of(made.canvas, "edges", "path")
     for step in range(1, len(log.nodes) + 1, 13):

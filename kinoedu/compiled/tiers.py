@@ -26,7 +26,7 @@ from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
 
-from ..support.threads import Spent, spent_by
+from ..support.threads import ThreadTime, spent_by
 from . import modes, store
 from .choices import CALLABLE
 from .kinds import Kind, kinds_of
@@ -60,7 +60,7 @@ class ThreadState(threading.local):
 
 thread_state = ThreadState()
 TIERED: list["TieredFunction"] = []  # all of them
-interpreted = Spent()  # in all threads together
+interpreted = ThreadTime()  # in all threads together
 
 
 class TieredFunction:
@@ -239,7 +239,7 @@ class Specialization:
     def counting_time(self) -> Iterator[None]:
         """Count the time of the block; functions called in it are interpreted."""
         began = time.perf_counter()
-        spent = spent_by.setdefault(threading.get_ident(), Spent())
+        spent = spent_by.setdefault(threading.get_ident(), ThreadTime())
         try:
             thread_state.interpreting, spent.began = True, began
             with np.errstate(all="ignore"):  # as machine code, which does not warn

@@ -76,9 +76,9 @@ def parse_toml(text: str) -> Any:
         raise UnreadableScene(f"not valid TOML: {error}") from error
 
 
-def experiment_from(whole: Field, name: str) -> ExperimentRecord:
+def experiment_from(table: Field, name: str) -> ExperimentRecord:
     """Experiment from the contents of a file."""
-    fields = whole.members(("problems", "planners"), ("name", "seeds", "repeat", "time_limit"))
+    fields = table.members(("problems", "planners"), ("name", "seeds", "repeat", "time_limit"))
     problems = {key: problem_from(field) for key, field in named_tables(fields["problems"]).items()}
     contestants = {
         key: planners_from(field) for key, field in named_tables(fields["planners"]).items()

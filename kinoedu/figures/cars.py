@@ -36,7 +36,9 @@ def draw_drive(
     begins = np.concatenate([[0.0], np.cumsum(trajectory.durations)])
     drawn: list[Artist] = []
     for (v, _), begin, end in zip(trajectory.controls, begins, begins[1:]):
-        drawn += draw_way(trajectory.at(np.linspace(begin, end, PIECES)), v < 0.0, ax, palette.PATH)
+        drawn += draw_poses_line(
+            trajectory.at(np.linspace(begin, end, PIECES)), v < 0.0, ax, palette.PATH
+        )
     for q in trajectory.at(np.linspace(0.0, trajectory.duration, ghosts + 2)[1:-1]):
         drawn.append(ax.add_patch(make_ghost(car, q, zorder=3)))
     drawn += draw_robot(car, poses[0], ax, palette.START)
@@ -52,12 +54,14 @@ def draw_curve(curve: Curve, ax: Axes, *, colour: str = palette.PATH) -> list[Ar
     ends = np.concatenate([[0.0], np.cumsum(np.abs(curve.lengths))])
     drawn: list[Artist] = []
     for length, begin, end in zip(curve.lengths, ends, ends[1:]):
-        drawn += draw_way(curve.at(np.linspace(begin, end, PIECES)), length < 0.0, ax, colour)
+        drawn += draw_poses_line(
+            curve.at(np.linspace(begin, end, PIECES)), length < 0.0, ax, colour
+        )
     joints = curve.at(ends[1:-1])[:, :2]
     return drawn + ax.plot(*joints.T, "o", color=colour, markersize=6, zorder=5, **palette.RIM)
 
 
-def draw_way(poses: Array, back: bool, ax: Axes, colour: str) -> list[Artist]:
+def draw_poses_line(poses: Array, back: bool, ax: Axes, colour: str) -> list[Artist]:
     """Draw the line through poses (k, 3)."""
     style = "--" if back else "-"
     return [*ax.plot(*poses[:, :2].T, style, color=colour, linewidth=2.6, zorder=4)]

@@ -88,27 +88,27 @@ def draw_linkage(
     return artists
 
 
-def draw_way_on_square(
+def draw_torus_path(
     a: ArrayLike, b: ArrayLike, ax: Axes, *, colour: str = palette.PATH
 ) -> list[Artist]:
     """Draw the shortest path on the torus from a to b, shapes (2,), on its square.
 
     It may leave the square at one edge and enter at the opposite one.
     """
-    way = way_on_torus(a, b)
-    jumps = np.flatnonzero((np.abs(np.diff(way, axis=0)) > np.pi).any(axis=1)) + 1
-    broken = np.insert(way, jumps, np.nan, axis=0)
+    path = sample_torus_path(a, b)
+    jumps = np.flatnonzero((np.abs(np.diff(path, axis=0)) > np.pi).any(axis=1)) + 1
+    broken = np.insert(path, jumps, np.nan, axis=0)
     return [*ax.plot(*broken.T, "-", color=colour, linewidth=3.5, zorder=4)]
 
 
-def draw_torus(ways: Iterable[tuple[Array, str]], ax: Any = None) -> list[Artist]:
+def draw_torus(paths: Iterable[tuple[Array, str]], ax: Any = None) -> list[Artist]:
     """Draw the torus in space, and on it curves of pairs of angles, (n, 2), each in a colour.
 
     The first angle runs round the ring.
     """
     artists = draw_mesh(torus_mesh(np.zeros((40, 80), int)), ax, axes=False)
     drawn: Any = artists[0].axes
-    for angles, colour in ways:
+    for angles, colour in paths:
         artists += drawn.plot(*on_torus(angles).T, color=colour, lw=4, zorder=5)
     return artists
 
@@ -126,7 +126,7 @@ def on_torus(q: ArrayLike) -> Array:
     return np.stack([far * np.cos(ring), far * np.sin(ring), height], axis=-1)
 
 
-def way_on_torus(a: ArrayLike, b: ArrayLike) -> Array:
+def sample_torus_path(a: ArrayLike, b: ArrayLike) -> Array:
     """Configurations along the shortest path from a to b, angles wrapped, (PIECES + 1, d)."""
     p, q = np.asarray(a, float), np.asarray(b, float)
     space = Torus(len(p))

@@ -4,7 +4,7 @@ import ctypes
 import time
 
 
-class Spent:
+class ThreadTime:
     """The seconds that a thread has spent in the library, and when its current call began."""
 
     def __init__(self) -> None:
@@ -12,7 +12,7 @@ class Spent:
         self.began: float | None = None
 
 
-spent_by: dict[int, Spent] = {}  # by thread identifier
+spent_by: dict[int, ThreadTime] = {}  # by thread identifier
 # The files whose functions wait for machine code.
 WAITING_FILES: set[str] = set()
 

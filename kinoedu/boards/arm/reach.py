@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...figures.configurations import way_on_torus
+from ...figures.configurations import sample_torus_path
 from ...messages import get_message
 from ...robots.arm import ArmRobot, why_unreachable
 from ...spaces import torus_distance
@@ -94,13 +94,15 @@ def torus_board(a: ArrayLike, b: ArrayLike) -> Canvas:
     """
     square = np.pi * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     ends = [handle("a", a, colour="start"), handle("b", b, colour="goal", marker="star")]
-    return Canvas(make_scene((-3.6, -3.6), (3.6, 3.6), boundary=square, handles=ends), draw_way)
+    return Canvas(
+        make_scene((-3.6, -3.6), (3.6, 3.6), boundary=square, handles=ends), answer_torus_path
+    )
 
 
-def draw_way(scene: Scene) -> Drawing:
+def answer_torus_path(scene: Scene) -> Drawing:
     """Draw the shortest path from a to b, and dashed the straight one of a square with walls."""
     a, b = place_of(scene, "a"), place_of(scene, "b")
-    pieces = segments_along(way_on_torus(a, b))
+    pieces = segments_along(sample_torus_path(a, b))
     uncut = pieces[(np.abs(pieces[:, 1] - pieces[:, 0]) < np.pi).all(axis=1)]
     plane, torus = float(np.hypot(*(a - b))), float(torus_distance(a, b))
     layers = [edges([[a, b]], "goal", width=1.5, dash=(6, 4)), edges(uncut, "path", width=4.0)]

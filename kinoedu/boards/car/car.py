@@ -29,9 +29,9 @@ from .car_drawn import (
     describe_ride,
     draw_ends,
     draw_growth,
+    draw_rear_axle_path,
     draw_refused,
     draw_ride,
-    draw_way,
     follow_car,
     make_ride,
 )
@@ -198,7 +198,7 @@ class CarBoard(Framed):
         here : the pose of the car that can be driven.
         """
         car, ends = self.problem.robot, (self.problem.start, self.problem.goal)
-        layers = [*grown, *draw_ends(car, ends), *draw_way(ride, begin)]
+        layers = [*grown, *draw_ends(car, ends), *draw_rear_axle_path(ride, begin)]
         hit = self.planner.value == YOU and self._drive.stopped
         layers += draw_ride(car, ride, begin, hit=hit)
         layers += [follow_car(car, ride, begin)] if self.view.value == "followed" else []

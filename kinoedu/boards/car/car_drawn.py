@@ -68,7 +68,7 @@ def place_shapes(shapes: Array, poses: Array) -> Array:
     return shapes @ turns + poses[:, None, None, :2]
 
 
-def draw_way(ride: Ride, begin: int) -> list[Layer]:
+def draw_rear_axle_path(ride: Ride, begin: int) -> list[Layer]:
     """Draw the path of the rear axle's midpoint from step `begin` on, dashed where it goes back."""
     pieces = segments_along(ride.poses[:, :2])
     back = ride.controls[1:, 0] < 0.0

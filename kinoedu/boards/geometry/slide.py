@@ -38,7 +38,7 @@ def slide_board(robot_vertices: ArrayLike, obstacle_vertices: ArrayLike) -> "Sli
     Returns
     -------
     SlideBoard
-        `slide` is the way round the obstacle, `share` the fraction of it that was driven, 0 to 1.
+        `slide` is the path round the obstacle, `share` the fraction of it that was driven, 0 to 1.
 
     Raises
     ------
@@ -100,55 +100,55 @@ class SlideBoard(Framed):
         layers = [
             *pattern,
             number_vertices(self.slide.robot + self._home, "ink"),
-            *draw_way(self.slide, q, stretch),
+            *draw_boundary(self.slide, q, stretch),
             *draw_contact(self.slide, q, stretch),
         ]
         text, places = describe_contact(self.slide, stretch), [("handle", 0, self._placed)]
         return Drawing(layers, text=text, places=places)
 
 
-def place_copy(way: Slide) -> Array:
+def place_copy(path: Slide) -> Array:
     """The reference point of the robot's copy, which stands to the left of everything else."""
-    reach = way.corners.min(axis=0) + way.robot.min(axis=0)
-    gap = 0.25 * np.ptp(way.corners, axis=0).max()
-    middle = way.obstacle.mean(axis=0) - way.robot.mean(axis=0)
-    return np.array([reach[0] - gap - way.robot[:, 0].max(), middle[1]])
+    reach = path.corners.min(axis=0) + path.robot.min(axis=0)
+    gap = 0.25 * np.ptp(path.corners, axis=0).max()
+    middle = path.obstacle.mean(axis=0) - path.robot.mean(axis=0)
+    return np.array([reach[0] - gap - path.robot[:, 0].max(), middle[1]])
 
 
-def make_slide_scene(way: Slide, home: Array) -> Scene:
+def make_slide_scene(path: Slide, home: Array) -> Scene:
     """The obstacle, the robot's copy beside it, and the reference point of the sliding robot."""
-    robot = way.robot + home
+    robot = path.robot + home
     swept = np.concatenate(
-        [way.corners + corner for corner in (way.robot.min(axis=0), way.robot.max(axis=0))]
+        [path.corners + corner for corner in (path.robot.min(axis=0), path.robot.max(axis=0))]
     )
-    shown = np.concatenate([swept, way.corners, way.obstacle, robot, home[None]])
+    shown = np.concatenate([swept, path.corners, path.obstacle, robot, home[None]])
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     margin = 0.05 * (hi - lo).max()
     return make_scene(
         lo - margin,
         hi + margin,
-        handles=[mark_drawn(handle(get_message("slide_board.q"), way.corners[0], colour="robot"))],
+        handles=[mark_drawn(handle(get_message("slide_board.q"), path.corners[0], colour="robot"))],
         polygons=[
-            polygon(get_message("slide_board.obstacle"), [way.obstacle]),
+            polygon(get_message("slide_board.obstacle"), [path.obstacle]),
             mark_drawn(polygon(get_message("slide_board.robot"), [robot])),
         ],
     )
 
 
-def fraction_at(way: Slide, p: ArrayLike) -> float:
+def fraction_at(path: Slide, p: ArrayLike) -> float:
     """The fraction of the way at which the reference point is nearest to p."""
     x, y = np.asarray(p, float)
-    stretch, nx, ny, _ = nearest_on_ring(x, y, way.corners)
-    gone = way.lengths[:stretch].sum() + np.hypot(
-        nx - way.corners[stretch, 0], ny - way.corners[stretch, 1]
+    stretch, nx, ny, _ = nearest_on_ring(x, y, path.corners)
+    gone = path.lengths[:stretch].sum() + np.hypot(
+        nx - path.corners[stretch, 0], ny - path.corners[stretch, 1]
     )
-    return float(min(gone / way.lengths.sum(), 1.0))
+    return float(min(gone / path.lengths.sum(), 1.0))
 
 
-def describe_contact(way: Slide, stretch: int) -> str:
+def describe_contact(path: Slide, stretch: int) -> str:
     """The features in contact in a stretch, in words."""
-    parts = {"robot": way.robot_part[stretch], "obstacle": way.obstacle_part[stretch]}
-    return get_message(CONTACTS[str(way.kind[stretch])], **parts)
+    parts = {"robot": path.robot_part[stretch], "obstacle": path.obstacle_part[stretch]}
+    return get_message(CONTACTS[str(path.kind[stretch])], **parts)
 
 
 def draw_copy(ring: Array, home: Array) -> list[Layer]:
@@ -172,24 +172,24 @@ def below(ring: Array) -> Array:
     return np.array([ring[:, 0].min(), ring[:, 1].min() - 0.55 * np.ptp(ring[:, 1])])
 
 
-def draw_way(way: Slide, q: Array, stretch: int) -> list[Layer]:
+def draw_boundary(path: Slide, q: Array, stretch: int) -> list[Layer]:
     """Draw the boundary of the C-obstacle dashed, and the part traced so far."""
-    legs = segments_along(np.vstack([way.corners[: stretch + 1], q]))
+    legs = segments_along(np.vstack([path.corners[: stretch + 1], q]))
     return [
-        edges(sides_of(way.corners), "ink", width=1.5, dash=(5.0, 5.0)),
+        edges(sides_of(path.corners), "ink", width=1.5, dash=(5.0, 5.0)),
         edges(legs, "ink", width=6.0),
         edges(legs, "path", width=4.0),
     ]
 
 
-def draw_contact(way: Slide, q: Array, stretch: int) -> list[Layer]:
+def draw_contact(path: Slide, q: Array, stretch: int) -> list[Layer]:
     """Draw the robot in contact, the touching features, and the obstacle's vertex numbers."""
-    robot, sides = way.robot + q, str(way.kind[stretch])
+    robot, sides = path.robot + q, str(path.kind[stretch])
     return [
         bodies([robot], "robot"),
-        draw_feature(robot, way.robot_part[stretch], sides[0]),
-        draw_feature(way.obstacle, way.obstacle_part[stretch], sides[1]),
-        number_vertices(way.obstacle, "obstacle"),
+        draw_feature(robot, path.robot_part[stretch], sides[0]),
+        draw_feature(path.obstacle, path.obstacle_part[stretch], sides[1]),
+        number_vertices(path.obstacle, "obstacle"),
         dots([q], "free", radius=9.0),
         dots([q], "path", radius=7.0),
         labels([q], [get_message("slide_board.q")], "ink"),

@@ -109,7 +109,7 @@ class MovingBoard(Framed):
         else:
             times = {"time": f"{plan.cost:.3g}", "waited": f"{waiting_time(plan.path):.3g}"}
             text = get_message("moving_board.there", **times)
-            layers += draw_way(problem.robot, plan.path, moments)
+            layers += draw_path(problem.robot, plan.path, moments)
         texts = [
             get_message(
                 f"moving_board.{'waits' if waits_at(plan.path, t) else 'now'}", time=f"{t:.2f}"
@@ -139,7 +139,7 @@ def draw_movers(world: MovingWorldRecord, moments: Array) -> list[Layer]:
     return layers
 
 
-def draw_way(robot: Any, path: Array, moments: Array) -> list[Layer]:
+def draw_path(robot: Any, path: Array, moments: Array) -> list[Layer]:
     """Draw the path, and the robot at each moment."""
     stops, steps = interpolate_places(path[:, 2], path[:, :2], moments), np.arange(len(moments))
     span: Any = {"when": steps, "until": steps + 1}

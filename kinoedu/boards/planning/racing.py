@@ -13,7 +13,7 @@ from ...planners.trees.rrt_star import rrt_star
 from ...problems import Plan, ProblemRecord
 from ..arm.rides import is_ours
 from ..core.drawing import Drawing, Layer
-from ..trees.rewired import costs_at, draw_tree_history, draw_ways, find_ways_to_goal
+from ..trees.rewired import costs_at, draw_paths, draw_tree_history, find_paths_to_goal
 from .own import Attempt, describe_result, draw_attempt, try_planner
 from .plans import Settings, draw_plan
 
@@ -33,9 +33,9 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
     tuning: Any = {"step": given.step, "max_nodes": given.samples}
     if planner is rrt_star:
         plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
-        ways, n = find_ways_to_goal(log), len(log.nodes)
-        layers = [draw_tree_history(log), *draw_ways(ways)]
-        texts = describe_steps(plan.planner, costs_at(ways, n))
+        paths, n = find_paths_to_goal(log), len(log.nodes)
+        layers = [draw_tree_history(log), *draw_paths(paths)]
+        texts = describe_steps(plan.planner, costs_at(paths, n))
         return Runner(plan, Drawing(layers, total=n, step_texts=texts))
     if not is_ours(planner):
         tried = try_planner(planner, problem, given.seed)

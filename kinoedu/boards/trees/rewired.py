@@ -15,7 +15,7 @@ from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_alon
 CORNERS = 40  # of the polygon that draws a ball
 
 
-class Way(NamedTuple):
+class PathToGoal(NamedTuple):
     """A path to the goal (k, 2), its length, and the step from which it is the path found."""
 
     step: int
@@ -41,38 +41,40 @@ def log_segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int
     return np.stack([log.nodes[begins, :2], log.nodes[ends, :2]], axis=1)
 
 
-def find_ways_to_goal(log: Rewirings) -> list[Way]:
+def find_paths_to_goal(log: Rewirings) -> list[PathToGoal]:
     """The path to the goal after each change of it."""
-    parent, ways, on_way = np.full(len(log.nodes), -1), list[Way](), {log.at_goal}
+    parent, paths, on_path = np.full(len(log.nodes), -1), list[PathToGoal](), {log.at_goal}
     for node, above, came in zip(
         log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
     ):
         parent[node] = above
-        if node in on_way and came >= log.at_goal:
+        if node in on_path and came >= log.at_goal:
             numbers = extract_path(parent, log.at_goal)
-            on_way, points = set(numbers.tolist()), log.nodes[numbers, :2]
-            while ways and ways[-1].step == came + 1:
-                ways.pop()
+            on_path, points = set(numbers.tolist()), log.nodes[numbers, :2]
+            while paths and paths[-1].step == came + 1:
+                paths.pop()
             length = float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())
-            ways.append(Way(came + 1, points, length))
-    return ways
+            paths.append(PathToGoal(came + 1, points, length))
+    return paths
 
 
-def draw_ways(ways: list[Way]) -> list[Layer]:
+def draw_paths(paths: list[PathToGoal]) -> list[Layer]:
     """Draw the paths one after another, on a dark casing."""
     rows, when, until = [np.empty((0, 2, 2))], list[float](), list[float]()
-    for way, after in zip(ways, [*(float(way.step) for way in ways[1:]), np.inf], strict=False):
-        rows.append(segments_along(way.points))
-        when += [way.step] * len(rows[-1])
+    for path, after in zip(
+        paths, [*(float(path.step) for path in paths[1:]), np.inf], strict=False
+    ):
+        rows.append(segments_along(path.points))
+        when += [path.step] * len(rows[-1])
         until += [after] * len(rows[-1])
     return path_edges(np.concatenate(rows), when=when, until=until)
 
 
-def costs_at(ways: list[Way], total: int) -> list[float]:
+def costs_at(paths: list[PathToGoal], total: int) -> list[float]:
     """The length of the path to the goal at each step from 0, infinite before there is one."""
     costs = np.full(total + 1, np.inf)
-    for way in ways:
-        costs[way.step :] = way.cost
+    for path in paths:
+        costs[path.step :] = path.cost
     return costs.tolist()
 
 

@@ -13,10 +13,10 @@ from .rewired import (
     costs_at,
     describe_steps,
     draw_moments,
+    draw_paths,
     draw_tree_history,
-    draw_ways,
     find_near_pairs,
-    find_ways_to_goal,
+    find_paths_to_goal,
 )
 
 
@@ -73,8 +73,8 @@ class RewiringBoard(Framed):
             problem, max_nodes=self.nodes.value, step=self.step.value, rng=self.seed.value
         )
         log = self.rewirings
-        n, ways, near = len(log.nodes), find_ways_to_goal(log), find_near_pairs(log)
-        *texts, text = describe_steps(log, near, costs_at(ways, n))
-        layers = [draw_tree_history(log), *draw_ways(ways), *draw_moments(log, near)]
+        n, paths, near = len(log.nodes), find_paths_to_goal(log), find_near_pairs(log)
+        *texts, text = describe_steps(log, near, costs_at(paths, n))
+        layers = [draw_tree_history(log), *draw_paths(paths), *draw_moments(log, near)]
         unit = get_message("rewiring_board.unit")
         return Drawing(layers, text=text, total=n, unit=unit, step_texts=texts)

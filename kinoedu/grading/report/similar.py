@@ -73,12 +73,12 @@ def find_similar(
 
     most : the largest number of pairs of either kind.
     """
-    given = find_given_prints(house)
+    handed_out = find_handed_out_prints(house)
     by_name = sorted(submissions, key=lambda one: (one.student, one.file))
     read = ((one.student, sources) for one in by_name for sources in read_sources(one))
-    programs = [make_program(student, sources, given) for student, sources in read]
+    programs = [make_program(student, sources, handed_out) for student, sources in read]
     course = read_course_programs(name, house)
-    others = [make_program(place, sources, given) for place, sources in course]
+    others = [make_program(place, sources, handed_out) for place, sources in course]
     pairs = rank_pairs(programs, [one for one in others if one.pieces], most)
     return Similar(name, programs, *pairs)
 
@@ -92,17 +92,17 @@ def read_sources(one: Submission) -> Iterator[list[str]]:
             return
 
 
-def make_program(name: str, sources: Iterable[str], given: Collection[int]) -> Program:
+def make_program(name: str, sources: Iterable[str], handed_out: Collection[int]) -> Program:
     """A program without the fingerprints that all were given."""
     own = (
-        Piece(piece.lines, {one: at for one, at in piece.prints.items() if one not in given})
+        Piece(piece.lines, {one: at for one, at in piece.prints.items() if one not in handed_out})
         for piece in split_program(sources)
     )
     return Program(name, [piece for piece in own if piece.prints])
 
 
 @functools.cache
-def find_given_prints(house: Path) -> frozenset[int]:
+def find_handed_out_prints(house: Path) -> frozenset[int]:
     """Every fingerprint of the exercises as handed out and of the lessons."""
     rooms = ("exercises", "notebooks")
     found = [file for room in rooms for file in sorted((house / room).glob("*.ipynb"))]

@@ -155,8 +155,8 @@ def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
 def line_parameters(ends: Any) -> tuple[float, float]:
     """Parameters t and s of the intersection of the two lines."""
     p1, p2, p3, p4 = ends
-    whole = cross(p2 - p1, p4 - p3)
-    return cross(p3 - p1, p4 - p3) / whole, cross(p3 - p1, p2 - p1) / whole
+    denominator = cross(p2 - p1, p4 - p3)
+    return cross(p3 - p1, p4 - p3) / denominator, cross(p3 - p1, p2 - p1) / denominator
 
 
 def by_shares(ends: Any, accepts: Any) -> Array:

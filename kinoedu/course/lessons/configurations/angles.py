@@ -5,7 +5,7 @@ from typing import Any
 
 from ...exercise import Case, ValueExercise
 from ...outcomes import Answer, Outcome
-from .pictures import draw_short_ways
+from .pictures import draw_shorter_arcs
 
 TURN = 2.0 * pi
 
@@ -17,4 +17,4 @@ class BetweenAngles(ValueExercise):
 
     def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
         """Draw a circle with the shorter arc for each angle, and both distances."""
-        draw_short_ways(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+        draw_shorter_arcs(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

@@ -28,7 +28,7 @@ def write_both(truth: Any, value: Any, ax: Any) -> None:
     )
 
 
-def draw_short_ways(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+def draw_shorter_arcs(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
     """Draw a circle for each angle, the shorter arc from a to b, and the student's distance."""
     from ....figures import configurations, palette, plane
 

@@ -17,14 +17,14 @@ from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
 from .pictures import draw_pairs, set_title
 from .slips import (
-    left_first,
+    equal_walls,
+    left_cell_first,
     left_walls,
     nearly,
     nested_walls,
     only_later,
     touching,
     touching_in_a_point,
-    whole_walls,
 )
 
 THIN_PLATE = np.array(  # attached to the ceiling
@@ -62,7 +62,7 @@ class Neighbours(ValueExercise):
             "twice",
             lambda trapezoids: np.vstack([touching(trapezoids), touching(trapezoids)[:, ::-1]]),
         ),
-        Slip("left_first", left_first),
+        Slip("left_first", left_cell_first),
         Slip("only_later", only_later),
         Slip("nearly", nearly),
         Slip(
@@ -71,7 +71,7 @@ class Neighbours(ValueExercise):
                 [np.arange(len(trapezoids) - 1), np.arange(1, len(trapezoids))]
             ),
         ),
-        Slip("whole_wall", whole_walls),
+        Slip("whole_wall", equal_walls),
         Slip("nested", nested_walls),
     )
     reference = staticmethod(neighbouring)

@@ -66,7 +66,7 @@ def sorted_pairs(pairs: Pairs) -> Pairs:
     return np.unique(np.sort(pairs, axis=1), axis=0)
 
 
-def left_first(cells: Array) -> Pairs:
+def left_cell_first(cells: Array) -> Pairs:
     """Pairs with the left cell first, whatever its index."""
     low, high = common_part(cells[:, 4:], cells)
     return np.argwhere(adjoining(cells) & (low < high))
@@ -74,7 +74,7 @@ def left_first(cells: Array) -> Pairs:
 
 def touching(cells: Array) -> Pairs:
     """Pairs of cells that share a wall: the right answer."""
-    return sorted_pairs(left_first(cells))
+    return sorted_pairs(left_cell_first(cells))
 
 
 def touching_in_a_point(cells: Array) -> Pairs:
@@ -91,7 +91,7 @@ def left_walls(cells: Array) -> Pairs:
 
 def only_later(cells: Array) -> Pairs:
     """Pairs in which the left cell has the smaller index."""
-    pairs = left_first(cells)
+    pairs = left_cell_first(cells)
     return pairs[pairs[:, 0] < pairs[:, 1]]
 
 
@@ -102,7 +102,7 @@ def nearly(cells: Array) -> Pairs:
     return sorted_pairs(pairs[pairs[:, 0] != pairs[:, 1]])
 
 
-def whole_walls(cells: Array) -> Pairs:
+def equal_walls(cells: Array) -> Pairs:
     """Pairs with equal walls."""
     equal = (
         adjoining(cells) & (cells[:, None, 4] == cells[:, 2]) & (cells[:, None, 5] == cells[:, 3])
@@ -113,5 +113,5 @@ def whole_walls(cells: Array) -> Pairs:
 def nested_walls(cells: Array) -> Pairs:
     """Pairs in which one wall contains the other."""
     low, high = cells[:, None, 4] - cells[:, 2], cells[:, None, 5] - cells[:, 3]
-    pairs = left_first(cells)
+    pairs = left_cell_first(cells)
     return np.sort(pairs[low[*pairs.T] * high[*pairs.T] <= 0], axis=1)

@@ -19,7 +19,7 @@ from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import SIZES, random_rows
 
 Pairs = NDArray[np.int64]
-Way = list[int] | None
+NodePath = list[int] | None
 
 
 def make_search(
@@ -27,7 +27,7 @@ def make_search(
     *,
     directed: bool = True,
     search: Search = dijkstra_path,
-) -> Callable[..., Way]:
+) -> Callable[..., NodePath]:
     """Return a program that finds the lightest path from node 0 to one of the ends.
 
     Parameters
@@ -35,19 +35,19 @@ def make_search(
     weights : computes weights (m,) from controls (m, 2) and durations (m,).
     """
 
-    def find(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+    def find(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> NodePath:
         pairs, heavy = (
             np.reshape(edges, (-1, 2)),
             weights(np.reshape(controls, (-1, 2)), np.asarray(durations, float)),
         )
         graph = graphs.Graph(n, pairs, heavy, directed=directed)
-        ways = [
+        paths = [
             path.tolist()
             for path in (search(graph, 0, int(end)) for end in ends)
             if path is not None
         ]
         return min(
-            ways, key=lambda way: measure_duration(way, pairs, heavy, directed), default=None
+            paths, key=lambda path: measure_duration(path, pairs, heavy, directed), default=None
         )
 
     return find
@@ -58,13 +58,13 @@ def weigh_by_time(_: Array, durations: Array) -> Array:
     return durations
 
 
-def find_fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+def find_fastest(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> NodePath:
     """Return the nodes of a fastest path from node 0 to one of the ends, or None."""
     return make_search(weigh_by_time)(n, edges, controls, durations, ends)
 
 
 def measure_duration(
-    way: list[int], edges: Pairs, durations: Array, directed: bool = True
+    path: list[int], edges: Pairs, durations: Array, directed: bool = True
 ) -> float:
     """Return the total duration of a path; infinite where it uses an edge that does not exist.
 
@@ -74,37 +74,41 @@ def measure_duration(
     for (u, v), t in zip(edges.tolist(), durations.tolist()):
         for pair in ((u, v),) if directed else ((u, v), (v, u)):
             times[pair] = min(t, times.get(pair, np.inf))
-    return float(sum(times.get(pair, np.inf) for pair in zip(way, way[1:])))
+    return float(sum(times.get(pair, np.inf) for pair in zip(path, path[1:])))
 
 
-def keep_last_edges(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+def keep_last_edges(
+    n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs
+) -> NodePath:
     """Find a fastest path where only the last of parallel edges is kept."""
     pairs = np.reshape(edges, (-1, 2))
     kept = list({(u, v): i for i, (u, v) in enumerate(pairs.tolist())}.values())
     return find_fastest(n, pairs[kept], controls[kept], durations[kept], ends)
 
 
-def relax_three_times(n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs) -> Way:
+def relax_three_times(
+    n: int, edges: Pairs, controls: Array, durations: Array, ends: Pairs
+) -> NodePath:
     """Relax all edges only three times, as in a Bellman-Ford that stops too early.
 
     This is right where the rows stand in the order in which they are driven.
     """
-    ways: dict[int, tuple[float, Way]] = {0: (0.0, [0])}
+    paths: dict[int, tuple[float, NodePath]] = {0: (0.0, [0])}
     for u, v, t in 3 * [
         (int(u), int(v), float(t)) for (u, v), t in zip(np.reshape(edges, (-1, 2)), durations)
     ]:
-        time, way = ways.get(u, (np.inf, None))
-        if time + t < ways.get(v, (np.inf, None))[0]:
-            ways[v] = time + t, [*(way or []), v]
-    return min((ways[int(end)] for end in ends if int(end) in ways), default=(np.inf, None))[1]
+        time, path = paths.get(u, (np.inf, None))
+        if time + t < paths.get(v, (np.inf, None))[0]:
+            paths[v] = time + t, [*(path or []), v]
+    return min((paths[int(end)] for end in ends if int(end) in paths), default=(np.inf, None))[1]
 
 
-def change_fastest(change: Callable[[list[int]], list[int]]) -> Callable[..., Way]:
+def change_fastest(change: Callable[[list[int]], list[int]]) -> Callable[..., NodePath]:
     """Return a program that changes the fastest path by `change`."""
 
-    def answer(*given: Any) -> Way:
-        way = find_fastest(*given)
-        return None if way is None else change(way)
+    def answer(*given: Any) -> NodePath:
+        path = find_fastest(*given)
+        return None if path is None else change(path)
 
     return answer
 
@@ -145,9 +149,9 @@ class FastestDrive(ValueExercise):
         ),
         Slip("doubles", keep_last_edges),
         Slip("passes", relax_three_times),
-        Slip("backwards", change_fastest(lambda way: way[::-1])),
-        Slip("no_start", change_fastest(lambda way: way[1:])),
-        Slip("no_end", change_fastest(lambda way: way[:-1])),
+        Slip("backwards", change_fastest(lambda path: path[::-1])),
+        Slip("no_start", change_fastest(lambda path: path[1:])),
+        Slip("no_end", change_fastest(lambda path: path[:-1])),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -215,12 +219,12 @@ class FastestDrive(ValueExercise):
                 )
             )
         _, edges, _, durations, ends = case.given.values()
-        way = value.tolist()
-        if not way or way[0] != 0 or way[-1] not in ends:
+        path = value.tolist()
+        if not path or path[0] != 0 or path[-1] not in ends:
             return Verdict(0.0, "ends_of_way", self.describe_expected(case))
         least, found = (
             measure_duration(truth, edges, durations),
-            measure_duration(way, edges, durations),
+            measure_duration(path, edges, durations),
         )
         rule = "edges" if found == np.inf else "" if self.near(found, least) else "slower"
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT

@@ -105,28 +105,28 @@ class EarliestArrival(Exercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases with two places, then with three, then random ones."""
-        whole = [(0, END)]
-        yield make_case("go", [whole, whole], [(0, 1, 4)], 0, 1)
-        yield make_case("go", [whole, whole], [(1, 0, 3)], 0, 1)
-        yield make_case("go", [whole, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
-        yield make_case("go", [whole, whole, whole], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
+        always = [(0, END)]
+        yield make_case("go", [always, always], [(0, 1, 4)], 0, 1)
+        yield make_case("go", [always, always], [(1, 0, 3)], 0, 1)
+        yield make_case("go", [always, [(0, 3), (6, END)]], [(0, 1, 2)], 0, 1)
+        yield make_case("go", [always, always, always], [(0, 1, 2), (1, 2, 3), (0, 2, 7)], 0, 2)
         yield make_case(
-            "go", [[(0, 4), (7, END)], whole, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
+            "go", [[(0, 4), (7, END)], always, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
         )
-        yield make_case("go", [whole], np.empty((0, 3)), 0, 0)
-        yield make_case("wait", [whole, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
+        yield make_case("go", [always], np.empty((0, 3)), 0, 0)
+        yield make_case("wait", [always, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
         yield make_case(
-            "wait", [whole, [(0, 2), (5, 9), (11, END)], whole], [(0, 1, 3), (1, 2, 1)], 0, 2
-        )
-        yield make_case(
-            "aside", [[(0, 4), (7, END)], whole, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
+            "wait", [always, [(0, 2), (5, 9), (11, END)], always], [(0, 1, 3), (1, 2, 1)], 0, 2
         )
         yield make_case(
-            "again", [whole, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2
+            "aside", [[(0, 4), (7, END)], always, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
+        )
+        yield make_case(
+            "again", [always, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2
         )
         yield make_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
-        yield make_case("none", [whole, whole, whole], [(0, 1, 2)], 0, 2)
-        yield make_case("none", [[(2, END)], whole], [(0, 1, 2)], 0, 1)
+        yield make_case("none", [always, always, always], [(0, 1, 2)], 0, 2)
+        yield make_case("none", [[(2, END)], always], [(0, 1, 2)], 0, 1)
         yield make_case("none", [[(2, END)]], np.empty((0, 3)), 0, 0)
         wanted = dict.fromkeys(self.kinds, 8)
         for _ in range(4000):

@@ -46,8 +46,8 @@ def is_free_at_middle(problem: Any, a: Array, b: Array) -> bool:
 
 def chain_nodes(problem: Any, nodes: Array) -> Matrix:
     """Return a matrix that joins each node only to the next."""
-    whole = find_free_motions(problem, nodes)
-    return np.triu(np.tril(whole, 1), -1)
+    matrix = find_free_motions(problem, nodes)
+    return np.triu(np.tril(matrix, 1), -1)
 
 
 class AdjacencyMatrix(ValueExercise):

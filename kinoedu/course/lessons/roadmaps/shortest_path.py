@@ -19,18 +19,18 @@ from ..shared.random_graphs import random_rows
 from .rules import set_title
 
 Pairs = NDArray[np.int64]
-Way = tuple[list[int] | None, float]
+PathAndLength = tuple[list[int] | None, float]
 DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
-def find_shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
+def find_shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> PathAndLength:
     """Return a shortest path and its length."""
     return find_lightest(nodes, edges, measure_edges(nodes, edges), start, goal)
 
 
 def find_lightest(
     nodes: Array, edges: Pairs, weights: Array, start: int, goal: int, *, directed: bool = False
-) -> Way:
+) -> PathAndLength:
     """Return a path of least weight and its length, or (None, inf)."""
     return measure_path(
         nodes,
@@ -38,12 +38,12 @@ def find_lightest(
     )
 
 
-def find_fewest_edges(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
+def find_fewest_edges(nodes: Array, edges: Pairs, start: int, goal: int) -> PathAndLength:
     """Return a path with the fewest edges and its length."""
     return measure_path(nodes, fewest_edges(graphs.Graph(len(nodes), edges), start, goal))
 
 
-def measure_path(nodes: Array, path: Pairs | None) -> Way:
+def measure_path(nodes: Array, path: Pairs | None) -> PathAndLength:
     """Return a path as node indices and its length, or (None, inf)."""
     if path is None:
         return None, np.inf
@@ -59,7 +59,7 @@ def measure_edges(nodes: Array, pairs: Pairs) -> Array:
 def search_and_sum_by(weigh: Any) -> Any:
     """Return a program that finds the path by other weights, and adds up those."""
 
-    def answer(nodes: Array, edges: Pairs, start: int, goal: int) -> Way:
+    def answer(nodes: Array, edges: Pairs, start: int, goal: int) -> PathAndLength:
         weights = weigh(nodes, edges)
         path, _ = find_lightest(nodes, edges, weights, start, goal)
         if path is None:

@@ -150,8 +150,8 @@ def look_up_cost(cost: Array, q: Array) -> float:
 
 def sum_samples(cost: Array, a: Array, b: Array, step: float) -> float:
     """Return the sum of costs at samples, each multiplied by the step."""
-    whole = measure_length(a, b)
-    if not whole:
+    length = measure_length(a, b)
+    if not length:
         return 0.0
-    shares = np.arange(0.0, whole, step) / whole
+    shares = np.arange(0.0, length, step) / length
     return sum(look_up_cost(cost, a + (b - a) * share) * step for share in shares)

@@ -208,10 +208,10 @@ def find_stray_node(problem: Any, nodes: Array) -> Fault | None:
 
     With goal bias 1 on open ground every node lies on that segment.
     """
-    whole = problem.distance(problem.start, problem.goal)
+    straight_length = problem.distance(problem.start, problem.goal)
     for q in nodes:
-        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) > whole + 1e-6 * (
-            1.0 + whole
-        ):
+        if problem.distance(problem.start, q) + problem.distance(
+            q, problem.goal
+        ) > straight_length + 1e-6 * (1.0 + straight_length):
             return Fault("always_the_goal", q[None])
     return None

@@ -44,9 +44,11 @@ def follow_to_next_corner(problem: Any, path: Array, horizon: float) -> Array:
 
 def stop_at_last_corner(problem: Any, path: Array, horizon: float) -> Array:
     """Stop at the last corner before the horizon."""
-    whole = follow_path(problem, path, horizon)
+    followed = follow_path(problem, path, horizon)
     return (
-        whole if len(whole) < 2 or np.array_equal(whole[-1], path[len(whole) - 1]) else whole[:-1]
+        followed
+        if len(followed) < 2 or np.array_equal(followed[-1], path[len(followed) - 1])
+        else followed[:-1]
     )
 
 
@@ -75,11 +77,11 @@ def restart_horizon(problem: Any, path: Array, horizon: float) -> Array:
 
 def check_beyond(problem: Any, path: Array, horizon: float) -> Array:
     """Check whole motions of the path, also beyond the horizon."""
-    whole = follow_path(problem, path, horizon)
-    for i, (a, b) in enumerate(zip(path[: len(whole) - 1], path[1:])):
+    followed = follow_path(problem, path, horizon)
+    for i, (a, b) in enumerate(zip(path[: len(followed) - 1], path[1:])):
         if not problem.is_free_path(a, b):
-            return whole[: i + 1]
-    return whole
+            return followed[: i + 1]
+    return followed
 
 
 class Follow(ValueExercise):
