@@ -42,7 +42,7 @@ def python_motion_planning() -> Contestant:
     from python_motion_planning.path_planner import RRT
 
     def contestant(case: Case) -> Callable[[], Any]:
-        plan = ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed)
+        plan = ke.rrt(case.problem, step_size=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed)
         taken = np.ascontiguousarray(~case.obstacles.T, dtype=np.int8)
         grid = Grid(bounds=[[0, SIZE], [0, SIZE]], type_map=taken)
         limits = {

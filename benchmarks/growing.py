@@ -73,7 +73,7 @@ def rrt(n: int) -> Task:
         assert len(nodes) == n and np.linalg.norm(b - a, axis=1).max() <= STEP * (1 + 1e-9)
         assert free_motions(problem.robot, problem.world, a, b).all()
 
-    return Task(n, lambda: ke.rrt(problem, step=STEP, max_nodes=n, rng=0), judge)
+    return Task(n, lambda: ke.rrt(problem, step_size=STEP, max_nodes=n, rng=0), judge)
 
 
 def prm(n: int) -> Task:

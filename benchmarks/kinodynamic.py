@@ -182,7 +182,9 @@ def dubins() -> Contestant:
     def contestant(case: Case) -> Callable[[], Any]:
         car, given = ke.Car(30, 10, 20, speeds=[1.0]), case.problem
         problem = ke.Problem(car, ke.PolygonWorld(INSIDE, SOLID + GARAGE), given.goal, given.start)
-        return lambda: ke.rrt(problem, step=REACH, goal_bias=0.0, max_nodes=NODES, rng=case.seed)
+        return lambda: ke.rrt(
+            problem, step_size=REACH, goal_bias=0.0, max_nodes=NODES, rng=case.seed
+        )
 
     return contestant
 

@@ -105,7 +105,7 @@ def ever_finer(problem: ProblemRecord) -> Plan:
     for spacing, step in LADDER:
         for query in (problem, out):
             plan = ke.hybrid_astar(
-                query, spacing=spacing * base, step=step * base, max_nodes=50_000
+                query, spacing=spacing * base, step_size=step * base, max_nodes=50_000
             )
             if plan.path is not None:
                 there = plan.trajectory if query is problem else plan.trajectory.reversed

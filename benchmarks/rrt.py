@@ -28,9 +28,8 @@ GOALS = {
 
 def kinoedu() -> Contestant:
     """The public function, from the problem to the plan."""
-    return lambda case: (
-        lambda: ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed).tree
-    )
+    given = {"step_size": STEP, "goal_bias": BIAS, "max_nodes": NODES}
+    return lambda case: lambda: ke.rrt(case.problem, **given, rng=case.seed).tree
 
 
 def ruler() -> Contestant:
@@ -107,7 +106,7 @@ def python_robotics(checkout: str) -> Contestant:
     theirs = runpy.run_path(str(path))["RRT"]
 
     def contestant(case: Case) -> Callable[[], Any]:
-        plan = ke.rrt(case.problem, step=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed)
+        plan = ke.rrt(case.problem, step_size=STEP, goal_bias=BIAS, max_nodes=NODES, rng=case.seed)
         random.seed(case.seed)
         area, discs = [0.0, SIDE], [tuple(disc) for disc in case.obstacles.tolist()]
         planner = theirs(

@@ -22,12 +22,12 @@ def kinoedu(planner: str) -> Contestant:
     """The public functions, from the problem to the plan."""
     if planner == "rrt_connect":
         return lambda case: (
-            lambda: ke.rrt_connect(case.problem, step=STEP, max_nodes=50_000, rng=case.seed)
+            lambda: ke.rrt_connect(case.problem, step_size=STEP, max_nodes=50_000, rng=case.seed)
         )
     return lambda case: (
         lambda: ke.rrt_star(
             case.problem,
-            step=STEP,
+            step_size=STEP,
             max_nodes=ITERATIONS + 1,
             max_iterations=ITERATIONS,
             rng=case.seed,

@@ -88,7 +88,7 @@ REFUSED = {
     "n that is true": lambda: ke.prm(TASK, n=True, rng=0),
     "no seed": lambda: ke.prm(TASK, rng=None),
     "a seed below zero": lambda: ke.rrt(TASK, rng=-1),
-    "a step of nothing": lambda: ke.rrt(TASK, step=NAN, rng=0),
+    "a step of nothing": lambda: ke.rrt(TASK, step_size=NAN, rng=0),
     "a bug's step of zero": lambda: ke.bug1((0, 0), (1, 1), [SQUARE], 0),
     "a bug without a list of obstacles": lambda: ke.bug1((0, 0), (1, 1), None, 0.1),
     "an edge to no node": lambda: ke.Graph(nodes=[(0, 0)], edges=[(0, 5)]),

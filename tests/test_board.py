@@ -95,14 +95,14 @@ def test_controls_answer_anew_for_every_page():
     ((content, _),) = page.sent
     assert content["seq"] is None and content["to"] is None and made.plan is not before
     made.planner.value = "prm"
-    assert made.step.layout.display == "none" and made.samples.layout.display is None
+    assert made.step_size.layout.display == "none" and made.samples.layout.display is None
     assert "PRM" in repr(made)
 
 
 @pytest.mark.parametrize("step", [None, 0.001, 0.8, 50.0])
 def test_the_first_step_is_kept_by_the_slider(step):
     """It lies on a notch; otherwise the browser would move it and change the stored plan."""
-    slider = board(walled(), step=step).step
+    slider = board(walled(), step_size=step).step_size
     assert slider.value == pytest.approx(np.sqrt(200) / 20 if step is None else step)
     notches = (slider.value - slider.min) / slider.step
     assert slider.min <= slider.value <= slider.max and notches == pytest.approx(
@@ -313,7 +313,7 @@ def out_of_range(problem):
 
 def wrong_step(problem):
     """An error that the library raises."""
-    return ke.rrt(problem, step=-1, rng=0)
+    return ke.rrt(problem, step_size=-1, rng=0)
 
 
 def leaves(problem):
@@ -342,7 +342,7 @@ def leaves(problem):
         (lambda problem: [[1, 2, 3]], "it returned [[1, 2, 3]]"),
         (lambda problem: [[float("nan"), 1]], "it returned [[nan, 1]]"),
         (out_of_range, "your planner raised IndexError: list index out of range - in its line"),
-        (wrong_step, "return ke.rrt(problem, step=-1, rng=0)"),
+        (wrong_step, "return ke.rrt(problem, step_size=-1, rng=0)"),
         (leaves, "your planner raised SystemExit"),
         (lambda problem, rng: ke.rrt(problem, rng=rng), "yours: length"),
     ],

@@ -71,7 +71,7 @@ def test_a_polygon_scene_is_planned_by_decomposition(tmp_path, capsys):
     assert "there is no path" in capsys.readouterr().out
     ke.write_scene(ke.Problem(ke.Disk(0.2), world, (1, 1), (8, 1)), tmp_path / "disk.json")
     disk = ["plan", str(tmp_path / "disk.json"), "--planner", "decomposition"]
-    for wrong in ([*scene, "--step", "1"], disk, ["plan", MAZE, "--planner", "decomposition"]):
+    for wrong in ([*scene, "--step-size", "1"], disk, ["plan", MAZE, "--planner", "decomposition"]):
         assert main(wrong) == 2
         assert "decomposition" in capsys.readouterr().err
 
@@ -189,8 +189,9 @@ def test_a_picture_is_planned_on(tmp_path, capsys):
         ["plan", MAZE, "--query", "-1"],
         ["plan", MAZE, "--start", "0.5,0.5"],
         ["plan", MAZE, "--seed", "-1"],
-        ["plan", MAZE, "--step", "nan"],
-        ["plan", MAZE, "--step", "0"],
+        ["plan", MAZE, "--step-size", "nan"],
+        ["plan", MAZE, "--step-size", "0"],
+        ["plan", MAZE, "--step", "0"],  # an abbreviation
         ["plan", MAZE, "--radius", "-1"],
         ["plan", MAZE, "--radius", "100"],
         ["plan", MAZE, "--clearance", "-1"],
@@ -200,7 +201,7 @@ def test_a_picture_is_planned_on(tmp_path, capsys):
         ["plan", MAZE, "--start", "1e200,1", "--goal", "2,2"],
         ["plan", MAZE, "--out", "plan.gif"],
         ["plan", MAZE, "--spacing", "1"],
-        ["plan", MAZE, "--planner", "prm", "--step", "1"],
+        ["plan", MAZE, "--planner", "prm", "--step-size", "1"],
         ["plan", MAZE, "--start", "-9,-9", "--goal", "-1e3,2"],
         ["plan", MAZE, "--out", "no/such/folder/plan.png"],
     ],

@@ -83,7 +83,7 @@ def digests(wrapped: Any = lambda problem: problem, nodes: int = 450) -> dict[st
     """A digest for each problem; the trees are large enough to use buckets."""
     return {
         f"{name}, seed {seed}": digest(
-            rrt(wrapped(problem), step=0.4, max_nodes=nodes, max_iterations=1500, rng=seed)
+            rrt(wrapped(problem), step_size=0.4, max_nodes=nodes, max_iterations=1500, rng=seed)
         )
         for name, problem in problems().items()
         for seed in (0, 1)
@@ -132,7 +132,7 @@ def test_a_recorder_grows_the_very_same_tree(trees: dict[str, str]) -> None:
 def test_the_trees_are_worth_comparing() -> None:
     """Some problems are solved and one is not, and the trees are large enough to use buckets."""
     plans = {
-        name: rrt(problem, step=0.4, max_nodes=450, max_iterations=1500, rng=0)
+        name: rrt(problem, step_size=0.4, max_nodes=450, max_iterations=1500, rng=0)
         for name, problem in problems().items()
     }
     assert plans["a goal out of reach"].path is None
@@ -179,7 +179,7 @@ def test_without_numba_kinoedu_imports_and_grows_the_very_same_tree(trees: dict[
 def test_a_recorder_records_all_queries() -> None:
     """As many motions as the statistics count; every edge of the tree is among the free ones."""
     recorder = Recorder(problems()["point among polygons"])
-    plan = rrt(recorder, step=0.4, max_nodes=200, rng=0)
+    plan = rrt(recorder, step_size=0.4, max_nodes=200, rng=0)
     queries = [query for query in recorder.log if query.name == "is_free_path"]
     assert len(queries) == plan.stats["checks"] == recorder.counts()["is_free_path"]
     found = {(tuple(q.given[0]), tuple(q.given[1])) for q in queries if q.answer}

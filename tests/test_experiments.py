@@ -354,10 +354,10 @@ NONSENSE = {
     PROBLEMS + "seed = 1\n" + PLANNERS: "experiment.problems.a has an unknown key 'seed'",
     PROBLEMS
     + '[planners.a]\nplanner = "rtt"': "experiment.planners.a.planner must be one of .*rrt",
-    PROBLEMS + "[planners.a]\nstep = 3": "experiment.planners.a.planner must be one of",
+    PROBLEMS + "[planners.a]\nstep_size = 3": "experiment.planners.a.planner must be one of",
     PROBLEMS
     + PLANNERS
-    + "stepp = 3": "experiment.planners.a has an unknown key 'stepp'; did you mean 'step'",
+    + "step = 3": "experiment.planners.a has an unknown key 'step'; did you mean 'step_size'",
     PROBLEMS + PLANNERS + "rng = 3": "unknown key 'rng'",
     PROBLEMS
     + PLANNERS
@@ -397,8 +397,8 @@ def test_a_nonsense_file_raises_a_named_error(text, tmp_path, capsys):
         (lambda: Experiment({"a": PROBLEM}, {"a": "rrt"}), "planner 'a' must be a function"),
         (lambda: Experiment({"a": PROBLEM}, {"a": []}), "planners 'a' must differ"),
         (
-            lambda: Experiment({"a": PROBLEM}, {"a": partial(ke.rrt, stepp=3)}),
-            "rrt has no argument 'stepp'; did you mean 'step'",
+            lambda: Experiment({"a": PROBLEM}, {"a": partial(ke.rrt, step=3)}),
+            "rrt has no argument 'step'; did you mean 'step_size'",
         ),
         (lambda: run([1]), "run takes an Experiment"),
         (lambda: run(SMALL, where=3), "where must be"),
@@ -562,12 +562,12 @@ def test_the_command_writes_table_summary_and_plots(tmp_path, capsys):
     """The command also prints the summary; cells that were not run give status 1 and a reason."""
     file, out = tmp_path / "small.toml", tmp_path / "out"
     file.write_text(
-        FILE.replace("40\n", "3\n", 1) + '[planners.bad]\nplanner = "rrt"\nstep = -1.0\n'
+        FILE.replace("40\n", "3\n", 1) + '[planners.bad]\nplanner = "rrt"\nstep_size = -1.0\n'
     )
     assert main(["experiment", str(file), "--out", str(out), "--workers", "1", "--plots"]) == 1
     output, err = capsys.readouterr()
     assert "12 runs; " in output
-    assert "not run: bad: InvalidParameter: step must be a positive number" in output
+    assert "not run: bad: InvalidParameter: step_size must be a positive number" in output
     assert "running small: 0/12" in err
     assert (out / "summary.txt").read_text(encoding="utf-8") in output + "\n"
     pictures = {"1_rubble_medians.png", "1_rubble_ecdf.png", "1_rubble_growth.png"}

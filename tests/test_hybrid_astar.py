@@ -130,7 +130,7 @@ def test_out_of_a_tight_place_and_turned_round() -> None:
         [(10.3, 0), (11.5, 0), (11.5, 1.3), (10.3, 1.3)],
     ]
     world, parked, road = ke.PolygonWorld(ROOM, cars), (7.0 + 0.5, 0.6, 0.0), (12.0, 3.0, 0.0)
-    out = ke.hybrid_astar(ke.Problem(CAR, world, parked, road), spacing=0.02, step=0.1)
+    out = ke.hybrid_astar(ke.Problem(CAR, world, parked, road), spacing=0.02, step_size=0.1)
     solid = shapely.union_all(
         [shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), *map(shapely.Polygon, cars)]
     )
@@ -177,8 +177,8 @@ def test_bad_input_is_refused_by_name() -> None:
         lambda: ke.hybrid_astar(point),
         lambda: ke.hybrid_astar(None),
         lambda: ke.hybrid_astar(PROBLEM, spacing=0.0),
-        lambda: ke.hybrid_astar(PROBLEM, spacing=1e-9, step=1e-9),
-        lambda: ke.hybrid_astar(PROBLEM, step=math.nan),
+        lambda: ke.hybrid_astar(PROBLEM, spacing=1e-9, step_size=1e-9),
+        lambda: ke.hybrid_astar(PROBLEM, step_size=math.nan),
         lambda: ke.hybrid_astar(PROBLEM, angles=1),
         lambda: ke.hybrid_astar(PROBLEM, max_nodes=0),
     ):

@@ -25,7 +25,7 @@ WAYS = [name for name in TRAPS if name != "sealed"]
 def test_what_the_library_builds_is_accepted(name, seed):
     """The path, the tree, the nearest node and the path along the tree are accepted."""
     problem = TRAPS[name]
-    plan = rrt(problem.problem, step=1.0, goal_bias=0.1, max_iterations=5000, rng=seed)
+    plan = rrt(problem.problem, step_size=1.0, goal_bias=0.1, max_iterations=5000, rng=seed)
     nodes, parent = plan.tree
     assert find_path_fault(problem, plan.path) is None
     assert find_tree_fault(problem, nodes, parent, 1.0) is None
@@ -36,7 +36,7 @@ def test_what_the_library_builds_is_accepted(name, seed):
 def test_a_wrong_path_is_named():
     """Each rule is broken by the least possible change."""
     problem = TRAPS["wall"]
-    path = rrt(problem.problem, step=1.0, rng=0).path
+    path = rrt(problem.problem, step_size=1.0, rng=0).path
     for rule, wrong in (
         ("start", path[1:]),
         ("goal", path[:-1]),
@@ -52,12 +52,12 @@ def test_a_wrong_path_is_named():
 def test_a_wrong_tree_is_named():
     """Each rule is broken by the least possible change."""
     problem = TRAPS["sealed"]
-    nodes, parent = rrt(problem.problem, step=1.0, max_iterations=200, rng=0).tree
+    nodes, parent = rrt(problem.problem, step_size=1.0, max_iterations=200, rng=0).tree
     assert find_tree_fault(problem, nodes, parent, 0.9).rule == "step"
     assert find_tree_fault(problem, nodes, parent + 1, 1.0).rule == "root"
     assert find_tree_fault(problem, nodes, parent[:-1], 1.0).rule == "parents"
     assert find_tree_fault(problem, nodes, np.maximum(parent, 0), 1.0).rule == "root"
-    round_the_wall = rrt(TRAPS["wall"].problem, step=1.0, rng=0).tree.nodes
+    round_the_wall = rrt(TRAPS["wall"].problem, step_size=1.0, rng=0).tree.nodes
     star = np.where(np.arange(len(round_the_wall)) > 0, 0, -1)
     assert find_tree_fault(TRAPS["wall"], round_the_wall, star, 1e9).rule == "free"
     assert find_node_off_nearest(problem, nodes, np.where(parent < 0, -1, 0)).rule == "nearest"

@@ -63,7 +63,7 @@ def test_a_path_is_free_all_the_way(world, robot, planner, seed):
 def test_a_tree_is_a_tree_of_free_steps(world, robot):
     """Each node but the root has an earlier parent, by a free motion no longer than the step."""
     problem = problem_of(world, robot)
-    plan = ke.rrt(problem, step=0.8, rng=3)
+    plan = ke.rrt(problem, step_size=0.8, rng=3)
     assert plan.tree.parent[0] == -1
     for node, parent in enumerate(plan.tree.parent[1:], start=1):
         assert 0 <= parent < node
@@ -174,11 +174,11 @@ def test_wrong_answers_of_a_readers_own_problem_are_refused(answers, recorded):
     )()
     good = Plane()
     assert (
-        ke.rrt(ke.Recorder(good) if recorded else good, step=1.0, max_nodes=50, rng=0).tree
+        ke.rrt(ke.Recorder(good) if recorded else good, step_size=1.0, max_nodes=50, rng=0).tree
         is not None
     )
     with pytest.raises(ke.errors.KinoeduError):
-        ke.rrt(ke.Recorder(own) if recorded else own, step=1.0, max_nodes=50, rng=0)
+        ke.rrt(ke.Recorder(own) if recorded else own, step_size=1.0, max_nodes=50, rng=0)
 
 
 def test_start_at_the_goal():
@@ -222,7 +222,7 @@ def test_a_readers_own_problem_is_planned_on():
         def is_free_path(self, a, b):
             return all(self.is_free(a + t * (b - a)) for t in np.linspace(0, 1, 50))
 
-    for plan in (ke.rrt(Ball(), step=0.5, rng=0), ke.prm(Ball(), n=60, rng=0)):
+    for plan in (ke.rrt(Ball(), step_size=0.5, rng=0), ke.prm(Ball(), n=60, rng=0)):
         assert plan.path is not None
         assert all(Ball().is_free_path(a, b) for a, b in pairwise(plan.path))
 
@@ -236,13 +236,13 @@ def test_an_object_that_cannot_answer_is_refused_by_name():
 @pytest.mark.parametrize(
     "options",
     [
-        {"step": 0},
-        {"step": -1.0},
-        {"step": np.nan},
-        {"step": np.inf},
-        {"step": "1"},
-        {"step": True},
-        {"step": 10**400},
+        {"step_size": 0},
+        {"step_size": -1.0},
+        {"step_size": np.nan},
+        {"step_size": np.inf},
+        {"step_size": "1"},
+        {"step_size": True},
+        {"step_size": 10**400},
         {"goal_bias": 1.5},
         {"goal_bias": -0.1},
         {"goal_bias": np.nan},

@@ -380,7 +380,8 @@ def test_a_control_of_the_race_runs_all_anew():
     made.seed.value = 7
     assert [canvas.drawing.text for canvas in made.canvases] != before
     assert (
-        made.plans[0].cost == ke.rrt(problem_of(), step=made.step.value, max_nodes=100, rng=7).cost
+        made.plans[0].cost
+        == ke.rrt(problem_of(), step_size=made.step_size.value, max_nodes=100, rng=7).cost
     )
 
 

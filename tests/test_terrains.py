@@ -250,7 +250,7 @@ def test_the_parameters_of_the_document():
     problem = ke.Problem(ke.Point(), landscape("rocks", 0), START, GOAL)
     plan = ke.rrt(
         problem,
-        step=20,
+        step_size=20,
         goal_bias=0.5,
         spacing=19.999,
         max_failures=10_000,
@@ -264,7 +264,7 @@ def test_the_parameters_of_the_document():
     walled = np.ones((40, 40), bool)
     walled[:, 20] = False
     sealed = ke.Problem(ke.Point(), ke.Terrain(walled), (5, 5), (35, 35))
-    failed = ke.rrt(sealed, step=6, spacing=3, max_failures=200, max_iterations=10**6, rng=0)
+    failed = ke.rrt(sealed, step_size=6, spacing=3, max_failures=200, max_iterations=10**6, rng=0)
     assert failed.path is None and failed.stats["iterations"] < 50_000
     roadmap = ke.prm(problem, n=30, k=32, rng=0).roadmap
     free = {
@@ -275,4 +275,4 @@ def test_the_parameters_of_the_document():
     }
     assert {tuple(sorted(edge)) for edge in roadmap.edges.tolist()} == free
     with pytest.raises(InvalidParameter, match="spacing"):
-        ke.rrt(problem, step=5, spacing=5, rng=0)
+        ke.rrt(problem, step_size=5, spacing=5, rng=0)

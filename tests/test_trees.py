@@ -83,7 +83,7 @@ def test_a_tree_is_made_of_free_steps(planner):
     tuning = (
         {"reach": 0.8, "expand": ke.rrt_expansion(0.8)}
         if planner == "tree_roadmap"
-        else {"step": 0.8}
+        else {"step_size": 0.8}
     )
     tree = PLANNERS[planner](problem, rng=3, **tuning).tree
     roots = np.flatnonzero(tree.parent < 0).tolist()
@@ -101,9 +101,9 @@ def test_a_tree_is_made_of_free_steps(planner):
 def test_compiled_interpreted_and_recorded_are_one(planner, world):
     """The same tree, path and counts, past the size from which buckets are used."""
     problem = problem_of(world, "disk")
-    compiled = PLANNERS[planner](problem, rng=5, max_nodes=400, step=0.4)
+    compiled = PLANNERS[planner](problem, rng=5, max_nodes=400, step_size=0.4)
     recorder = ke.Recorder(problem)
-    recorded = PLANNERS[planner](recorder, rng=5, max_nodes=400, step=0.4)
+    recorded = PLANNERS[planner](recorder, rng=5, max_nodes=400, step_size=0.4)
     assert np.array_equal(compiled.tree.nodes, recorded.tree.nodes)
     assert np.array_equal(compiled.tree.parent, recorded.tree.parent)
     assert compiled.stats == recorded.stats
@@ -221,7 +221,7 @@ def test_a_readers_own_problem_is_planned_on(planner):
     tuning = (
         {"reach": 0.7, "expand": ke.rrt_expansion(0.7)}
         if planner == "tree_roadmap"
-        else {"step": 0.7, "max_nodes": 300}
+        else {"step_size": 0.7, "max_nodes": 300}
     )
     plan = PLANNERS[planner](Ball(), rng=0, **tuning)
     assert plan.path is not None, plan.reason
@@ -242,8 +242,8 @@ def test_no_path_is_an_answer_with_a_reason(planner):
 @pytest.mark.parametrize(
     "options",
     [
-        {"step": 0},
-        {"step": np.nan},
+        {"step_size": 0},
+        {"step_size": np.nan},
         {"max_nodes": 0},
         {"max_nodes": 2.5},
         {"max_iterations": -1},

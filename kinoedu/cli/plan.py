@@ -14,7 +14,7 @@ from ..planners.registry import PLANNERS
 from ..support.progress import show_stage
 
 CHOICES = {planner.name.replace("_", "-"): planner for planner in PLANNERS.values()}
-SETTINGS = ("step", "nodes", "neighbours", "spacing", "iterations")
+SETTINGS = ("step_size", "nodes", "neighbours", "spacing", "iterations")
 
 PLAN_HELP = f"""\
 Plan a path in a scene, a map or a picture, and draw it.
@@ -39,7 +39,7 @@ PLAN_EXAMPLES = """\
 examples:
   python start.py plan notebooks/maps/Paris_1_256.map --query 324 --planner prm --out plan.png
   python start.py plan notebooks/maps/maze-128-128-10.map --start 5,5 --goal 120,120 --planner astar
-  python start.py plan scene.json --step 0.5 --seed 3 --save plan.json
+  python start.py plan scene.json --step-size 0.5 --seed 3 --save plan.json
   python start.py plan scene.json --planner decomposition --out plan.svg
 
 exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
@@ -117,7 +117,7 @@ def add_robot_options(where: argparse._ArgumentGroup) -> None:
 def add_planner_options(how: argparse._ArgumentGroup) -> None:
     """Add the options for the planners' parameters."""
     how.add_argument(
-        "--step",
+        "--step-size",
         type=float,
         metavar="D",
         help="planners of the RRT family: the longest edge (default: a twentieth of the world)",
@@ -126,14 +126,14 @@ def add_planner_options(how: argparse._ArgumentGroup) -> None:
         "--nodes",
         type=int,
         metavar="N",
-        help="planners of the RRT family: stop at this many nodes (default: 10,000; rrt-star "
-        "5,000); prm: sample this many configurations (default: 1,000)",
+        help="planners of the RRT family: stop at this many nodes; prm: sample this many "
+        f"configurations (default: {list_defaults('nodes')})",
     )
     how.add_argument(
         "--neighbours",
         type=int,
         metavar="K",
-        help="prm: how many neighbours to try for each node (default: 10)",
+        help=f"how many neighbours to try for each node (default: {list_defaults('neighbours')})",
     )
     how.add_argument(
         "--spacing",
@@ -146,8 +146,25 @@ def add_planner_options(how: argparse._ArgumentGroup) -> None:
         "--iterations",
         type=int,
         metavar="N",
-        help="stop after this many iterations (default: rrt ten for each node; kinodynamic-rrt "
-        "1,000; kinodynamic-prm 350; sst 20,000)",
+        help="stop after this many iterations "
+        f"(default: {list_defaults('iterations', none='ten for each node')})",
+    )
+
+
+def list_defaults(setting: str, none: str = "") -> str:
+    """The default of a setting for each planner that has it; `none` in place of None.
+
+    >>> list_defaults("neighbours")
+    'prm 10'
+    """
+    defaults = {
+        name: planner.default(setting)
+        for name, planner in CHOICES.items()
+        if setting in planner.options
+    }
+    return "; ".join(
+        f"{name} {none if value is None else format(value, ',')}"
+        for name, value in defaults.items()
     )
 
 
@@ -236,9 +253,16 @@ def make_plan(problem: Any, arguments: argparse.Namespace) -> Any:
     given = {name: value for name, value in given.items() if value is not None}
     for name in given:
         if name not in planner.options:
-            has = ", ".join(f"--{other}" for other in planner.options) or "no such options"
-            raise InvalidParameter(f"--planner {arguments.planner} has no --{name}; it has {has}")
+            has = ", ".join(map(option_of, planner.options)) or "no such options"
+            raise InvalidParameter(
+                f"--planner {arguments.planner} has no {option_of(name)}; it has {has}"
+            )
     return planner.plan(problem, seed=arguments.seed, **given)
+
+
+def option_of(setting: str) -> str:
+    """The option of the command line for a setting."""
+    return f"--{setting.replace('_', '-')}"
 
 
 def check_writable(option: str, path: Path | None, scene: Path, endings: str) -> None:

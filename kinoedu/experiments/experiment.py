@@ -57,8 +57,8 @@ def Experiment(
     ----------
     problems : dict of Problems by name.
     planners : dict of planners by name. A planner is a function of a problem, such as `rrt` or
-        `functools.partial(rrt, step=2.0)`, or a list of such functions that differ in an argument.
-        Planners with an argument `rng` run once for each seed, the others once.
+        `functools.partial(rrt, step_size=2.0)`, or a list of such functions that differ in an
+        argument. Planners with an argument `rng` run once for each seed, the others once.
     seeds : the number of seeds, counted from 0, or the seeds themselves.
     name : the name of the experiment.
     repeat : the number of times each run is repeated for its median time; its path is always the
@@ -157,7 +157,7 @@ def check_planner(name: str, planner: Any) -> None:
     function = getattr(planner, "func", planner)
     if not inspect.isfunction(function):
         raise InvalidParameter(
-            f"planner {name!r} must be a function such as rrt, or partial(rrt, step=2.0), got "
+            f"planner {name!r} must be a function such as rrt, or partial(rrt, step_size=2.0), got "
             f"{shortened(planner)}"
         )
     parameters = inspect.signature(function).parameters
@@ -180,7 +180,7 @@ def is_seeded(planner: Planner) -> bool:
 def describe_differences(arguments: list[dict[str, Any]]) -> list[str]:
     """Descriptions of the arguments in which planners differ.
 
-    >>> describe_differences([{"step": 2, "n": 10}, {"step": 2, "n": 20}])
+    >>> describe_differences([{"step_size": 2, "n": 10}, {"step_size": 2, "n": 20}])
     ['n=10', 'n=20']
     """
     names = list(dict.fromkeys(name for given in arguments for name in given))

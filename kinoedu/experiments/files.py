@@ -16,7 +16,7 @@
 
     [planners.RRT]            # a function of kinoedu.planners with its arguments
     planner = "rrt"
-    step = 2.0
+    step_size = 2.0
 
     [planners."RRT*"]         # a list stands for one planner for each of its values
     planner = "rrt_star"

@@ -17,7 +17,7 @@ from .plane import dot, label, segment
 
 
 def draw_rrt_steps(
-    problem: ProblemRecord, tree: Tree, sample: Array, step: float, axes: Any = None
+    problem: ProblemRecord, tree: Tree, sample: Array, step_size: float, axes: Any = None
 ) -> list[Artist]:
     """Draw one iteration: the sample, its nearest node, the step, and whether it is free.
 
@@ -42,7 +42,7 @@ def draw_rrt_steps(
         panels = new.ravel()
     q_rand = np.asarray(sample, float)
     near = int(np.argmin([problem.distance(q, q_rand) for q in tree.nodes]))
-    q_near, q_new = tree.nodes[near], problem.steer(tree.nodes[near], q_rand, step)
+    q_near, q_new = tree.nodes[near], problem.steer(tree.nodes[near], q_rand, step_size)
     free = problem.is_free_path(q_near, q_new)
     artists: list[Artist] = []
     titles = [get_message(f"rrt_steps.{name}") for name in ("sample", "nearest", "steer", "check")]

@@ -38,7 +38,7 @@ class Planner(NamedTuple):
     function : takes a problem and keywords, returns a Plan.
     about : one line of help; * marks a planner for polygonal obstacles only.
     options : the function's keyword for each setting that it takes. The names of settings are
-        `step`, `nodes`, `neighbours`, `spacing` and `iterations`.
+        `step_size`, `nodes`, `neighbours`, `spacing` and `iterations`.
     robots : the robots for which the planner is compiled ahead of time.
     quick : keywords of a short run that calls all functions of a long run.
     board : the settings that the planar board offers; None where the planner is not on that board.
@@ -60,6 +60,10 @@ class Planner(NamedTuple):
         """Whether the planner draws random numbers."""
         return "rng" in inspect.signature(self.function).parameters
 
+    def default(self, setting: str) -> Any:
+        """The function's default for a setting."""
+        return inspect.signature(self.function).parameters[self.options[setting]].default
+
     def plan(self, problem: Any, *, seed: int = 0, **settings: Any) -> Plan:
         """Plan with settings by their common names; `seed` is for random planners."""
         return self.run(problem, seed, {self.options[name]: v for name, v in settings.items()})
@@ -74,7 +78,8 @@ class Planner(NamedTuple):
         return self.function(problem, **keywords, **random)
 
 
-STEP, ITERATIONS = {"step": "step", "nodes": "max_nodes"}, {"iterations": "max_iterations"}
+TREE = {"step_size": "step_size", "nodes": "max_nodes"}
+ITERATIONS = {"iterations": "max_iterations"}
 SAMPLES = {"nodes": "n", "neighbours": "k"}
 
 ROWS = (
@@ -82,17 +87,17 @@ ROWS = (
         "rrt",
         rrt,
         "a random tree from the start; any scene",
-        STEP | ITERATIONS,
+        TREE | ITERATIONS,
         ALL,
         {"max_nodes": 50},
-        board=("step",),
+        board=("step_size",),
         car_board=1000,
     ),
     Planner(
         "rrt_connect",
         rrt_connect,
         "two random trees, from start and goal; any scene",
-        STEP,
+        TREE,
         ALL,
         {"max_nodes": 500},
     ),
@@ -100,7 +105,7 @@ ROWS = (
         "rrt_star",
         rrt_star,
         "a random tree whose paths converge to the shortest; any scene",
-        STEP,
+        TREE,
         (POINT,),
         {"max_nodes": 200},
     ),
@@ -108,7 +113,7 @@ ROWS = (
         "informed_rrt_star",
         informed_rrt_star,
         "rrt-star that samples only where a shorter path can pass",
-        STEP,
+        TREE,
         (POINT,),
         {"max_nodes": 200},
     ),

@@ -20,8 +20,8 @@ from .own import Attempt, draw_attempt, try_planner
 from .plans import check_in_plane, draw_plan, make_problem_canvas, problem_in
 
 OWN = "own"
-CONTROLS = ("seed", "step", "samples")
-SETTINGS = {"step": "step", "samples": "nodes"}  # what planners call the values of controls
+CONTROLS = ("seed", "step_size", "samples")
+SETTINGS = {"step_size": "step_size", "samples": "nodes"}  # the setting of each control
 ON_BOARD = {name: planner for name, planner in PLANNERS.items() if planner.board is not None}
 
 
@@ -29,7 +29,7 @@ def board(
     problem: ProblemRecord,
     planner: str | Callable[..., Any] = "rrt",
     *,
-    step: float | None = None,
+    step_size: float | None = None,
     samples: int = 1000,
     rng: int = 0,
 ) -> "Board":
@@ -41,7 +41,7 @@ def board(
     planner : "rrt", "prm", "astar", or a function of yours, `f(problem)` or `f(problem, rng)`, that
         returns a path (n, 2), a Plan or None. The questions that yours asks are recorded and drawn
         in order, its path is compared with our RRT's, and it is stopped after two seconds.
-    step : the first value of the control for the longest edge of a tree.
+    step_size : the first value of the control for the longest edge of a tree.
     samples : the first value of the control for the number of a roadmap's samples.
     rng : the first seed.
 
@@ -63,7 +63,7 @@ def board(
     >>> board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), planner="astar")
     Board(A*: a path of length 18.65, 1,762 nodes)
     """
-    return Board(problem, planner, step=step, samples=samples, rng=rng)
+    return Board(problem, planner, step_size=step_size, samples=samples, rng=rng)
 
 
 class Board(Framed):
@@ -77,7 +77,7 @@ class Board(Framed):
         problem: ProblemRecord,
         planner: str | Callable[..., Any],
         *,
-        step: float | None,
+        step_size: float | None,
         samples: int,
         rng: int,
     ) -> None:
@@ -87,9 +87,9 @@ class Board(Framed):
         self._own, chosen = choose_planner(planner)
         self._stuck: Attempt | None = None
         self.planner = self._menu(chosen)
-        self.seed, self.step, self.samples = self._sliders(step, samples, rng)
+        self.seed, self.step_size, self.samples = self._sliders(step_size, samples, rng)
         self._dress()
-        controls = [self.planner, self.seed, self.step, self.samples]
+        controls = [self.planner, self.seed, self.step_size, self.samples]
         super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def _menu(self, chosen: str) -> widgets.Dropdown:
@@ -100,11 +100,11 @@ class Board(Framed):
             )
         return make_menu("board.planner", options, chosen)
 
-    def _sliders(self, step: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:
+    def _sliders(self, step_size: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:
         seed, n = integer(rng, "rng", least=0), integer(samples, "samples", least=1)
         return (
             widgets.IntSlider(seed, 0, max(99, seed), **control_style("board.seed")),
-            make_length_slider("board.step", world_size(self._given), step),
+            make_length_slider("board.step_size", world_size(self._given), step_size),
             widgets.IntSlider(n, min(50, n), max(3000, n), **control_style("board.samples")),
         )
 
@@ -113,7 +113,7 @@ class Board(Framed):
         problem = problem_in(scene, self._given)
         seed, self.problem = self.seed.value, problem
         if self.planner.value == OWN and self._own is not None:
-            ours = rrt(problem, step=self.step.value, rng=seed)
+            ours = rrt(problem, step_size=self.step_size.value, rng=seed)
             tried = self._stuck or try_planner(self._own, problem, seed)
             self._stuck = tried if tried.still_running else None
             self.plan = tried
@@ -130,7 +130,7 @@ class Board(Framed):
     def _dress(self) -> None:
         """Show the controls that apply to the chosen planner."""
         own = self.planner.value == OWN
-        takes = ["seed", "step"] if own else list_controls(self.planner.value)
+        takes = ["seed", "step_size"] if own else list_controls(self.planner.value)
         for name in CONTROLS:
             getattr(self, name).layout.display = None if name in takes else "none"
 

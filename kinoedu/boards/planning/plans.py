@@ -23,7 +23,7 @@ class Settings(NamedTuple):
     """The values of a board's controls."""
 
     seed: int
-    step: float
+    step_size: float
     samples: int
 
 

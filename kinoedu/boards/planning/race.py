@@ -27,7 +27,7 @@ def race_board(
     planners: Sequence[Callable[..., Any]] | None = None,
     *,
     nodes: int = 1000,
-    step: float | None = None,
+    step_size: float | None = None,
     rng: int = 0,
 ) -> "RaceBoard":
     """Planners side by side: each scene follows the others, and one slider scrubs through all.
@@ -40,7 +40,7 @@ def race_board(
     planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours,
         `f(problem)` or `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the
         queries that it made.
-    nodes, step, rng : the first values of the controls: the most nodes of a tree, its longest edge,
+    nodes, step_size, rng : the first values of the controls: the most nodes of a tree, its longest edge,
         and the seed.
 
     Returns
@@ -63,7 +63,7 @@ def race_board(
     RRT-Connect 73 28.70
     RRT* 1001 18.18
     """
-    return RaceBoard(problem, planners, nodes, step, rng)
+    return RaceBoard(problem, planners, nodes, step_size, rng)
 
 
 class RaceBoard(Framed):
@@ -74,12 +74,12 @@ class RaceBoard(Framed):
         problem: ProblemRecord,
         planners: Sequence[Callable[..., Any]] | None,
         nodes: int,
-        step: float | None,
+        step_size: float | None,
         rng: int,
     ) -> None:
         self._given, self._planners = check_in_plane(problem), check_planners(planners)
         self.nodes = make_counter("rewiring_board.n", integer(nodes, "nodes", least=2), 50, 3000)
-        self.step = make_length_slider("board.step", world_size(problem), step)
+        self.step_size = make_length_slider("board.step_size", world_size(problem), step_size)
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self._scene: Scene = {}
         self._runners: list[Runner] = []
@@ -91,7 +91,7 @@ class RaceBoard(Framed):
         ]
         for canvas in canvases[1:]:
             canvas.add_class("kinoedu-led")
-        super().__init__([self.nodes, self.step, self.seed], canvases)
+        super().__init__([self.nodes, self.step_size, self.seed], canvases)
 
     @property
     def plans(self) -> list[Plan | Attempt]:
@@ -121,7 +121,7 @@ class RaceBoard(Framed):
         except KinoeduError as error:
             self._fault = error
             return
-        given = Settings(self.seed.value, self.step.value, self.nodes.value)
+        given = Settings(self.seed.value, self.step_size.value, self.nodes.value)
         for number, planner in enumerate(self._planners):
             old = before[number] if before else None
             stuck = old is not None and getattr(old.plan, "still_running", False)

@@ -30,7 +30,7 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
 
     The tree of an RRT* is drawn as it was at each step; a reader's own planner is stopped in time.
     """
-    tuning: Any = {"step": given.step, "max_nodes": given.samples}
+    tuning: Any = {"step_size": given.step_size, "max_nodes": given.samples}
     if planner is rrt_star:
         plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
         paths, n = find_paths_to_goal(log), len(log.nodes)

@@ -21,7 +21,7 @@ from .rewired import (
 
 
 def rewiring_board(
-    problem: ProblemRecord, *, nodes: int = 300, step: float | None = None, rng: int = 0
+    problem: ProblemRecord, *, nodes: int = 300, step_size: float | None = None, rng: int = 0
 ) -> "RewiringBoard":
     """Scrub through RRT*: each new node, its ball and neighbours, its parent, the rewired edges.
 
@@ -31,7 +31,7 @@ def rewiring_board(
     Parameters
     ----------
     problem : a Problem in the plane.
-    nodes, step, rng : the first values of the controls; see `rrt_star`.
+    nodes, step_size, rng : the first values of the controls; see `rrt_star`.
 
     Returns
     -------
@@ -47,30 +47,32 @@ def rewiring_board(
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> room = [(0, 0), (10, 0), (10, 10), (0, 10)]
     >>> world = PolygonWorld(room, [[(4, 0), (6, 0), (6, 8), (4, 8)]])
-    >>> rewiring_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), step=1)
+    >>> rewiring_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), step_size=1)
     RewiringBoard(node 300: 4 neighbours, parent 29, 0 rewired; path of length 20.87)
     """
-    return RewiringBoard(problem, nodes, step, rng)
+    return RewiringBoard(problem, nodes, step_size, rng)
 
 
 class RewiringBoard(Framed):
     """The widget that `rewiring_board` returns: controls, and the tree in `canvas`."""
 
-    def __init__(self, problem: ProblemRecord, nodes: int, step: float | None, rng: int) -> None:
+    def __init__(
+        self, problem: ProblemRecord, nodes: int, step_size: float | None, rng: int
+    ) -> None:
         self._given = check_in_plane(problem)
         self.nodes = make_counter("rewiring_board.n", integer(nodes, "nodes", least=1), 50, 1000)
-        self.step = make_length_slider("board.step", world_size(problem), step)
+        self.step_size = make_length_slider("board.step_size", world_size(problem), step_size)
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.plan: Plan | None = None
         super().__init__(
-            [self.nodes, self.step, self.seed], [make_problem_canvas(problem, self.answer)]
+            [self.nodes, self.step_size, self.seed], [make_problem_canvas(problem, self.answer)]
         )
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene, and draw all steps."""
         problem = problem_in(scene, self._given)
         self.plan, self.rewirings = rrt_star_rewirings(
-            problem, max_nodes=self.nodes.value, step=self.step.value, rng=self.seed.value
+            problem, max_nodes=self.nodes.value, step_size=self.step_size.value, rng=self.seed.value
         )
         log = self.rewirings
         n, paths, near = len(log.nodes), find_paths_to_goal(log), find_near_pairs(log)

@@ -41,7 +41,7 @@ class Lattice(NamedTuple):
 
     Cells are squares of side `side` from (x, y), `columns` of them in a row, each divided into
     `headings` headings. moves (m, 2) are controls (v, phi); each is held for a drive of length
-    `step`.
+    `step_size`.
     """
 
     x: float
@@ -50,7 +50,7 @@ class Lattice(NamedTuple):
     columns: int
     headings: int
     moves: Array
-    step: float
+    step_size: float
 
 
 @compiled
@@ -84,9 +84,9 @@ def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tupl
         if problem.is_free_path(q, problem.goal):
             return node, expanded
         for v, phi in lattice.moves:
-            t = lattice.step / abs(v)
+            t = lattice.step_size / abs(v)
             problem.drive(q, v, phi, t, there)
-            cell, c = cell_of(lattice, there), cost[node] + lattice.step
+            cell, c = cell_of(lattice, there), cost[node] + lattice.step_size
             if c < reached.get(cell, np.inf) and problem.is_free_drive(q, v, phi, t):
                 reached[cell] = c
                 new = add_drive(problem, growth, node, v, phi, t)
@@ -100,7 +100,7 @@ def hybrid_astar(
     problem: Any,
     *,
     spacing: float | None = None,
-    step: float | None = None,
+    step_size: float | None = None,
     angles: int = 3,
     max_nodes: int = 200_000,
 ) -> Plan:
@@ -108,15 +108,15 @@ def hybrid_astar(
 
     No random numbers are used. Complete for its lattice only: where nothing is found, a finer
     spacing may help, or more nodes where they ran out. To park in a tight place, plan out of it,
-    with a spacing much finer than the step, and reverse the trajectory by its `reversed`. O(n log
-    n) for n nodes.
+    with a spacing much finer than the step size, and reverse the trajectory by its `reversed`.
+    O(n log n) for n nodes.
 
     Parameters
     ----------
     problem : a Problem of a Car, or a Recorder of one.
     spacing : the side of a cell; by default a quarter of the wheelbase.
-    step : the length of each move; by default 1.5 times the spacing, so that a move leaves its
-        cell. There are as many headings as moves at full steering in a full turn.
+    step_size : the length of each move; by default 1.5 times the spacing, so that a move leaves
+        its cell. There are as many headings as moves at full steering in a full turn.
     angles : how many steering angles are tried, from full right to full left, forward and, if the
         car can reverse, backward.
     max_nodes : stop at this many nodes.
@@ -146,7 +146,7 @@ def hybrid_astar(
             f"hybrid_astar needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
         )
     side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
-    length = 1.5 * side if step is None else positive(step, "step")
+    length = 1.5 * side if step_size is None else positive(step_size, "step_size")
     lattice = lattice_for(inner, side, length, integer(angles, "angles", least=2))
     growth = begin_tree(inner, integer(max_nodes, "max_nodes", least=1) + len(lattice.moves))
     before = count_checks(inner)
@@ -175,7 +175,7 @@ def hybrid_astar(
     return Plan(trajectory.poses, trajectory.length, trajectory=trajectory, stats=stats, **built)
 
 
-def lattice_for(problem: ProblemRecord, side: float, step: float, angles: int) -> Lattice:
+def lattice_for(problem: ProblemRecord, side: float, step_size: float, angles: int) -> Lattice:
     """The cells that cover a world, and the car's moves.
 
     Raises
@@ -187,12 +187,12 @@ def lattice_for(problem: ProblemRecord, side: float, step: float, angles: int) -
     gears = {float(car.speeds.max()), float(car.speeds.min())}
     steering = np.linspace(-car.max_steering, car.max_steering, angles)
     moves = [(v, phi) for v in sorted(gears, reverse=True) for phi in steering]
-    headings = max(1.0, 2.0 * math.pi * car.radius / step)
+    headings = max(1.0, 2.0 * math.pi * car.radius / step_size)
     columns, rows = (hi - lo)[:2] / side + 1.0
     if columns * rows * headings > 1e18:
         raise InvalidParameter(
-            f"a spacing of {side:g} and a step of {step:g} make too many cells to be counted; "
-            "choose larger ones"
+            f"a spacing of {side:g} and a step size of {step_size:g} make too many cells to be "
+            "counted; choose larger ones"
         )
     x, y = float(lo[0]), float(lo[1])
-    return Lattice(x, y, side, math.ceil(columns), math.ceil(headings), np.array(moves), step)
+    return Lattice(x, y, side, math.ceil(columns), math.ceil(headings), np.array(moves), step_size)

@@ -40,7 +40,7 @@ class Rewirings(NamedTuple):
 def rrt_star_rewirings(
     problem: Any,
     *,
-    step: float | None = None,
+    step_size: float | None = None,
     goal_bias: float = 0.05,
     gamma: float | None = None,
     max_nodes: int = 5_000,
@@ -65,12 +65,12 @@ def rrt_star_rewirings(
     generator, rows = as_generator(rng), EDGES_PER_NODE * integer(max_nodes, "max_nodes", least=1)
     sampler, unused = Everywhere(fraction(goal_bias, "goal_bias")), deepcopy(generator)
     growth = grow_rrt_star(
-        "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, generator, rows
+        "RRT*", problem, sampler, step_size, gamma, max_nodes, max_iterations, generator, rows
     )
     attached = int(growth.costs.attached[0])
     if attached > rows:  # once more, now that it is known how much room the log needs
         growth = grow_rrt_star(
-            "RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, unused, attached
+            "RRT*", problem, sampler, step_size, gamma, max_nodes, max_iterations, unused, attached
         )
     n = int(growth.costs.tree.size[0])
     node, parent = growth.costs.log[:attached].T.copy()

@@ -35,7 +35,7 @@ from .spaced import grow_spaced
 def grow(
     problem: Any,
     tree: GrowingTree,
-    step: float,
+    step_size: float,
     goal_bias: float,
     max_iterations: int,
     rng: np.random.Generator,
@@ -48,23 +48,23 @@ def grow(
     -------
     The goal's node, or -1, and the number of iterations.
     """
-    at_goal = join_goal(problem, tree, add(tree, problem.start, -1), step)
+    at_goal = join_goal(problem, tree, add(tree, problem.start, -1), step_size)
     iteration = 0
     while at_goal < 0 and iteration < max_iterations and tree.size[0] < len(tree.nodes) - 1:
         iteration += 1
         q_rand = problem.goal if rng.random() < goal_bias else problem.sample(rng)
         near = problem.nearest(tree, q_rand)
-        q_new = problem.steer(tree.nodes[near], q_rand, step)
+        q_new = problem.steer(tree.nodes[near], q_rand, step_size)
         if problem.is_free_path(tree.nodes[near], q_new):
             new = add(tree, q_new, near)
-            at_goal = join_goal(problem, tree, new, step)
+            at_goal = join_goal(problem, tree, new, step_size)
     return at_goal, iteration
 
 
 def rrt(
     problem: Any,
     *,
-    step: float | None = None,
+    step_size: float | None = None,
     goal_bias: float = 0.05,
     spacing: float = 0.0,
     max_nodes: int = 10_000,
@@ -80,10 +80,10 @@ def rrt(
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours with the same methods.
-    step : delta, the longest edge; by default a twentieth of the world's diagonal.
+    step_size : delta, the longest edge; by default a twentieth of the world's diagonal.
     goal_bias : the probability that a sample is the goal.
-    spacing : refuse a new node nearer than this to another node; less than `step`. Default: 0,
-        which refuses none.
+    spacing : refuse a new node nearer than this to another node; less than `step_size`. Default:
+        0, which refuses none.
     max_nodes : stop at this many nodes.
     max_iterations : stop after this many iterations; by default ten for each node.
     max_failures : stop after this many consecutive iterations without a new node. Default: no
@@ -109,11 +109,12 @@ def rrt(
     (array([1., 1.]), array([9., 1.]))
     """
     problem = as_problem(problem)
-    delta = as_step_size(problem, step, "step")
+    delta = as_step_size(problem, step_size, "step_size")
     bias, apart = fraction(goal_bias, "goal_bias"), nonnegative(spacing, "spacing")
     if apart >= delta:
         raise InvalidParameter(
-            f"spacing must be less than the step {delta:g}, or no node can be added; got {apart:g}"
+            f"spacing must be less than the step size {delta:g}, or no node can be added; got "
+            f"{apart:g}"
         )
     most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
@@ -128,7 +129,7 @@ def rrt(
         )
     reason = (
         f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
-        "more nodes, or another step"
+        "more nodes, or another step size"
     )
     stats = {"iterations": int(iterations), "checks": count_checks(problem) - before}
     return plan_from_tree("RRT", problem, tree, at_goal, reason, **stats)

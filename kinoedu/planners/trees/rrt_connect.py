@@ -43,7 +43,7 @@ def grow_both(
     from_start: GrowingTree,
     from_goal: GrowingTree,
     owner: Numbers,
-    step: float,
+    step_size: float,
     max_iterations: int,
     rng: np.random.Generator,
 ) -> tuple[int, int, int]:
@@ -61,7 +61,7 @@ def grow_both(
     owner[0], owner[1], grown, iteration = 0, 1, 2, 0
     while True:
         if new != TRAPPED:
-            met, added = connect(problem, there, here.nodes[new], step, len(owner) - grown)
+            met, added = connect(problem, there, here.nodes[new], step_size, len(owner) - grown)
             owner[grown : grown + added] = 1 - side
             grown += added
             if met != TRAPPED:
@@ -70,14 +70,14 @@ def grow_both(
             return TRAPPED, TRAPPED, iteration
         here, there, side = there, here, 1 - side
         iteration += 1
-        new, _ = extend(problem, here, problem.sample(rng), step)
+        new, _ = extend(problem, here, problem.sample(rng), step_size)
         if new != TRAPPED:
             owner[grown] = side
             grown += 1
 
 
 @callable_from_compiled
-def extend(problem: Any, tree: GrowingTree, q: Array, step: float) -> tuple[int, bool]:
+def extend(problem: Any, tree: GrowingTree, q: Array, step_size: float) -> tuple[int, bool]:
     """Take one step from the nearest node towards q.
 
     Returns
@@ -85,15 +85,17 @@ def extend(problem: Any, tree: GrowingTree, q: Array, step: float) -> tuple[int,
     The new node, or TRAPPED, and whether it is at q.
     """
     near = problem.nearest(tree, q)
-    reached = problem.distance(tree.nodes[near], q) <= step
-    q_new = q if reached else problem.steer(tree.nodes[near], q, step)
+    reached = problem.distance(tree.nodes[near], q) <= step_size
+    q_new = q if reached else problem.steer(tree.nodes[near], q, step_size)
     if not problem.is_free_path(tree.nodes[near], q_new):
         return TRAPPED, False
     return add(tree, q_new, near), reached
 
 
 @callable_from_compiled
-def connect(problem: Any, tree: GrowingTree, q: Array, step: float, room: int) -> tuple[int, int]:
+def connect(
+    problem: Any, tree: GrowingTree, q: Array, step_size: float, room: int
+) -> tuple[int, int]:
     """Extend the tree towards q until it reaches q, is trapped, or has added `room` nodes.
 
     Returns
@@ -102,7 +104,7 @@ def connect(problem: Any, tree: GrowingTree, q: Array, step: float, room: int) -
     """
     added, reached, node = 0, False, TRAPPED
     while not reached and added < room:
-        node, reached = extend(problem, tree, q, step)
+        node, reached = extend(problem, tree, q, step_size)
         if node == TRAPPED:
             break
         added += 1
@@ -112,7 +114,7 @@ def connect(problem: Any, tree: GrowingTree, q: Array, step: float, room: int) -
 def rrt_connect(
     problem: Any,
     *,
-    step: float | None = None,
+    step_size: float | None = None,
     max_nodes: int = 10_000,
     max_iterations: int | None = None,
     rng: int | np.random.Generator,
@@ -128,7 +130,7 @@ def rrt_connect(
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours with the same methods.
-    step : epsilon, the longest edge; by default a twentieth of the world's diagonal.
+    step_size : epsilon, the longest edge; by default a twentieth of the world's diagonal.
     max_nodes : stop at this many nodes, of both trees together.
     max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
@@ -153,7 +155,7 @@ def rrt_connect(
     (array([1., 1.]), array([9., 1.]))
     """
     problem = as_two_way_problem(problem, "RRT-Connect")
-    epsilon = as_step_size(problem, step, "step")
+    epsilon = as_step_size(problem, step_size, "step_size")
     most = integer(max_nodes, "max_nodes", least=2)
     limit = iteration_limit(max_iterations, most)
     trees, owner = (roomy_tree(problem, most), roomy_tree(problem, most)), np.empty(most, np.int64)
@@ -170,7 +172,7 @@ def rrt_connect(
         path = join_paths(parent, number[0, at_start], number[1, at_goal])
     reason = (
         f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; "
-        "allow more, or another step"
+        "allow more, or another step size"
     )
     stats = {
         "nodes": len(tree.nodes),

@@ -56,7 +56,7 @@ def grow_shortest(
     problem: Any,
     costs: CostTree,
     sampler: Any,
-    step: float,
+    step_size: float,
     radii: Array,
     max_iterations: int,
     rng: np.random.Generator,
@@ -71,7 +71,7 @@ def grow_shortest(
     """
     tree = costs.tree
     join(costs, problem.start, -1, 0.0)
-    at_goal = reach_goal(problem, costs, 0, step)
+    at_goal = reach_goal(problem, costs, 0, step_size)
     least, iteration = problem.distance(problem.start, problem.goal), 0
     room = len(tree.nodes) - 1  # the last place is reserved for the goal
     while iteration < max_iterations and tree.size[0] < room + int(at_goal >= 0):
@@ -81,7 +81,7 @@ def grow_shortest(
         iteration += 1
         q_rand = draw(sampler, problem, shortest, rng)
         nearest = problem.nearest(tree, q_rand)
-        q_new = problem.steer(tree.nodes[nearest], q_rand, step)
+        q_new = problem.steer(tree.nodes[nearest], q_rand, step_size)
         if not problem.is_free_path(tree.nodes[nearest], q_new):
             continue
         near = near_nodes(problem, tree, q_new, radii[tree.size[0]])
@@ -94,7 +94,7 @@ def grow_shortest(
             if cheaper and problem.is_free_path(q_new, q_near):
                 rewire(costs, node, new, length)
         if at_goal < 0:
-            at_goal = reach_goal(problem, costs, new, step)
+            at_goal = reach_goal(problem, costs, new, step_size)
     return at_goal, iteration
 
 
@@ -116,10 +116,10 @@ def cheapest_parent(
 
 
 @callable_from_compiled
-def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
+def reach_goal(problem: Any, costs: CostTree, node: int, step_size: float) -> int:
     """Append the goal below a node within one free step of it; returns the goal's node, or -1."""
     q = costs.tree.nodes[node]
-    if problem.distance(q, problem.goal) > step or not problem.is_free_path(q, problem.goal):
+    if problem.distance(q, problem.goal) > step_size or not problem.is_free_path(q, problem.goal):
         return -1
     return join(costs, problem.goal, node, problem.motion_cost(q, problem.goal))
 
@@ -127,7 +127,7 @@ def reach_goal(problem: Any, costs: CostTree, node: int, step: float) -> int:
 def rrt_star(
     problem: Any,
     *,
-    step: float | None = None,
+    step_size: float | None = None,
     goal_bias: float = 0.05,
     gamma: float | None = None,
     max_nodes: int = 5_000,
@@ -143,11 +143,12 @@ def rrt_star(
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours with the same methods.
-    step : eta, the longest motion towards a sample; by default a twentieth of the world's diagonal.
+    step_size : eta, the longest motion towards a sample; by default a twentieth of the world's
+        diagonal.
     goal_bias : the probability that a sample is the goal, until the goal is reached.
-    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most `step`.
-        By default large enough that paths converge to the shortest in the problem's space; for an
-        object of yours the radius is always `step`.
+    gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most
+        `step_size`. By default large enough that paths converge to the shortest in the problem's
+        space; for an object of yours the radius is always `step_size`.
     max_nodes : stop at this many nodes; the planner does not stop at the first path.
     max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
@@ -172,14 +173,16 @@ def rrt_star(
     True
     """
     sampler = Everywhere(fraction(goal_bias, "goal_bias"))
-    growth = grow_rrt_star("RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng)
+    growth = grow_rrt_star(
+        "RRT*", problem, sampler, step_size, gamma, max_nodes, max_iterations, rng
+    )
     return plan_from_growth("RRT*", growth)
 
 
 def informed_rrt_star(
     problem: Any,
     *,
-    step: float | None = None,
+    step_size: float | None = None,
     goal_bias: float = 0.05,
     gamma: float | None = None,
     max_nodes: int = 5_000,
@@ -194,7 +197,7 @@ def informed_rrt_star(
     return plan_from_growth(
         "informed RRT*",
         grow_rrt_star(
-            "informed RRT*", problem, sampler, step, gamma, max_nodes, max_iterations, rng
+            "informed RRT*", problem, sampler, step_size, gamma, max_nodes, max_iterations, rng
         ),
     )
 
@@ -203,7 +206,7 @@ def grow_rrt_star(
     planner: str,
     problem: Any,
     sampler: Everywhere | Informed,
-    step: float | None,
+    step_size: float | None,
     gamma: float | None,
     max_nodes: int,
     max_iterations: int | None,
@@ -212,7 +215,7 @@ def grow_rrt_star(
 ) -> Growth:
     """Check the parameters and grow the tree, with a log of `rows` edges."""
     problem = as_two_way_problem(problem, planner)
-    eta = as_step_size(problem, step, "step")
+    eta = as_step_size(problem, step_size, "step_size")
     most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
     widest = sufficient_gamma(problem) if gamma is None else positive(gamma, "gamma")
@@ -233,7 +236,7 @@ def plan_from_growth(planner: str, growth: Growth) -> Plan:
     tree, iterations = growth.costs.tree, growth.iterations
     reason = (
         f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
-        "more nodes, or another step"
+        "more nodes, or another step size"
     )
     return plan_from_tree(
         planner,

@@ -17,7 +17,7 @@ from .goal import join_goal
 def grow_spaced(
     problem: Any,
     tree: GrowingTree,
-    step: float,
+    step_size: float,
     goal_bias: float,
     spacing: float,
     max_iterations: int,
@@ -32,7 +32,7 @@ def grow_spaced(
     -------
     The goal's node, or -1, and the number of iterations.
     """
-    at_goal = join_goal(problem, tree, add(tree, problem.start, -1), step)
+    at_goal = join_goal(problem, tree, add(tree, problem.start, -1), step_size)
     iteration, failures = 0, 0
     room = len(tree.nodes) - 1  # the last place is reserved for the goal
     while (
@@ -44,10 +44,10 @@ def grow_spaced(
         iteration, failures = iteration + 1, failures + 1
         q_rand = problem.goal if rng.random() < goal_bias else problem.sample(rng)
         near = problem.nearest(tree, q_rand)
-        q_new = problem.steer(tree.nodes[near], q_rand, step)
+        q_new = problem.steer(tree.nodes[near], q_rand, step_size)
         is_free = problem.is_free_path(tree.nodes[near], q_new)
         if is_free and is_apart(problem, tree, q_new, spacing):
-            at_goal, failures = join_goal(problem, tree, add(tree, q_new, near), step), 0
+            at_goal, failures = join_goal(problem, tree, add(tree, q_new, near), step_size), 0
     return at_goal, iteration
 
 

@@ -101,15 +101,16 @@ def tree_roadmap(
     return plan_from_tree("tree roadmap", problem, tree, at_goal, reason, **stats)
 
 
-def rrt_expansion(step: float | None = None, goal_bias: float = 0.05) -> Expansion:
+def rrt_expansion(step_size: float | None = None, goal_bias: float = 0.05) -> Expansion:
     """The expansion of an RRT: the node nearest to a sample, and one step from it to the sample.
 
     Raises
     ------
     InvalidParameter
-        Where `step` is not positive or `goal_bias` is not from 0 to 1.
+        Where `step_size` is not positive or `goal_bias` is not from 0 to 1.
     """
-    bias, delta = fraction(goal_bias, "goal_bias"), None if step is None else positive(step, "step")
+    bias = fraction(goal_bias, "goal_bias")
+    delta = None if step_size is None else positive(step_size, "step_size")
 
     def expand(problem: Any, tree: GrowingTree, rng: np.random.Generator) -> tuple[int, Array]:
         q_rand = problem.goal if rng.random() < bias else problem.sample(rng)
