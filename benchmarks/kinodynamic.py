@@ -14,7 +14,9 @@ from timing import Contestant, Goal, Judge, available, measure, report, run
 import kinoedu as ke
 from kinoedu.collision import is_free
 from kinoedu.collision.turning import contact_size
-from kinoedu.planners.driving.common import as_bias, as_car_problem, as_drives, begin_tree
+from kinoedu.planners import Drives, GoalBias, GoalRegion
+from kinoedu.planners.driving.common import as_car_problem, begin_tree
+from kinoedu.planners.driving.parameters import as_drives, as_goal_bias
 from kinoedu.problems import ProblemRecord
 
 SECONDS = 90
@@ -81,10 +83,11 @@ def on_the_map(seed: int) -> Case:
     return Case(ke.Problem(ke.Car(30, 10, 20), world, (250, 250, 0), (50, 50, np.pi / 2)), seed)
 
 
-def grown(case: Case, iterations: int = ITERATIONS, **tuning: int) -> ke.Plan:
+def grown(case: Case, iterations: int = ITERATIONS, **given: Any) -> ke.Plan:
     """The tree of kinoedu's public function; a place must be the goal itself, which none is."""
-    limits = {"tolerance": 0.0, "turn_tolerance": 0.0, "max_iterations": iterations}
-    return ke.kinodynamic_rrt(case.problem, **limits, **tuning, rng=case.seed)
+    exact = GoalRegion(tolerance=0.0, turn_tolerance=0.0)
+    limits = {"goal_region": exact, "max_iterations": iterations}
+    return ke.kinodynamic_rrt(case.problem, **limits, **given, rng=case.seed)
 
 
 def kinoedu() -> Contestant:
@@ -99,10 +102,7 @@ def ruler() -> Contestant:
 
     def contestant(case: Case) -> Callable[[], Any]:
         problem = as_car_problem(case.problem, "the ruler", None)
-        bias, drives = (
-            as_bias(problem, 4, 7, None, np.radians(90.0)),
-            as_drives(problem, TRIALS, None, None, 4),
-        )
+        bias, drives = as_goal_bias(problem, GoalBias()), as_drives(problem, Drives(trials=TRIALS))
         robot, space, world = problem.robot, problem.space, world_of(problem)
         contact = contact_size(problem.world.lo, problem.world.hi)
         numbers = robot.wheelbase, robot.max_steering, space.weight[2], contact
@@ -165,7 +165,7 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
 
 def one_control() -> Contestant:
     """The public function where only one control is tried in each iteration."""
-    return lambda case: lambda: grown(case, trials=1, batches=1)
+    return lambda case: lambda: grown(case, drives=Drives(trials=1, batches=1))
 
 
 def judge_ompl(case: Case, answers: dict[str, Any]) -> None:

@@ -35,7 +35,7 @@ DRIVING = {
     "kinodynamic RRT": lambda problem, seed: ke.kinodynamic_rrt(
         problem, max_iterations=2000, rng=seed
     ),
-    "kinodynamic PRM": lambda problem, seed: ke.kinodynamic_prm(problem, iterations=700, rng=seed),
+    "kinodynamic PRM": lambda problem, seed: ke.kinodynamic_prm(problem, n=700, rng=seed),
     "SST": lambda problem, seed: ke.sst(problem, max_iterations=10_000, rng=seed),
     "hybrid A*": lambda problem, seed: ke.hybrid_astar(problem, max_nodes=20_000),
 }

@@ -47,6 +47,9 @@ if TYPE_CHECKING:  # shows type checkers the names of the table below
     from .graphs import Graph, astar, bfs_path, bfs_tree, dfs_path, dijkstra
     from .planners import (
         ComponentKClosest,
+        Drives,
+        GoalBias,
+        GoalRegion,
         KClosest,
         Radius,
         after_change,
@@ -104,14 +107,14 @@ ROOMS = {
     "files": "read_mesh read_plan read_problem read_scene read_world write_plan write_scene",
     "graphs": "Graph astar bfs_path bfs_tree dfs_path dijkstra",
     "planners": (
-        "ComponentKClosest KClosest Radius after_change alternative_routes best_within "
-        "bug0 bug1 bug2 bug2_prelim bug_base build_roadmap cells_with_headings "
-        "changed_box changing_roadmap grid_roadmap hybrid_astar informed_rrt_star "
-        "kinodynamic_prm kinodynamic_rrt path_cost plan_by_cells_with_headings "
-        "plan_by_decomposition plan_by_visibility plan_in_time plan_on_grid "
-        "plan_on_roadmap prm prm_star query receding_horizon roadmap_properties rrt "
-        "rrt_connect rrt_expansion rrt_star shortcut sst trajectory_along tree_roadmap "
-        "visibility_roadmap"
+        "ComponentKClosest Drives GoalBias GoalRegion KClosest Radius after_change "
+        "alternative_routes best_within bug0 bug1 bug2 bug2_prelim bug_base "
+        "build_roadmap cells_with_headings changed_box changing_roadmap grid_roadmap "
+        "hybrid_astar informed_rrt_star kinodynamic_prm kinodynamic_rrt path_cost "
+        "plan_by_cells_with_headings plan_by_decomposition plan_by_visibility "
+        "plan_in_time plan_on_grid plan_on_roadmap prm prm_star query receding_horizon "
+        "roadmap_properties rrt rrt_connect rrt_expansion rrt_star shortcut sst "
+        "trajectory_along tree_roadmap visibility_roadmap"
     ),
     "problems": "Plan Problem Recorder TimedProblem",
     "robots": "Car Disk Point RigidPolygon Trajectory TranslatingPolygon TwoLinkArm",

@@ -1,8 +1,10 @@
 """Boards without a browser: questions and answers, readers' planners, and stored notebooks."""
 
 import base64
+import inspect
 import io
 import json
+import re
 import sys
 import threading
 from contextlib import suppress
@@ -12,12 +14,15 @@ import pytest
 from PIL import Image
 
 import kinoedu as ke
-from kinoedu.boards import Canvas, Drawing, board, distance_board
+from kinoedu.boards import Canvas, Drawing, board, car_board, distance_board
+from kinoedu.boards.car.car import ON_BOARD as ON_CAR_BOARD
 from kinoedu.boards.core.drawing import edges, encode_drawing, path
 from kinoedu.boards.core.scene import make_scene, move_parts
+from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.own import draw_questions, try_planner
 from kinoedu.boards.planning.plans import make_problem_scene, problem_in
 from kinoedu.errors import InvalidParameter, KinoeduError
+from kinoedu.planners.registry import PLANNERS
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
@@ -97,6 +102,13 @@ def test_controls_answer_anew_for_every_page():
     made.planner.value = "prm"
     assert made.step_size.layout.display == "none" and made.samples.layout.display is None
     assert "PRM" in repr(made)
+
+
+@pytest.mark.parametrize(("function", "planners"), [(board, ON_BOARD), (car_board, ON_CAR_BOARD)])
+def test_the_docstring_names_the_planners(function, planners):
+    """All that the board's menu has, and no other planner."""
+    named = re.findall(r'"(\w+)"', inspect.getdoc(function))
+    assert set(named) & set(PLANNERS) == set(planners)
 
 
 @pytest.mark.parametrize("step", [None, 0.001, 0.8, 50.0])

@@ -325,6 +325,7 @@ def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(tmp_pat
 
 PROBLEMS = '[problems.a]\nworld = "narrow passage"\n'
 PLANNERS = '[planners.a]\nplanner = "rrt"\n'
+DRIVEN = '[planners.a]\nplanner = "kinodynamic_rrt"\n'
 NONSENSE = {
     "seeds = = 3": "not valid TOML",
     "": "experiment lacks 'problems'",
@@ -369,7 +370,27 @@ NONSENSE = {
     + PLANNERS
     + "max_nodes = []": "experiment.planners.a.max_nodes must be a value, or a list",
     PROBLEMS + PLANNERS + "max_nodes = [5, 5]": "planners 'a' must differ",
+    PROBLEMS
+    + DRIVEN
+    + "step = 0.1": "has an unknown key 'step'; known are planner, drives, goal_bias",
+    PROBLEMS
+    + DRIVEN
+    + "drives.step = 0.1": "a.drives has an unknown key 'step'; did you mean 'time_step'",
+    PROBLEMS + DRIVEN + "drives.trials = 2.5": "a.drives.trials must be a whole number",
+    PROBLEMS + DRIVEN + "drives.trials = []": "a.drives.trials must be a value, or a list",
+    PROBLEMS + DRIVEN + "drives.trials = 0": "trials must be a whole number from 1",
+    PROBLEMS + DRIVEN + "drives = 8": "experiment.planners.a.drives must be an object",
 }
+
+
+def test_a_record_is_a_table(tmp_path):
+    """Its keys are the record's parameters; a list of values stands for several planners."""
+    file = tmp_path / "driven.toml"
+    file.write_text(PROBLEMS + DRIVEN + "drives.trials = [8, 20]\ndrives.duration = 1")
+    first, second = read_experiment(file).contestants
+    assert first.function.keywords == {"drives": ke.Drives(trials=8, duration=1)}
+    assert second.function.keywords == {"drives": ke.Drives(trials=20, duration=1)}
+    assert [first.tuning, second.tuning] == ["drives.trials=8", "drives.trials=20"]
 
 
 @pytest.mark.parametrize("text", NONSENSE)
@@ -436,6 +457,9 @@ def test_a_digest_tells_values_and_functions_apart():
         {1: "a"},
         ["a", "b"],
         ["ab"],
+        ke.Drives(),
+        ke.Drives(trials=8),
+        ke.GoalRegion(),
     ]
     assert len({digest(value) for value in values}) == len(values)
     assert digest({"a": 1, "b": 2}) == digest({"b": 2, "a": 1})

@@ -15,7 +15,8 @@ import kinoedu as ke
 from kinoedu.collision import is_free_trajectory
 from kinoedu.curves import integrators
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.planners.driving.common import as_car_problem, as_drives, closest_step
+from kinoedu.planners.driving.common import as_car_problem, closest_step
+from kinoedu.planners.driving.parameters import as_drives
 from kinoedu.spaces.angles import angle_difference
 
 INSIDE = [(10, 10), (290, 10), (290, 290), (10, 290)]  # the map's walls are 10 thick
@@ -133,7 +134,7 @@ def test_interpreted_is_compiled(planner: str) -> None:
     """A Recorder runs the interpreted code: the tree is the same, and the log has every drive."""
     few = {
         "kinodynamic_rrt": {"max_iterations": 8},
-        "kinodynamic_prm": {"iterations": 5},
+        "kinodynamic_prm": {"n": 5},
         "sst": {"max_iterations": 60},
     }[planner]
     recorder = ke.Recorder(EASY)
@@ -146,8 +147,8 @@ def test_interpreted_is_compiled(planner: str) -> None:
 def test_steps_passed_over_are_never_the_closest() -> None:
     """The closest step is that of simulating every one of the 150."""
     problem, rng = as_car_problem(PROBLEM, "a test", None), np.random.default_rng(5)
-    drives, there = as_drives(problem, 20, None, None, 1), np.empty(3)
-    assert (drives.steps, drives.step) == (150, pytest.approx(0.1))
+    drives, there = as_drives(problem, ke.Drives()), np.empty(3)
+    assert (drives.steps, drives.time_step) == (150, pytest.approx(0.1))
     for _ in range(300):
         q, q_rand = problem.sample(rng), problem.sample(rng)
         if rng.random() < 0.7:
@@ -155,7 +156,7 @@ def test_steps_passed_over_are_never_the_closest() -> None:
         v, phi = problem.control(rng)
         distances = []
         for k in range(1, 151):
-            problem.drive(q, v, phi, k * drives.step, there)
+            problem.drive(q, v, phi, k * drives.time_step, there)
             distances.append(problem.distance(there, q_rand))
         step, least = closest_step(problem, q, q_rand, v, phi, drives, np.inf, there)
         assert (step, least) == (1 + int(np.argmin(distances)), min(distances))
@@ -185,7 +186,7 @@ def test_there_already_and_never() -> None:
     problem = ke.Problem(CAR, world, (50, 50, 0), (250, 50, 0))
     for planner, few in (
         (ke.kinodynamic_rrt, {"max_iterations": 300}),
-        (ke.kinodynamic_prm, {"iterations": 150}),
+        (ke.kinodynamic_prm, {"n": 150}),
         (ke.sst, {}),
     ):
         plan = planner(problem, rng=0, **few)
@@ -220,14 +221,14 @@ def test_edges_are_directed() -> None:
     problem = ke.Problem(
         ke.Car(30, 10, 20, speeds=(1,)), ke.PolygonWorld(INSIDE), (60, 150, 0), (220, 150, 0)
     )
-    plan = ke.kinodynamic_prm(problem, iterations=600, rng=0)
+    plan = ke.kinodynamic_prm(problem, n=600, rng=0)
     assert plan.path is not None and (plan.trajectory.controls[:, 0] == 1).all()
     check_driven(plan, problem, shapely.box(-200, -200, 500, 500) - shapely.Polygon(INSIDE))
 
 
 def test_alternative_routes() -> None:
     """They differ, the first is the plan's own, and each holds by itself."""
-    plan = ke.kinodynamic_prm(EASY, iterations=2000, rng=0)
+    plan = ke.kinodynamic_prm(EASY, n=2000, rng=0)
     routes = ke.alternative_routes(plan, 3)
     assert len(routes) == 3 and routes[0].cost == plan.cost
     for one, other in pairwise(routes):
@@ -335,24 +336,30 @@ def test_one_centre_for_all_wheels() -> None:
 
 def test_nonsense_is_refused_by_name() -> None:
     """Arguments out of range, and robots that are not driven, are refused."""
-    wrong = [
-        {"trials": 0},
-        {"duration": 0},
-        {"step": 99},
-        {"batches": 0},
-        {"tolerance": -1},
-        {"goal_every": -1},
-        {"region": -1},
-    ]
-    for arguments in (
-        *wrong,
-        {"turn_weight": 0},
-        {"turn_tolerance": np.nan},
-        {"max_iterations": 1.5},
-        {"region_turn": "wide"},
+    for record, name, value in (
+        (ke.Drives, "trials", 0),
+        (ke.Drives, "duration", 0),
+        (ke.Drives, "time_step", -1),
+        (ke.Drives, "batches", 0),
+        (ke.GoalBias, "goal_every", -1),
+        (ke.GoalBias, "region_every", 1.5),
+        (ke.GoalBias, "region", -1),
+        (ke.GoalBias, "region_turn", "wide"),
+        (ke.GoalRegion, "tolerance", -1),
+        (ke.GoalRegion, "turn_tolerance", np.nan),
     ):
-        with pytest.raises(InvalidParameter):
-            ke.kinodynamic_rrt(PROBLEM, rng=0, **arguments)
+        with pytest.raises(InvalidParameter, match=f"^{name} must be"):
+            record(**{name: value})
+    for name, value, words in (
+        ("drives", ke.Drives(time_step=99), "time_step 99 must not be longer than the duration 15"),
+        ("drives", {"trials": 8}, r"drives must be Drives\(...\), got"),
+        ("goal_bias", 0.05, r"goal_bias must be GoalBias\(...\), got 0.05"),
+        ("goal_region", ke.Drives(), r"goal_region must be GoalRegion\(...\), got"),
+        ("turn_weight", 0, "turn_weight must be"),
+        ("max_iterations", 1.5, "max_iterations must be"),
+    ):
+        with pytest.raises(InvalidParameter, match=words):
+            ke.kinodynamic_rrt(PROBLEM, rng=0, **{name: value})
     for planner in (ke.kinodynamic_rrt, ke.kinodynamic_prm, ke.sst):
         with pytest.raises(InvalidParameter, match="Car"):
             planner(ke.Problem(ke.Point(), WORLD, (20, 20), (280, 280)), rng=0)

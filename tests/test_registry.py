@@ -50,6 +50,14 @@ def test_row_is_true_of_its_function(planner):
 
 
 @pytest.mark.parametrize("planner", PLANNERS.values(), ids=PLANNERS)
+def test_keywords_are_few_and_mean_one_thing(planner):
+    """At most eight; `step` and `iterations` are too vague for a keyword."""
+    keywords = list(inspect.signature(planner.function).parameters)[1:]
+    assert len(keywords) <= 8
+    assert not {"step", "iterations"} & set(keywords)
+
+
+@pytest.mark.parametrize("planner", PLANNERS.values(), ids=PLANNERS)
 def test_short_run_makes_a_plan(planner):
     """With the keywords of its row and seed 0, and the same plan a second time."""
     kind = "turning polygon" if planner.name in FOR_TURNING else "point"

@@ -3,6 +3,7 @@
 import hashlib
 import inspect
 from collections.abc import Iterator
+from dataclasses import is_dataclass
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -52,6 +53,9 @@ def encode_parts(value: Any) -> Iterator[bytes]:
         yield f"{type(value).__module__}.{type(value).__qualname__} {len(value)}".encode()
         for item in value:
             yield from encode_parts(item)
+    elif is_dataclass(value) and not isinstance(value, type):
+        kind = type(value)
+        yield from encode_parts((kind.__module__, kind.__qualname__, vars(value)))
     elif isinstance(value, dict):
         yield from encode_parts(("dict", *sorted(value.items(), key=repr)))
     elif isinstance(value, partial):

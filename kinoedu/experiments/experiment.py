@@ -3,6 +3,7 @@
 import difflib
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import is_dataclass
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -183,12 +184,24 @@ def describe_differences(arguments: list[dict[str, Any]]) -> list[str]:
     >>> describe_differences([{"step_size": 2, "n": 10}, {"step_size": 2, "n": 20}])
     ['n=10', 'n=20']
     """
-    names = list(dict.fromkeys(name for given in arguments for name in given))
-    different = [name for name in names if len({repr(given.get(name)) for given in arguments}) > 1]
+    flat = [flatten_records(given) for given in arguments]
+    names = list(dict.fromkeys(name for given in flat for name in given))
+    different = [name for name in names if len({repr(given.get(name)) for given in flat}) > 1]
     return [
         ", ".join(f"{name}={given[name]!r}" for name in different if name in given)
-        for given in arguments
+        for given in flat
     ]
+
+
+def flatten_records(arguments: dict[str, Any]) -> dict[str, Any]:
+    """Arguments with the parameters of each record such as Drives, as `drives.trials`."""
+    flat: dict[str, Any] = {}
+    for name, value in arguments.items():
+        if is_dataclass(value):
+            flat |= {f"{name}.{part}": held for part, held in vars(value).items()}
+        else:
+            flat[name] = value
+    return flat
 
 
 def cells_of(experiment: ExperimentRecord) -> list[Cell]:

@@ -22,6 +22,11 @@
     planner = "rrt_star"
     max_nodes = [500, 1000, 2000]
 
+    [planners.driven]         # a record such as Drives is a table
+    planner = "kinodynamic_rrt"
+    drives.trials = [8, 20]
+    drives.duration = 0.5
+
 Unknown keys are rejected by name.
 """
 
@@ -30,6 +35,7 @@ import itertools
 import os
 import tomllib
 from collections.abc import Callable
+from dataclasses import is_dataclass
 from pathlib import Path
 from typing import Any, get_args
 
@@ -134,18 +140,31 @@ def planners_from(field: Field) -> list[Callable[..., Any]]:
         raise field._replace(name=f"{field.name}.planner", value=name).wrong(
             f"one of {', '.join(known)}"
         )
-    lists = {key: value for key, value in field.value.items() if isinstance(value, list)}
-    for key, value in lists.items():
-        if not value:
-            raise field._replace(name=f"{field.name}.{key}", value=value).wrong(
-                "a value, or a list of at least one"
-            )
-    variants = [dict(zip(lists, values)) for values in itertools.product(*lists.values())]
-    given = [field._replace(value={**field.value, **variant}) for variant in variants]
     return [
-        bind_arguments(known[name], arguments_from(variant, known[name], ("planner",), {}))
-        for variant in given
+        bind_arguments(
+            known[name],
+            arguments_from(field._replace(value=variant), known[name], ("planner",), {}),
+        )
+        for variant in variants_of(field)
     ]
+
+
+def variants_of(table: Field) -> list[Any]:
+    """A table for each combination of values in the lists of a table and of its tables."""
+    choices = {
+        key: choices_of(table._replace(name=f"{table.name}.{key}", value=value))
+        for key, value in table.value.items()
+    }
+    return [dict(zip(choices, values)) for values in itertools.product(*choices.values())]
+
+
+def choices_of(field: Field) -> list[Any]:
+    """The values of a list, the variants of a table, or a value alone."""
+    if isinstance(field.value, dict):
+        return variants_of(field)
+    if field.value == []:
+        raise field.wrong("a value, or a list of at least one")
+    return field.value if isinstance(field.value, list) else [field.value]
 
 
 def planners_by_name() -> dict[str, Callable[..., Any]]:
@@ -161,27 +180,31 @@ def arguments_from(
 ) -> dict[str, Any]:
     """Arguments of a function from a table, checked against its signature.
 
-    The keys `already_read` are skipped; `renamed` gives arguments other names.
+    `already_read` names the keys that do not count; `renamed` maps keys to other parameters.
     """
     parameters = inspect.signature(function).parameters
     accepted = {
-        name: kinds_of(parameter.annotation)
+        name: parameter.annotation
         for name, parameter in parameters.items()
         if name not in ("problem", "rng")
+        and (is_dataclass(parameter.annotation) or kinds_of(parameter.annotation))
     }
-    accepted = {name: kinds for name, kinds in accepted.items() if kinds}
     fields = field.members((*already_read, *renamed), tuple(accepted))
-    for name, kinds in accepted.items():
-        if name in fields and not (
-            type(fields[name].value) in kinds
-            or (type(fields[name].value) is int and float in kinds)
-        ):
-            raise fields[name].wrong(" or ".join(TYPE_NAMES[kind] for kind in kinds))
     return {
-        renamed.get(name, name): argument.value
+        renamed.get(name, name): argument_from(argument, accepted.get(name, int))
         for name, argument in fields.items()
         if name not in already_read
     }
+
+
+def argument_from(field: Field, annotation: Any) -> Any:
+    """A value of the type that a parameter has: a plain value, or a record from a table."""
+    if is_dataclass(annotation) and isinstance(annotation, type):
+        return annotation(**arguments_from(field, annotation, (), {}))
+    kinds, given = kinds_of(annotation), type(field.value)
+    if given not in kinds and not (given is int and float in kinds):
+        raise field.wrong(" or ".join(TYPE_NAMES[kind] for kind in kinds))
+    return field.value
 
 
 TYPE_NAMES = {bool: "true or false", int: "a whole number", float: "a number", str: "a string"}

@@ -11,6 +11,7 @@ from .bugs.bug_base import bug_base
 from .driving.hybrid_astar import hybrid_astar
 from .driving.kinodynamic_prm import kinodynamic_prm
 from .driving.kinodynamic_rrt import kinodynamic_rrt
+from .driving.parameters import Drives, GoalBias, GoalRegion
 from .driving.sst import sst
 from .driving.trajectories import trajectory_along
 from .exact.by_decomposition import plan_by_decomposition
@@ -35,6 +36,9 @@ from .trees.tree_roadmap import rrt_expansion, tree_roadmap
 
 __all__ = [
     "ComponentKClosest",
+    "Drives",
+    "GoalBias",
+    "GoalRegion",
     "KClosest",
     "Radius",
     "after_change",

@@ -157,9 +157,9 @@ ROWS = (
         "kinodynamic_prm",
         kinodynamic_prm,
         "a roadmap of drives; for a car",
-        {"iterations": "iterations"},
+        {"iterations": "n"},
         (CAR,),
-        {"iterations": 20},
+        {"n": 20},
         car_board=350,
     ),
     Planner(

@@ -3,7 +3,6 @@
 The drive is a trajectory like any other.
 """
 
-import math
 from collections.abc import Set
 from typing import NamedTuple
 
@@ -11,7 +10,8 @@ import numpy as np
 
 from ...collision import is_free, is_free_drive
 from ...geometry.checks import Array
-from ...planners.driving.common import as_goal_region, is_near
+from ...planners.driving.common import is_near
+from ...planners.driving.parameters import GoalRegion, as_goal_region
 from ...problems import ProblemRecord
 from ...robots.car import CarRobot
 from ...robots.trajectory import Trajectory, TrajectoryRecord
@@ -112,6 +112,5 @@ def find_free_time(
 
 
 def is_at_goal(problem: ProblemRecord, pose: Array) -> bool:
-    """Whether a pose counts as the goal, with the default tolerance of `kinodynamic_rrt`."""
-    near = as_goal_region(problem, None, math.radians(15.0))
-    return is_near(pose, problem.goal, near)
+    """Whether a pose counts as the goal, by the default `GoalRegion`."""
+    return is_near(pose, problem.goal, as_goal_region(problem, GoalRegion()))

@@ -20,44 +20,8 @@ from ...spaces.angles import angle_difference, wrap_angle
 from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..problem_input import new_tree
-from ..tuning import integer, nonnegative, positive
-
-
-class Bias(NamedTuple):
-    """How often targets are drawn near the goal.
-
-    Every `region_every`-th target is drawn from a disc of radius `region` round the goal, with a
-    density that grows towards the goal and a heading within `region_turn` of the goal's. Every
-    `goal_every`-th target is the goal itself. 0 means never.
-    """
-
-    goal_every: int
-    region_every: int
-    region: float
-    region_turn: float
-
-
-class Drives(NamedTuple):
-    """How drives are tried.
-
-    In each of `batches` batches, `trials` random controls are simulated for up to `steps` steps of
-    time `step`.
-    """
-
-    trials: int
-    steps: int
-    step: float
-    batches: int
-
-
-class GoalRegion(NamedTuple):
-    """What counts as the goal.
-
-    A position within `tolerance` of it, and a heading within `turn_tolerance` radians.
-    """
-
-    tolerance: float
-    turn_tolerance: float
+from ..tuning import positive
+from .parameters import DrivesRecord, GoalBiasRecord, GoalRegionRecord
 
 
 class DrivenGrowth(NamedTuple):
@@ -69,7 +33,7 @@ class DrivenGrowth(NamedTuple):
 
 
 @callable_from_compiled
-def next_target(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -> Array:
+def next_target(problem: Any, bias: GoalBiasRecord, turn: int, rng: np.random.Generator) -> Array:
     """The target of iteration `turn`, counted from 1."""
     if bias.region_every > 0 and turn % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
@@ -83,7 +47,7 @@ def next_target(problem: Any, bias: Bias, turn: int, rng: np.random.Generator) -
 
 @callable_from_compiled
 def free_drive(
-    problem: Any, q: Array, q_rand: Array, drives: Drives, rng: np.random.Generator
+    problem: Any, q: Array, q_rand: Array, drives: DrivesRecord, rng: np.random.Generator
 ) -> tuple[float, float, float]:
     """A free drive from q towards q_rand: a control (v, phi) and its duration.
 
@@ -99,8 +63,8 @@ def free_drive(
             step, apart = closest_step(problem, q, q_rand, v, phi, drives, least, there)
             if step > 0:
                 best_v, best_phi, best_step, least = v, phi, step, apart
-        if problem.is_free_drive(q, best_v, best_phi, best_step * drives.step):
-            return best_v, best_phi, best_step * drives.step
+        if problem.is_free_drive(q, best_v, best_phi, best_step * drives.time_step):
+            return best_v, best_phi, best_step * drives.time_step
     return 0.0, 0.0, 0.0
 
 
@@ -111,7 +75,7 @@ def closest_step(
     q_rand: Array,
     v: float,
     phi: float,
-    drives: Drives,
+    drives: DrivesRecord,
     least: float,
     there: Array,
 ) -> tuple[int, float]:
@@ -122,10 +86,10 @@ def closest_step(
     closest are skipped.
     """
     turning = problem.space.weight[2] * problem.curvature(phi)
-    pace = abs(v) * math.sqrt(1.0 + turning * turning) * drives.step
+    pace = abs(v) * math.sqrt(1.0 + turning * turning) * drives.time_step
     best, k = 0, 1
     while k <= drives.steps:
-        problem.drive(q, v, phi, k * drives.step, there)
+        problem.drive(q, v, phi, k * drives.time_step, there)
         apart = problem.distance(there, q_rand)
         if apart < least:
             best, least = k, apart
@@ -146,7 +110,7 @@ def add_drive(
 
 
 @compiled
-def is_near(q: Array, goal: Array, near: GoalRegion) -> bool:
+def is_near(q: Array, goal: Array, near: GoalRegionRecord) -> bool:
     """Whether a pose counts as the goal."""
     dx, dy = q[0] - goal[0], q[1] - goal[1]
     return (
@@ -181,48 +145,6 @@ def as_car_problem(
     recorder = Recorder(in_se2)
     recorder.log = problem.log
     return recorder
-
-
-def as_bias(
-    problem: Any, goal_every: int, region_every: int, region: float | None, region_turn: float
-) -> Bias:
-    """Check the parameters of a Bias; by default the region's radius is 2.5 wheelbases."""
-    radius = 2.5 * problem.robot.wheelbase if region is None else nonnegative(region, "region")
-    turns = (
-        integer(goal_every, "goal_every", least=0),
-        integer(region_every, "region_every", least=0),
-    )
-    return Bias(*turns, radius, nonnegative(region_turn, "region_turn"))
-
-
-def as_drives(
-    problem: Any, trials: int, duration: float | None, step: float | None, batches: int
-) -> Drives:
-    """Check the parameters of Drives.
-
-    By default a drive at top speed covers 0.75 wheelbases, in 150 steps.
-    """
-    fastest = float(np.abs(problem.robot.speeds).max())
-    whole_time = 0.75 * problem.robot.wheelbase / fastest
-    if duration is not None:
-        whole_time = positive(duration, "duration")
-    each = whole_time / 150.0 if step is None else positive(step, "step")
-    if each > whole_time:
-        raise InvalidParameter(
-            f"the step of {each:g} must not be longer than the duration of {whole_time:g}"
-        )
-    steps = integer(round(whole_time / each), "duration / step", least=1)
-    return Drives(
-        integer(trials, "trials", least=1), steps, each, integer(batches, "batches", least=1)
-    )
-
-
-def as_goal_region(problem: Any, tolerance: float | None, turn_tolerance: float) -> GoalRegion:
-    """Check what counts as the goal; by default the tolerance is a quarter of the wheelbase."""
-    off = 0.25 * problem.robot.wheelbase
-    if tolerance is not None:
-        off = nonnegative(tolerance, "tolerance")
-    return GoalRegion(off, nonnegative(turn_tolerance, "turn_tolerance"))
 
 
 def begin_tree(problem: Any, capacity: int) -> DrivenGrowth:

@@ -8,7 +8,6 @@ After S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001) and
 al. (1996).
 """
 
-import math
 from dataclasses import replace
 from typing import Any
 
@@ -23,15 +22,9 @@ from ..problem_input import count_checks
 from ..roadmaps.prm import distances_to
 from ..tuning import integer
 from .common import (
-    Bias,
     DrivenGrowth,
-    Drives,
-    GoalRegion,
     add_drive,
-    as_bias,
     as_car_problem,
-    as_drives,
-    as_goal_region,
     begin_tree,
     copy_tree,
     free_drive,
@@ -40,6 +33,17 @@ from .common import (
     plan_from_trajectory,
     trajectory_to,
 )
+from .parameters import (
+    Drives,
+    DrivesRecord,
+    GoalBias,
+    GoalBiasRecord,
+    GoalRegion,
+    GoalRegionRecord,
+    as_drives,
+    as_goal_bias,
+    as_goal_region,
+)
 
 
 @algorithm
@@ -47,17 +51,17 @@ def drive_from_nearest(
     problem: Any,
     growth: DrivenGrowth,
     k: int,
-    bias: Bias,
-    drives: Drives,
-    iterations: int,
+    bias: GoalBiasRecord,
+    drives: DrivesRecord,
+    n: int,
     rng: np.random.Generator,
 ) -> None:
-    """Grow the roadmap by drives from the k nodes nearest to each target.
+    """Grow the roadmap by drives from the k nodes nearest to each of n targets.
 
     The k nodes are chosen when the target is drawn, so nodes made for it do not count.
     """
     tree = growth.tree
-    for turn in range(1, iterations + 1):
+    for turn in range(1, n + 1):
         q_rand = next_target(problem, bias, turn, rng)
         apart = np.empty(tree.size[0])
         for node in range(len(apart)):
@@ -71,29 +75,22 @@ def drive_from_nearest(
 def kinodynamic_prm(
     problem: Any,
     *,
+    n: int = 350,
     k: int = 2,
-    goal_every: int = 4,
-    region_every: int = 7,
-    region: float | None = None,
-    region_turn: float = math.radians(90.0),
-    trials: int = 20,
-    duration: float | None = None,
-    step: float | None = None,
-    batches: int = 4,
+    drives: Drives = Drives(),
+    goal_bias: GoalBias = GoalBias(),
+    goal_region: GoalRegion = GoalRegion(),
     turn_weight: float | None = None,
-    tolerance: float | None = None,
-    turn_tolerance: float = math.radians(15.0),
-    iterations: int = 350,
     rng: int | np.random.Generator,
 ) -> Plan:
     """Plan by drives towards random targets, each from its K nearest nodes, and A*.
 
-    O(n^2) distances for n nodes.
+    O(K n^2) distances.
 
     Parameters
     ----------
+    n : how many targets are drawn; the planner does not stop at the first path.
     k : K, from how many nodes each target is driven to.
-    iterations : how many targets are drawn; the planner does not stop at the first path.
 
     The other parameters are those of `kinodynamic_rrt`.
 
@@ -114,31 +111,27 @@ def kinodynamic_prm(
     >>> wall = [(9, 0), (11, 0), (11, 10), (9, 10)]
     >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)], [wall])
     >>> problem = Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0))
-    >>> plan = kinodynamic_prm(problem, iterations=3000, rng=0)
+    >>> plan = kinodynamic_prm(problem, n=3000, rng=0)
     >>> bool(plan.cost > 20), plan.roadmap.edges.shape == (len(plan.roadmap.nodes) - 1, 2)
     (True, True)
     """
-    car_problem, nearest = (
-        as_car_problem(problem, "kinodynamic_prm", turn_weight),
-        integer(k, "k", least=1),
-    )
-    bias = as_bias(car_problem, goal_every, region_every, region, region_turn)
-    drives = as_drives(car_problem, trials, duration, step, batches)
-    near = as_goal_region(car_problem, tolerance, turn_tolerance)
-    turns = integer(iterations, "iterations", least=0)
-    growth, before = begin_tree(car_problem, turns * nearest + 1), count_checks(car_problem)
-    drive_from_nearest(car_problem, growth, nearest, bias, drives, turns, as_generator(rng))
+    car_problem = as_car_problem(problem, "kinodynamic_prm", turn_weight)
+    bias, tried = as_goal_bias(car_problem, goal_bias), as_drives(car_problem, drives)
+    near = as_goal_region(car_problem, goal_region)
+    nearest, targets = integer(k, "k", least=1), integer(n, "n", least=0)
+    growth, before = begin_tree(car_problem, targets * nearest + 1), count_checks(car_problem)
+    drive_from_nearest(car_problem, growth, nearest, bias, tried, targets, as_generator(rng))
     tree = copy_tree(growth)
     stats = {
         "nodes": len(tree.nodes),
-        "iterations": turns,
+        "iterations": targets,
         "checks": count_checks(car_problem) - before,
     }
     return replace(find_shortest_drive(car_problem, tree, near, stats), problem=problem)
 
 
 def find_shortest_drive(
-    problem: Any, tree: DrivenTree, near: GoalRegion, stats: dict[str, int]
+    problem: Any, tree: DrivenTree, near: GoalRegionRecord, stats: dict[str, int]
 ) -> Plan:
     """The plan along the shortest drive to a node near the goal, or else to the nearest node."""
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]

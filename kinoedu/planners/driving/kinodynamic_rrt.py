@@ -12,7 +12,6 @@ S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001); LaValle,
 Algorithms, section 14.4.3.
 """
 
-import math
 from typing import Any
 
 import numpy as np
@@ -24,15 +23,9 @@ from ...problems import Plan
 from ..problem_input import count_checks
 from ..tuning import integer
 from .common import (
-    Bias,
     DrivenGrowth,
-    Drives,
-    GoalRegion,
     add_drive,
-    as_bias,
     as_car_problem,
-    as_drives,
-    as_goal_region,
     begin_tree,
     copy_tree,
     free_drive,
@@ -41,15 +34,26 @@ from .common import (
     plan_from_trajectory,
     trajectory_to,
 )
+from .parameters import (
+    Drives,
+    DrivesRecord,
+    GoalBias,
+    GoalBiasRecord,
+    GoalRegion,
+    GoalRegionRecord,
+    as_drives,
+    as_goal_bias,
+    as_goal_region,
+)
 
 
 @algorithm
 def grow_by_driving(
     problem: Any,
     growth: DrivenGrowth,
-    bias: Bias,
-    drives: Drives,
-    near: GoalRegion,
+    bias: GoalBiasRecord,
+    drives: DrivesRecord,
+    near: GoalRegionRecord,
     max_iterations: int,
     rng: np.random.Generator,
 ) -> tuple[int, int]:
@@ -76,17 +80,10 @@ def grow_by_driving(
 def kinodynamic_rrt(
     problem: Any,
     *,
-    goal_every: int = 4,
-    region_every: int = 7,
-    region: float | None = None,
-    region_turn: float = math.radians(90.0),
-    trials: int = 20,
-    duration: float | None = None,
-    step: float | None = None,
-    batches: int = 4,
+    drives: Drives = Drives(),
+    goal_bias: GoalBias = GoalBias(),
+    goal_region: GoalRegion = GoalRegion(),
     turn_weight: float | None = None,
-    tolerance: float | None = None,
-    turn_tolerance: float = math.radians(15.0),
     max_iterations: int = 1000,
     rng: int | np.random.Generator,
 ) -> Plan:
@@ -97,19 +94,14 @@ def kinodynamic_rrt(
     Parameters
     ----------
     problem : a Problem of a Car, or a Recorder of one.
-    goal_every, region_every : every so many iterations the target is the goal, or is drawn from a
-        region round it; 0 for never.
-    region, region_turn : the radius of that region, by default 2.5 wheelbases, and how far its
-        headings may be from the goal's, in radians.
-    trials : M, how many controls are tried, each a speed of the car and a steering angle.
-    duration, step : delta t, for how long each control is simulated, and the time step. The best
-        drive ends at the step that is closest to the target. By default a drive at top speed covers
-        0.75 wheelbases, in 150 steps.
-    batches : how many times M controls are drawn while the best drive is not free.
+    drives : how drives are tried, such as `Drives(trials=8, duration=0.5)`; by default M = 20
+        controls, each for as long as a drive of 0.75 wheelbases takes at top speed.
+    goal_bias : how often the target is the goal, or is drawn from a region round it; by default
+        `GoalBias(goal_every=4, region_every=7)`.
+    goal_region : which poses count as the goal; by default those at most a quarter of a wheelbase
+        and 15 degrees away.
     turn_weight : how many units of length a radian counts for in distances; by default a quarter of
         the wheelbase.
-    tolerance, turn_tolerance : what counts as the goal; by default a quarter of a wheelbase, and 15
-        degrees in radians.
     max_iterations : stop after this many iterations.
     rng : a seed or a numpy Generator.
 
@@ -134,13 +126,12 @@ def kinodynamic_rrt(
     (True, True)
     """
     car_problem = as_car_problem(problem, "kinodynamic_rrt", turn_weight)
-    bias = as_bias(car_problem, goal_every, region_every, region, region_turn)
-    drives = as_drives(car_problem, trials, duration, step, batches)
-    near = as_goal_region(car_problem, tolerance, turn_tolerance)
+    bias, tried = as_goal_bias(car_problem, goal_bias), as_drives(car_problem, drives)
+    near = as_goal_region(car_problem, goal_region)
     limit = integer(max_iterations, "max_iterations", least=0)
     growth, before = begin_tree(car_problem, limit + 1), count_checks(car_problem)
     at_goal, iterations = grow_by_driving(
-        car_problem, growth, bias, drives, near, limit, as_generator(rng)
+        car_problem, growth, bias, tried, near, limit, as_generator(rng)
     )
     tree = copy_tree(growth)
     last = at_goal if at_goal >= 0 else int(car_problem.nearest(growth.tree, car_problem.goal))

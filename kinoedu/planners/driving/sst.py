@@ -4,7 +4,6 @@ No curve that joins two poses is needed. Y. Li, Z. Littlefield, K. E. Bekris, "A
 optimal sampling-based kinodynamic planning" (2016), algorithm 6.
 """
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,19 +16,23 @@ from ...problems import Plan
 from ..problem_input import count_checks
 from ..tuning import integer, positive
 from .common import (
-    Bias,
     DrivenGrowth,
-    GoalRegion,
     add_drive,
-    as_bias,
     as_car_problem,
-    as_goal_region,
     begin_tree,
     copy_tree,
     is_near,
     next_target,
     plan_from_trajectory,
     trajectory_to,
+)
+from .parameters import (
+    GoalBias,
+    GoalBiasRecord,
+    GoalRegion,
+    GoalRegionRecord,
+    as_goal_bias,
+    as_goal_region,
 )
 
 
@@ -58,9 +61,9 @@ def grow_sparsely(
     problem: Any,
     growth: DrivenGrowth,
     sparse: Sparse,
-    bias: Bias,
+    bias: GoalBiasRecord,
     duration: float,
-    near: GoalRegion,
+    near: GoalRegionRecord,
     max_iterations: int,
     rng: np.random.Generator,
 ) -> int:
@@ -129,16 +132,12 @@ def nearest_witness(problem: Any, sparse: Sparse, q: Array) -> int:
 def sst(
     problem: Any,
     *,
-    goal_every: int = 10,
-    region_every: int = 7,
-    region: float | None = None,
-    region_turn: float = math.radians(90.0),
     duration: float | None = None,
     radius: float | None = None,
     reach: float | None = None,
+    goal_bias: GoalBias = GoalBias(goal_every=10),
+    goal_region: GoalRegion = GoalRegion(),
     turn_weight: float | None = None,
-    tolerance: float | None = None,
-    turn_tolerance: float = math.radians(15.0),
     max_iterations: int = 20_000,
     rng: int | np.random.Generator,
 ) -> Plan:
@@ -154,6 +153,7 @@ def sst(
         it is, the shorter the drives become in the end.
     reach : delta_BN, the radius round a target within which the cheapest node is chosen; by default
         0.8 wheelbases.
+    goal_bias : by default `GoalBias(goal_every=10)`.
     turn_weight : by default half a wheelbase, so that headings differ by at most about 45 degrees
         from that of their witness.
     max_iterations : how many drives are tried; the planner does not stop at the first path.
@@ -180,8 +180,8 @@ def sst(
     True
     """
     car_problem = as_car_problem(problem, "sst", turn_weight, 0.5)
-    bias = as_bias(car_problem, goal_every, region_every, region, region_turn)
-    near = as_goal_region(car_problem, tolerance, turn_tolerance)
+    bias = as_goal_bias(car_problem, goal_bias)
+    near = as_goal_region(car_problem, goal_region)
     base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = integer(max_iterations, "max_iterations", least=0)

@@ -1,0 +1,203 @@
+"""Parameters that planners of drives share: how drives are tried, the goal bias, the goal region.
+
+A reader gives `Drives`, `GoalBias` and `GoalRegion`. A parameter that is None depends on the car;
+`as_drives`, `as_goal_bias` and `as_goal_region` return the numbers for one car, for compiled code.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+from ...errors import InvalidParameter
+from ...support.text import shortened
+from ..tuning import integer, nonnegative, positive
+
+Parameters = TypeVar("Parameters")
+
+
+@dataclass(frozen=True)
+class Drives:
+    """How drives are tried: random controls are simulated, and the best one is kept.
+
+    Parameters
+    ----------
+    trials : M, how many controls are tried, each a speed of the car and a steering angle.
+    duration : delta t, for how long each control is simulated; by default as long as a drive of
+        0.75 wheelbases takes at top speed.
+    time_step : the time step of the simulation; by default a 150th of the duration. The best drive
+        ends at the time step that is closest to the target.
+    batches : how many times M controls are drawn while the best drive is not free.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range.
+
+    Examples
+    --------
+    >>> Drives(trials=8, duration=0.5)
+    Drives(trials=8, duration=0.5, time_step=None, batches=4)
+    """
+
+    trials: int = 20
+    duration: float | None = None
+    time_step: float | None = None
+    batches: int = 4
+
+    def __post_init__(self) -> None:
+        integer(self.trials, "trials", least=1)
+        if self.duration is not None:
+            positive(self.duration, "duration")
+        if self.time_step is not None:
+            positive(self.time_step, "time_step")
+        integer(self.batches, "batches", least=1)
+
+
+@dataclass(frozen=True)
+class GoalBias:
+    """How often targets are drawn near the goal.
+
+    Parameters
+    ----------
+    goal_every, region_every : every so many iterations the target is the goal, or is drawn from a
+        region round it; 0 for never.
+    region, region_turn : the radius of that region, by default 2.5 wheelbases, and how far its
+        headings may be from the goal's, in radians.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range.
+
+    Examples
+    --------
+    >>> GoalBias(goal_every=10, region=50.0).goal_every
+    10
+    """
+
+    goal_every: int = 4
+    region_every: int = 7
+    region: float | None = None
+    region_turn: float = math.radians(90.0)
+
+    def __post_init__(self) -> None:
+        integer(self.goal_every, "goal_every", least=0)
+        integer(self.region_every, "region_every", least=0)
+        if self.region is not None:
+            nonnegative(self.region, "region")
+        nonnegative(self.region_turn, "region_turn")
+
+
+@dataclass(frozen=True)
+class GoalRegion:
+    """Which poses count as the goal.
+
+    Parameters
+    ----------
+    tolerance : how far a position may be from the goal's; by default a quarter of the wheelbase.
+    turn_tolerance : how far a heading may be from the goal's, in radians.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range.
+
+    Examples
+    --------
+    >>> GoalRegion(tolerance=2.0, turn_tolerance=0.1)
+    GoalRegion(tolerance=2.0, turn_tolerance=0.1)
+    """
+
+    tolerance: float | None = None
+    turn_tolerance: float = math.radians(15.0)
+
+    def __post_init__(self) -> None:
+        if self.tolerance is not None:
+            nonnegative(self.tolerance, "tolerance")
+        nonnegative(self.turn_tolerance, "turn_tolerance")
+
+
+class DrivesRecord(NamedTuple):
+    """`Drives` of one car: each drive is simulated for up to `steps` time steps."""
+
+    trials: int
+    steps: int
+    time_step: float
+    batches: int
+
+
+class GoalBiasRecord(NamedTuple):
+    """`GoalBias` of one car.
+
+    Targets in the region are drawn with a density that grows towards the goal.
+    """
+
+    goal_every: int
+    region_every: int
+    region: float
+    region_turn: float
+
+
+class GoalRegionRecord(NamedTuple):
+    """`GoalRegion` of one car."""
+
+    tolerance: float
+    turn_tolerance: float
+
+
+def as_drives(problem: Any, drives: Drives) -> DrivesRecord:
+    """The numbers of `Drives` for the problem's car.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a `Drives`, or its time step is longer than its duration.
+    """
+    given = check_kind(drives, Drives, "drives")
+    fastest = float(np.abs(problem.robot.speeds).max())
+    duration = 0.75 * problem.robot.wheelbase / fastest
+    if given.duration is not None:
+        duration = float(given.duration)
+    time_step = duration / 150.0 if given.time_step is None else float(given.time_step)
+    if time_step > duration:
+        raise InvalidParameter(
+            f"the time_step {time_step:g} must not be longer than the duration {duration:g}"
+        )
+    steps = integer(round(duration / time_step), "duration / time_step", least=1)
+    return DrivesRecord(int(given.trials), steps, time_step, int(given.batches))
+
+
+def as_goal_bias(problem: Any, goal_bias: GoalBias) -> GoalBiasRecord:
+    """The numbers of `GoalBias` for the problem's car.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a `GoalBias`.
+    """
+    given = check_kind(goal_bias, GoalBias, "goal_bias")
+    radius = 2.5 * problem.robot.wheelbase if given.region is None else float(given.region)
+    turns = int(given.goal_every), int(given.region_every)
+    return GoalBiasRecord(*turns, radius, float(given.region_turn))
+
+
+def as_goal_region(problem: Any, goal_region: GoalRegion) -> GoalRegionRecord:
+    """The numbers of `GoalRegion` for the problem's car.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a `GoalRegion`.
+    """
+    given = check_kind(goal_region, GoalRegion, "goal_region")
+    distance = 0.25 * problem.robot.wheelbase if given.tolerance is None else float(given.tolerance)
+    return GoalRegionRecord(distance, float(given.turn_tolerance))
+
+
+def check_kind(given: Any, kind: type[Parameters], name: str) -> Parameters:
+    """The parameters themselves, if they are of a kind; or InvalidParameter."""
+    if not isinstance(given, kind):
+        raise InvalidParameter(f"{name} must be {kind.__name__}(...), got {shortened(given)}")
+    return given
