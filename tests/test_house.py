@@ -1,7 +1,9 @@
 """The rules of the house: style, types, imports, notebooks, what may print."""
 
 import ast
+import importlib
 import json
+import pydoc
 import subprocess
 import sys
 from pathlib import Path
@@ -137,6 +139,32 @@ def test_notebook_is_stored_clean(notebook):
     )  # an exercise is 5 to 25 lines to write
     assert max(len("".join(cell["source"]).splitlines()) for cell in code) <= longest
     assert len(text) < 800_000
+
+
+ROOMS_WITH_HELP = (
+    "boards c_space collision curves decomposition figures files geometry graphs planners problems "
+    "robots sampling spaces worlds"
+)
+
+
+@pytest.mark.parametrize("room", ROOMS_WITH_HELP.split())
+def test_help_begins_with_a_signature_that_fits_a_screen(room):
+    """The types of its arguments have the names of the source: ArrayLike, and not all that numpy
+    accepts for it. `from __future__ import annotations` keeps them.
+    """
+    module = importlib.import_module(f"kinoedu.{room}")
+    lines = {name: signature_in_help(getattr(module, name)) for name in module.__all__}
+    assert sum(line.startswith(name) for name, line in lines.items()) >= len(lines) / 2
+    for name, line in lines.items():
+        assert len(line) <= 500, name
+        assert not any(long in line for long in ("Union[", "_SupportsArray", "numpy.")), name
+
+
+def signature_in_help(thing):
+    """The line of `help` with the signature of a function, or of what a class needs; or nothing."""
+    lines = pydoc.plain(pydoc.render_doc(thing)).splitlines()
+    beginnings = (f"{thing.__name__}(", f" |  {thing.__name__}(") if callable(thing) else ()
+    return next((line.lstrip(" |") for line in lines if line.startswith(beginnings)), "")
 
 
 def test_readme_names_files_that_exist():

@@ -26,7 +26,7 @@ def plans_alone(function):
     """Whether a function makes a Plan of a problem and nothing else that it needs but rng."""
     parameters = list(inspect.signature(function).parameters.values())
     needed = {p.name for p in parameters[1:] if p.default is inspect.Parameter.empty}
-    returns = inspect.signature(function).return_annotation
+    returns = inspect.signature(function, eval_str=True).return_annotation
     return parameters[0].name == "problem" and returns is Plan and needed <= {"rng"}
 
 

@@ -6,6 +6,8 @@ convex, the free regions are polygons to within a tolerance. They are conservati
 than the exact free space.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """The Minkowski sum of a convex shape and a disc: a disk's C-obstacle. LaValle, section 4.3.2."""
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 

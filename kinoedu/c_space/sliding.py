@@ -3,6 +3,8 @@
 LaValle, section 4.3.2.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

@@ -4,6 +4,8 @@ Bullo & Smith, chapter 4; LaValle, section 4.3.2. The configuration of the robot
 its reference point, the origin of the coordinates of its vertices.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 

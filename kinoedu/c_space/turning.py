@@ -8,6 +8,8 @@ an edge and another one leaves it. Between two critical angles every corner move
 curve, and each face is swept by an edge on a vertex ("EV") or a vertex on an edge ("VE").
 """
 
+from __future__ import annotations
+
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -38,7 +40,7 @@ class Slice(NamedTuple):
 
 def turning_obstacle(
     robot_vertices: ArrayLike, obstacle: ArrayLike, *, n_angles: int = 72
-) -> "Trimesh":
+) -> Trimesh:
     """The C-obstacle of a polygon that translates and rotates, as a closed triangle mesh.
 
     The mesh is in (x, y, theta), theta from -pi to pi. Its slices are exact to rounding. Between

@@ -3,6 +3,8 @@
 Bullo & Smith, chapter 4.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Collision queries for many configurations or motions at once."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

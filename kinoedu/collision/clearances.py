@@ -1,5 +1,7 @@
 """The distance from a robot to the nearest obstacle."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

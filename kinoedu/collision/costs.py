@@ -4,6 +4,8 @@ J. S. B. Mitchell, C. H. Papadimitriou, "The weighted region problem: finding sh
 a weighted planar subdivision" (1991).
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any
 

@@ -9,6 +9,8 @@ collision query per interval is enough.
 LaValle, section 4.3.3: contacts of types VE and EV, here for one fixed position.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

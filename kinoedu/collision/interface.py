@@ -3,6 +3,8 @@
 Each pair of a robot and a world registers its own functions, in a file of its own.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 from ..compiled import generic

@@ -3,6 +3,8 @@
 It is bounded by the clearances of the path, and estimated by random scenarios.
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

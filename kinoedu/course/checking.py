@@ -1,5 +1,7 @@
 """`check(my_function)`: judge a student's function in the notebook."""
 
+from __future__ import annotations
+
 import io
 import warnings
 from collections.abc import Callable

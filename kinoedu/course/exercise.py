@@ -5,6 +5,8 @@ not know the truth. A check in a notebook, the project's tests and the grader us
 methods; they differ only in where `call` runs.
 """
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from typing import Any, ClassVar, NamedTuple

@@ -1,5 +1,7 @@
 """Show the source of the library's functions in a notebook, so that no lesson pastes code."""
 
+from __future__ import annotations
+
 import inspect
 from collections.abc import Callable
 from html import escape

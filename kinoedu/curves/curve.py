@@ -3,6 +3,8 @@
 Source: LaValle, Planning Algorithms, section 15.3.
 """
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 

@@ -4,6 +4,8 @@ Sources: L. E. Dubins, "On curves of minimal length with a constraint on average
 prescribed initial and terminal positions and tangents" (1957); LaValle, section 15.3.1.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

@@ -6,6 +6,8 @@ them by reflection, by driving in the opposite direction, and by reversing the o
 that goes both forwards and backwards" (1990), section 8; LaValle, section 15.3.2.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

@@ -4,6 +4,8 @@ Bullo & Smith, chapter 2; M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, Co
 Geometry, sections 6.1 and 13.2. The algorithm is in sweep.py.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 

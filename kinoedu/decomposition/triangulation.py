@@ -4,6 +4,8 @@ Bullo & Smith, chapter 2; de Berg et al., chapters 3 and 9. The constrained Dela
 which avoids slender triangles as far as the edges allow, is shapely's.
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

@@ -1,5 +1,7 @@
 """An experiment: every planner on every problem with every seed."""
 
+from __future__ import annotations
+
 import difflib
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence

@@ -182,7 +182,7 @@ def arguments_from(
 
     `already_read` names the keys that do not count; `renamed` maps keys to other parameters.
     """
-    parameters = inspect.signature(function).parameters
+    parameters = inspect.signature(function, eval_str=True).parameters
     accepted = {
         name: parameter.annotation
         for name, parameter in parameters.items()

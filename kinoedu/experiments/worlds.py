@@ -1,5 +1,7 @@
 """Generated problems in a square: a diagonal query among polygons, or a wall with a passage."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from typing import Any

@@ -3,6 +3,8 @@
 LaValle, section 13.1.2.1.
 """
 
+from __future__ import annotations
+
 import math
 
 from matplotlib.artist import Artist

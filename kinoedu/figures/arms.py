@@ -3,6 +3,8 @@
 Bullo & Smith, chapter 4.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Figures of configuration space: C-obstacles of translating and of turning robots."""
 
+from __future__ import annotations
+
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -87,7 +89,7 @@ def draw_turning_obstacle(
     obstacle: ArrayLike,
     theta: float,
     *,
-    mesh: "Trimesh | None" = None,
+    mesh: Trimesh | None = None,
     at: ArrayLike | None = None,
 ) -> list[Artist]:
     """Draw the C-obstacle of a polygon that turns, cut at theta, and the slice at theta.

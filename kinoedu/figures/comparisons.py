@@ -4,6 +4,8 @@ Each takes numbers by the planners' names. The order of the names sets the colou
 path is infinite.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from typing import Any
 

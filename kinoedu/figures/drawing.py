@@ -1,5 +1,7 @@
 """Figures of worlds, problems and plans; each function takes ax=None and returns its artists."""
 
+from __future__ import annotations
+
 from functools import singledispatch
 from typing import Any
 

@@ -1,5 +1,7 @@
 """One iteration of a kinodynamic planner, drawn in three steps."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

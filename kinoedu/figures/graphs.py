@@ -3,6 +3,8 @@
 A node's colour and marker show its state.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

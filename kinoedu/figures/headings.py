@@ -1,5 +1,7 @@
 """Free headings at a place, and the configurations in vertical cells."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Moving obstacles: the world at a moment with the robot, and a straight path against time."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

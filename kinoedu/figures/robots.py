@@ -1,5 +1,7 @@
 """Figures of robots: a body at a configuration or along a path, and the path of a motion."""
 
+from __future__ import annotations
+
 from functools import singledispatch
 from typing import Any
 

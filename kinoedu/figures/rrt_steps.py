@@ -1,5 +1,7 @@
 """One iteration of an RRT in four steps, and its flowchart."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Figures of samples in the unit square: their order, their largest hole, and its decrease."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping
 from typing import Any

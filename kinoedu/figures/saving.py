@@ -1,5 +1,7 @@
 """Pictures as files, written whole or not at all, without a display."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path

@@ -1,5 +1,7 @@
 """Figures of solids: a mesh in (x, y, theta) with a plane through it, and the coloured torus."""
 
+from __future__ import annotations
+
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +24,7 @@ ARM = (palette.ROADMAP, palette.INK, palette.GOAL)  # free; link 1 in contact; l
 
 
 def draw_mesh(
-    mesh: "Trimesh", ax: Any = None, *, theta: float | None = None, axes: bool = True
+    mesh: Trimesh, ax: Any = None, *, theta: float | None = None, axes: bool = True
 ) -> list[Artist]:
     """Draw a triangle mesh in 3-D axes, lit from the left, in its own colours where it has any.
 
@@ -75,7 +77,7 @@ def dress_axes(ax: Any) -> None:
     ax.view_init(elev=22, azim=-62)
 
 
-def shade_faces(mesh: "Trimesh") -> Array:
+def shade_faces(mesh: Trimesh) -> Array:
     """The colour of each face under the light, (m, 3)."""
     visual: Any = mesh.visual
     own = np.array([to_rgb(palette.ROADMAP)])
@@ -88,7 +90,7 @@ def shade_faces(mesh: "Trimesh") -> Array:
     return np.clip(own * light[:, None], 0.0, 1.0)
 
 
-def cut_mesh(mesh: "Trimesh", theta: float) -> Array:
+def cut_mesh(mesh: Trimesh, theta: float) -> Array:
     """The outline of a mesh at a height, as segments in space, shape (k, 2, 3).
 
     At a flat end it is the outline of the end; beyond the mesh it is empty.
@@ -102,7 +104,7 @@ def cut_mesh(mesh: "Trimesh", theta: float) -> Array:
     return np.asarray(segments, float).reshape(-1, 2, 3)
 
 
-def torus_mesh(image: ArrayLike) -> "Trimesh":
+def torus_mesh(image: ArrayLike) -> Trimesh:
     """The torus of a two-link arm's configurations, its faces coloured by an image.
 
     Parameters

@@ -1,5 +1,7 @@
 """Results of many seeds: success rates with 95 % confidence intervals, and values with spread."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Figures of uncertain obstacles: expected places, scenarios, and safety margins."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

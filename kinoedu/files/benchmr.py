@@ -14,6 +14,8 @@ themselves, repeated corners and repeated polygons. They are repaired here, and 
 repairs.
 """
 
+from __future__ import annotations
+
 import os
 import warnings
 from pathlib import Path

@@ -1,5 +1,7 @@
 """Terrains from pictures: bright pixels are free, dark pixels are blocked."""
 
+from __future__ import annotations
+
 import os
 import warnings
 from pathlib import Path
@@ -80,7 +82,7 @@ def read_brightness(path: str | os.PathLike[str]) -> NDArray[np.float64]:
     return _luminance(image) / 255.0 if deep is None else deep / 65535.0
 
 
-def load_image(path: str | os.PathLike[str]) -> "Image":
+def load_image(path: str | os.PathLike[str]) -> Image:
     """Decode a picture after its header has been checked.
 
     Raises
@@ -113,7 +115,7 @@ def load_image(path: str | os.PathLike[str]) -> "Image":
         ) from error
 
 
-def _check_mode(image: "ImageFile", path: Path) -> None:
+def _check_mode(image: ImageFile, path: Path) -> None:
     """Refuse pixels without a defined brightness: floats, and a transparent colour in 16 bits."""
     if image.mode not in _DEEP_GREY + _SHALLOW:
         raise UnreadableScene(
@@ -125,19 +127,19 @@ def _check_mode(image: "ImageFile", path: Path) -> None:
         )
 
 
-def _scale_transparent_grey(image: "ImageFile") -> None:
+def _scale_transparent_grey(image: ImageFile) -> None:
     """Scale the transparent grey of a PNG to 0..255, which Pillow does not always do."""
     scale = _KEY_SCALE.get(str(image.tile[0][3]))
     if scale and "transparency" in image.info:
         image.info["transparency"] = min(255, scale * image.info["transparency"])
 
 
-def deep_grey(image: "Image") -> NDArray[Any] | None:
+def deep_grey(image: Image) -> NDArray[Any] | None:
     """The greys, (rows, columns) in 0..65535, of a picture with more than 8 bits; else None."""
     return np.asarray(image) if image.mode in _DEEP_GREY else None
 
 
-def _luminance(image: "Image") -> NDArray[np.uint8]:
+def _luminance(image: Image) -> NDArray[np.uint8]:
     """The brightness (rows, columns) in 0..255 of a picture laid on white, top row first."""
     from PIL import Image
 

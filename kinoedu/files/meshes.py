@@ -4,6 +4,8 @@ trimesh reads the files and does not rotate them. The up-axis that a file declar
 so z is up unless the parameter `up` says otherwise.
 """
 
+from __future__ import annotations
+
 import io
 import os
 import re

@@ -29,6 +29,8 @@ mesh except its file (see meshes.py). The rows of a terrain, and of its costs, a
 picture, the top row first: "." is free, "@" is blocked. An unknown field is an error that names it.
 """
 
+from __future__ import annotations
+
 import json
 import os
 from collections.abc import Callable

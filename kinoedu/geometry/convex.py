@@ -1,5 +1,7 @@
 """Convex polygons: membership, intersection, hulls, and polygons as unions of convex parts."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 import numpy as np

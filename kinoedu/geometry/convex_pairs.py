@@ -1,5 +1,7 @@
 """Intersection tests for many pairs of convex polygons at once."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

@@ -6,6 +6,8 @@ first. If B is a frame given in frame A, then A @ B is that frame in the world.
 Sources: Bullo & Smith, chapters 3 and 6; LaValle, section 3.2.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

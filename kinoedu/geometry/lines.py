@@ -3,6 +3,8 @@
 Source: Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

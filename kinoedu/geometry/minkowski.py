@@ -10,6 +10,8 @@ is a corner of P plus a corner of Q, each coordinate rounded once. The convex hu
 corners is returned, so the result is strictly convex.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

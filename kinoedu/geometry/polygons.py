@@ -4,6 +4,8 @@ A polygon is a closed set: its boundary belongs to it. Source: Bullo & Smith, Le
 Planning and Kinematics, chapter 1.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -3,6 +3,8 @@
 Source: Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -18,6 +18,8 @@ leaves the queue. The path is the same.
 Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any
 

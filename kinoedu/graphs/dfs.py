@@ -14,6 +14,8 @@ a shortest one.
 LaValle, section 2.2; R. Tarjan, "Depth-first search and linear graph algorithms" (1972).
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any
 

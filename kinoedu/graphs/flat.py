@@ -6,6 +6,8 @@ converts itself to a `GraphRecord`, which stores compressed sparse rows as in Y.
 Methods for Sparse Linear Systems", section 3.4.
 """
 
+from __future__ import annotations
+
 from functools import singledispatch
 from typing import Any, NamedTuple
 

@@ -5,6 +5,8 @@ number of the deleted node is refused with an error. So arrays that a reader kee
 (parents, costs, a picture) stay valid.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any
 

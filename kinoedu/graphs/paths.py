@@ -1,5 +1,7 @@
 """The result of a graph search, and the path that its parents describe."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 

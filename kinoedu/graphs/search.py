@@ -19,6 +19,8 @@ E. W. Dijkstra (1959); P. E. Hart, N. J. Nilsson, B. Raphael, "A formal basis fo
 determination of minimum cost paths" (1968); Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 

@@ -1,5 +1,7 @@
 """Build the Plan that a planner returns."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

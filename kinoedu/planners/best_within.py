@@ -1,5 +1,7 @@
 """The best of many plans within a time limit, for planners that use random numbers."""
 
+from __future__ import annotations
+
 import time
 from collections.abc import Callable
 from dataclasses import replace

@@ -3,6 +3,8 @@
 R. Geraerts, M. H. Overmars, "Creating high-quality paths for motion planning" (2007).
 """
 
+from __future__ import annotations
+
 from dataclasses import replace
 from typing import Any
 

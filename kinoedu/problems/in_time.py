@@ -3,6 +3,8 @@
 The goal is a place; it may be reached at any time up to the horizon.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 

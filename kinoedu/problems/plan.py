@@ -1,5 +1,7 @@
 """A plan is a planner's answer: a path, and the data structures in the order they were built."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 

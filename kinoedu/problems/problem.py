@@ -8,6 +8,8 @@ call `.control(rng)`, `.drive(...)` and `.is_free_drive(...)`. They read `proble
 has these methods and fields.
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

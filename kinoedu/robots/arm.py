@@ -1,5 +1,7 @@
 """Planar arms: bars with rounded ends, joined one after another. Bullo & Smith, chapter 3."""
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 

@@ -5,6 +5,8 @@ L) tan phi, with the speed v, the wheelbase L and the steering angle phi. LaVall
 Algorithms, section 13.1.2.1.
 """
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 

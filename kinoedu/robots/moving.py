@@ -4,6 +4,8 @@ Collision detection needs nothing else from a robot. Each piece of the robot's `
 separately.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any
 

@@ -3,6 +3,8 @@
 Bullo & Smith, chapter 3; LaValle, section 4.2.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Trajectories of a car: a sequence of controls with durations, and the exact poses along it."""
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 
@@ -45,7 +47,7 @@ class TrajectoryRecord(NamedTuple):
         return replay_controls(self.start, self.controls, self.durations, self.wheelbase)
 
     @property
-    def reversed(self) -> "TrajectoryRecord":
+    def reversed(self) -> TrajectoryRecord:
         """The same drive backwards: from the last pose to the first."""
         backwards = self.controls[::-1] * (-1.0, 1.0)
         return TrajectoryRecord(

@@ -8,6 +8,8 @@ Sources: H. Niederreiter, "Random number generation and quasi-Monte Carlo method
 & Smith, chapter 4; LaValle, section 5.2.3.
 """
 
+from __future__ import annotations
+
 import math
 from itertools import product
 from typing import Any, NamedTuple

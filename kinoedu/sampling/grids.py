@@ -4,6 +4,8 @@ Sources: Bullo & Smith, chapter 4; A. G. Sukharev, "Optimal strategies of the se
 extremum" (1971); LaValle, section 5.2.
 """
 
+from __future__ import annotations
+
 import numpy as np
 
 from ..errors import InvalidParameter

@@ -4,6 +4,8 @@ Sources: J. H. Halton, "On the efficiency of certain quasi-random sequences of p
 & Smith, chapter 4; LaValle, section 5.2.4.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Random points. Sources: Bullo & Smith, chapter 4; LaValle, section 5.2.2."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from ..geometry.checks import Array, as_generator, integer

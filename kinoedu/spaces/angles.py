@@ -4,6 +4,8 @@ A full turn is the float 2 * math.pi everywhere, so pi and -pi are exactly the s
 Sources: Bullo & Smith, chapter 3; LaValle, section 5.1.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

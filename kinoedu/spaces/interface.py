@@ -3,6 +3,8 @@
 They are generic functions. Each kind of space implements them in its own file.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any
 

@@ -3,6 +3,8 @@
 Spaces whose distance is bounded by the buckets use them. Other spaces compare every node.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

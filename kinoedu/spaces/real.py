@@ -1,5 +1,7 @@
 """R^n: configurations that are points of a box. Source: LaValle, section 5.1."""
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 

@@ -4,6 +4,8 @@ The angles of a configuration lie in [-pi, pi). Every distance and every motion 
 way around. Sources: Bullo & Smith, chapter 3; LaValle, section 5.1.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 

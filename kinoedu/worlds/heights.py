@@ -4,6 +4,8 @@ Each function returns one number for each cell. Together they give the cost of a
 `Terrain(slope(h) < 1.0, cost=1.0 + 4.0 * slope(h) + 2.0 * roughness(h))`.
 """
 
+from __future__ import annotations
+
 from itertools import product
 
 import numpy as np

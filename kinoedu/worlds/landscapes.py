@@ -4,6 +4,8 @@ J. R. Sánchez-Ibáñez, C. J. Pérez-del-Pulgar, A. García-Cerezo, "Path plann
 robots: a review" (2021), on the requirements of outdoor planners.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any
 

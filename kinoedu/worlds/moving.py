@@ -1,5 +1,7 @@
 """Worlds with obstacles that move along known straight lines at given times, without rotating."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 

@@ -1,5 +1,7 @@
 """Worlds of polygons, with rooms in their holes, and discs; geometry is exact."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 

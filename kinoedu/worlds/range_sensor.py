@@ -3,6 +3,8 @@
 LaValle, section 11.1.1; Bullo & Smith, chapter 5.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 

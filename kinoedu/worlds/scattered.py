@@ -1,5 +1,7 @@
 """Random convex polygons in a square: test worlds that are determined by a seed."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,5 +1,7 @@
 """A terrain: a bitmap of free and blocked cells, and optionally a cost for each cell."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

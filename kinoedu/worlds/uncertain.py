@@ -1,5 +1,7 @@
 """Worlds whose obstacles are displaced by random offsets: isotropic Gaussians."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable
 from typing import Any, NamedTuple

@@ -3,6 +3,8 @@
 The square is the torus of the two angles, painted again when obstacles move.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -43,7 +45,7 @@ def arm_board(
     goal: ArrayLike | None = None,
     planner: Callable[..., Any] = rrt,
     rng: int = 0,
-) -> "ArmBoard":
+) -> ArmBoard:
     """Drag an arm's elbow or tip, or its configuration q in the square of its two angles.
 
     Drag an obstacle, and the free space is painted again. A tip pulled out of reach goes to the

@@ -1,5 +1,7 @@
 """Boards of configurations: inverse kinematics of an arm, and shortest paths on the torus."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -1,5 +1,7 @@
 """The bugs' board: a bug's walk round obstacles, and a plot of its distance to the goal."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any
 
@@ -47,7 +49,7 @@ def bug_board(
     *,
     bug: str = "bug1",
     turn: str = "left",
-) -> "BugBoard":
+) -> BugBoard:
     """Drag start, goal, obstacles or vertices; a bug walks again. Scrub along its walk.
 
     Parameters

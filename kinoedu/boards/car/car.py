@@ -1,5 +1,7 @@
 """The car's board: set two poses, and see the motion planned and driven, or drive it yourself."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
@@ -52,7 +54,7 @@ def car_board(
     iterations: int | None = None,
     view: str = "above",
     rng: int = 0,
-) -> "CarBoard":
+) -> CarBoard:
     """Set a car's start and goal pose, and see its motion planned and driven; or drive yourself.
 
     Press on the ground to set the goal, with Shift the start, and pull its heading; or drag places,

@@ -1,5 +1,7 @@
 """A board of a car's curves: two poses to drag, and the shortest curves between them."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

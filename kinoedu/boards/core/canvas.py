@@ -19,6 +19,8 @@ The messages between the two halves:
 whole scene to the trait `scene`. The bitmap is a trait too: it is sent only when it changes.
 """
 
+from __future__ import annotations
+
 import base64
 import logging
 import threading

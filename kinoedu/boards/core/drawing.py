@@ -5,6 +5,8 @@ which it disappears, so that the board can show earlier states of the drawing. C
 names in `kinoedu.figures.palette`, in small letters.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple

@@ -1,5 +1,7 @@
 """The base of boards that have controls above their pictures."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 

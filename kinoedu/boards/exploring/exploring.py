@@ -1,5 +1,7 @@
 """The exploring board: a robot with a sensor of limited range in an unknown world."""
 
+from __future__ import annotations
+
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ...planners.exploring.receding_horizon import Look, plan_from_looks, receding_horizon_looks
@@ -24,7 +26,7 @@ def exploring_board(
     *,
     horizon: float | None = None,
     rng: int = 0,
-) -> "ExploringBoard":
+) -> ExploringBoard:
     """Scrub along a robot that looks, plans in its map, moves a little, and looks again.
 
     The region seen is blue, the region seen now is framed, and the walls in the map are red. The

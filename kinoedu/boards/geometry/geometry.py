@@ -1,5 +1,7 @@
 """The board of the distance from a point to a polygon."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -1,5 +1,7 @@
 """The samples' board: points of the unit square, and a point to drag into the largest hole."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 
@@ -26,7 +28,7 @@ SAMPLERS: dict[str, Callable[[int], Array]] = {
 }
 
 
-def samples_board(sampler: str = "random", n: int = 100) -> "SamplesBoard":
+def samples_board(sampler: str = "random", n: int = 100) -> SamplesBoard:
     """Choose a sampler and a number of points; drag q into the largest hole.
 
     The nearest point to q and the largest empty ball are drawn.

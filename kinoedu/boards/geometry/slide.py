@@ -3,6 +3,8 @@
 LaValle, section 4.3.2.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import ipywidgets as widgets
@@ -23,7 +25,7 @@ NOTCH = 0.002  # of the slider
 CONTACTS = {"EV": "slide_board.ev", "VE": "slide_board.ve", "EE": "slide_board.ee"}
 
 
-def slide_board(robot_vertices: ArrayLike, obstacle_vertices: ArrayLike) -> "SlideBoard":
+def slide_board(robot_vertices: ArrayLike, obstacle_vertices: ArrayLike) -> SlideBoard:
     """Slide a convex robot, which does not turn, round a convex obstacle.
 
     Move it by the slider, or drag its reference point q, which traces the C-obstacle. The text

@@ -5,6 +5,8 @@ The browser turns the mesh, moves the plane and drags the point; Python answers 
 question is open at a time.
 """
 
+from __future__ import annotations
+
 import io
 import logging
 from collections.abc import Callable
@@ -53,12 +55,12 @@ def shape(
 
 
 def solid_board(
-    mesh: "Trimesh",
+    mesh: Trimesh,
     *,
     section: Section | None = None,
     theta: float = 0.0,
     place: ArrayLike | None = None,
-) -> "SolidBoard":
+) -> SolidBoard:
     """A mesh in (x, y, theta) to turn by dragging, wheel or keys, and a plane that cuts it.
 
     The cut is shown beside the mesh.
@@ -85,7 +87,7 @@ def turning_board(
     *,
     theta: float = 0.0,
     place: ArrayLike | None = None,
-) -> "SolidBoard":
+) -> SolidBoard:
     """The C-obstacle of a polygon that turns, and the workspace at the plane's heading.
 
     The robot in the workspace can be dragged.
@@ -159,7 +161,7 @@ class SolidBoard(anywidget.AnyWidget):
     words = traitlets.Dict().tag(sync=True)
 
     def __init__(
-        self, mesh: "Trimesh", section: Section | None, theta: float, place: ArrayLike | None
+        self, mesh: Trimesh, section: Section | None, theta: float, place: ArrayLike | None
     ) -> None:
         if not hasattr(mesh, "triangles") or not 0 < len(mesh.faces) <= MOST:
             raise InvalidParameter(

@@ -1,5 +1,7 @@
 """The sweep line's board: a line to drag across polygons, its status, and the cells it leaves."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
@@ -21,7 +23,7 @@ from ..planning.plans import world_in
 FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
 
 
-def sweep_board(world: Any, *, x: float | None = None) -> "SweepBoard":
+def sweep_board(world: Any, *, x: float | None = None) -> SweepBoard:
     """Drag the sweep line across a world, or obstacles and their vertices.
 
     The closed and the open cells and the status of the line are shown.

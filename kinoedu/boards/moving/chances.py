@@ -1,5 +1,7 @@
 """The board of uncertain obstacles: a path with a bounded collision chance, tried in scenarios."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import ipywidgets as widgets
@@ -37,7 +39,7 @@ def chance_board(
     *,
     delta: float = 0.05,
     rng: int = 0,
-) -> "ChanceBoard":
+) -> ChanceBoard:
     """Choose the chance delta; the margins follow, dashed, and so does the path.
 
     Drag start and goal. Scrub: each step is one scenario, in red where the path is hit.

@@ -1,5 +1,7 @@
 """The board of moving obstacles: a slider of time, and a plan for the whole time."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import ipywidgets as widgets
@@ -26,7 +28,7 @@ from ..planning.plans import GOAL, START, make_world_scene, world_in
 STEPS = 150  # of the time slider
 
 
-def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0) -> "MovingBoard":
+def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0) -> MovingBoard:
     """Scrub through time: the moving obstacles and the robot on its path.
 
     Drag start, goal or static obstacles, or change the speed, and it is planned again.

@@ -1,5 +1,7 @@
 """The planners' board: drag parts of a problem, choose planner and settings, see it planned."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any
 
@@ -32,7 +34,7 @@ def board(
     step_size: float | None = None,
     samples: int = 1000,
     rng: int = 0,
-) -> "Board":
+) -> Board:
     """A problem to play with: drag start, goal, obstacles or vertices, and it is planned again.
 
     Parameters

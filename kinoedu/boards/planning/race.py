@@ -1,5 +1,7 @@
 """The race: planners side by side in one scene, with one seed and one slider of steps."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
@@ -29,7 +31,7 @@ def race_board(
     nodes: int = 1000,
     step_size: float | None = None,
     rng: int = 0,
-) -> "RaceBoard":
+) -> RaceBoard:
     """Planners side by side: each scene follows the others, and one slider scrubs through all.
 
     A step is one node of each tree.

@@ -1,5 +1,7 @@
 """The properties' board: the quality of a roadmap, measured again when obstacles are dragged."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np
@@ -35,7 +37,7 @@ def properties_board(
     rule: str = "closest",
     sampler: str = "random",
     rng: int = 0,
-) -> "PropertiesBoard":
+) -> PropertiesBoard:
     """Drag obstacles, and see whether the roadmap is accessible, departable and efficient.
 
     Red crosses are places without a free motion to a node. Each component has its own style. Of the

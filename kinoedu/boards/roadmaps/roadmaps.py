@@ -1,5 +1,7 @@
 """The roadmaps' board: a growing PRM, with its rule, sampler and number of samples to choose."""
 
+from __future__ import annotations
+
 import math
 from typing import Any
 
@@ -71,7 +73,7 @@ def roadmap_board(
     rule: str = "closest",
     sampler: str = "random",
     rng: int = 0,
-) -> "RoadmapBoard":
+) -> RoadmapBoard:
     """Choose neighbours and samples, drag start, goal and obstacles; scrub through the growth.
 
     A step is a node; when all nodes are there, a step is the edges that one node gets when it is

@@ -1,5 +1,7 @@
 """The board of searches on a graph or a grid, expansion by expansion."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np
@@ -20,7 +22,7 @@ SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
 
 def search_board(
     graph_or_problem: Any, *, search: str = "bfs", start: int | None = None, goal: int | None = None
-) -> "SearchBoard":
+) -> SearchBoard:
     """Scrub through a search from the node nearest to the start to the one nearest to the goal.
 
     Frontier, parents and path are shown. Start and goal can be dragged. The nodes of a Graph with

@@ -1,5 +1,7 @@
 """The rewiring board: RRT* node by node, with the changes that each new node makes."""
 
+from __future__ import annotations
+
 from ...messages import get_message
 from ...planners.problem_input import world_size
 from ...planners.trees.rewiring import rrt_star_rewirings
@@ -22,7 +24,7 @@ from .rewired import (
 
 def rewiring_board(
     problem: ProblemRecord, *, nodes: int = 300, step_size: float | None = None, rng: int = 0
-) -> "RewiringBoard":
+) -> RewiringBoard:
     """Scrub through RRT*: each new node, its ball and neighbours, its parent, the rewired edges.
 
     The edge to the new node is black; edges that are attached to it are red, their former places

@@ -8,6 +8,8 @@
 Not complete: the robot may walk in a circle for ever.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from numpy.typing import ArrayLike

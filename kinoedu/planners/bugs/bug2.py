@@ -11,6 +11,8 @@ Bullo & Smith, chapter 1; V. J. Lumelsky, A. A. Stepanov, "Path-planning strateg
 mobile automaton moving amidst unknown obstacles of arbitrary shape", Algorithmica 2 (1987).
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from numpy.typing import ArrayLike

@@ -4,6 +4,8 @@ It leaves a wall wherever it meets the start-goal line again, and may walk in a 
 Bullo & Smith, chapter 1.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from numpy.typing import ArrayLike

@@ -1,5 +1,7 @@
 """BugBase: move straight to the goal, and fail at the first obstacle. Bullo & Smith, chapter 1."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from numpy.typing import ArrayLike

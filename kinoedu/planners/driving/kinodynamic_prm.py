@@ -8,6 +8,8 @@ After S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001) and
 al. (1996).
 """
 
+from __future__ import annotations
+
 from dataclasses import replace
 from typing import Any
 

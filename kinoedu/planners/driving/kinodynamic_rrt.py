@@ -12,6 +12,8 @@ S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001); LaValle,
 Algorithms, section 14.4.3.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

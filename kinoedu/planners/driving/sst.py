@@ -4,6 +4,8 @@ No curve that joins two poses is needed. Y. Li, Z. Littlefield, K. E. Bekris, "A
 optimal sampling-based kinodynamic planning" (2016), algorithm 6.
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

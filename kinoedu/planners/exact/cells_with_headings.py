@@ -4,6 +4,8 @@ The cells are those of a point (Bullo & Smith, chapter 2), so nothing is guarant
 motion inside one cell may hit what bounds it. Every motion is therefore checked.
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

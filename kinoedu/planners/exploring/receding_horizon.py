@@ -12,6 +12,8 @@
 Bullo & Smith, chapter 5.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 

@@ -4,6 +4,8 @@ M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic enviro
 LaValle, section 7.1.
 """
 
+from __future__ import annotations
+
 from heapq import heappop, heappush
 from typing import Any
 

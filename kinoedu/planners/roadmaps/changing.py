@@ -5,6 +5,8 @@ After P. Leven, S. Hutchinson, "A framework for real-time path planning in chang
 (2002).
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

@@ -3,6 +3,8 @@
 Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

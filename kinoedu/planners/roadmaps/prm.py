@@ -13,6 +13,8 @@ L. E. Kavraki, P. Svestka, J.-C. Latombe, M. H. Overmars, "Probabilistic roadmap
 in high-dimensional configuration spaces" (1996); Bullo & Smith, chapter 5; LaValle, section 5.6.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from typing import Any

@@ -3,6 +3,8 @@
 Bullo & Smith, chapter 5.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any, NamedTuple
 

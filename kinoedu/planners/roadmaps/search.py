@@ -1,5 +1,7 @@
 """Search any roadmap with any graph search."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any
 

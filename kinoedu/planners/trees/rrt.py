@@ -15,6 +15,8 @@ LaValle, "Rapidly-exploring random trees: a new tool for path planning" (1998); 
 Algorithms, section 5.5; Bullo & Smith, chapter 5.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

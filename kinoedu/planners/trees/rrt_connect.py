@@ -18,6 +18,8 @@ J. J. Kuffner, S. M. LaValle, "RRT-Connect: an efficient approach to single-quer
 (2000); LaValle, section 5.5.3.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

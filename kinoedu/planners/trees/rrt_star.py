@@ -18,6 +18,8 @@ S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning"
 6.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Any, NamedTuple
 

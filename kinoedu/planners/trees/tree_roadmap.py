@@ -10,6 +10,8 @@
 Here the tree also stops when it has reached the goal.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any
 
