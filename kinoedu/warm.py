@@ -30,8 +30,10 @@ from .planners.registry import ARM, CAR, DISK, PLANNERS, POINT, TRANSLATING, TUR
 from .problems import Problem, ProblemRecord
 from .problems.in_time import TimedProblem
 from .robots import Car, Disk, Point, RigidPolygon, TranslatingPolygon, TwoLinkArm
+from .robots.kinds import Robot
 from .support.progress import show_progress
 from .worlds import Moving, MovingWorld, PolygonWorld, Terrain
+from .worlds.checks import World
 from .worlds.terrain import TerrainRecord
 
 Job = tuple[Any, ...]  # a name, a function, and its arguments
@@ -81,7 +83,8 @@ def first_jobs() -> Iterator[Job]:
     round_and_not = PolygonWorld(
         [*ROOM[:3], (5, 8), ROOM[3]], [[(4, 0), (5, 0), (5, 5)], ((7, 5), 1.0)]
     )
-    for kind, world in {"polygons": round_and_not, "a terrain": Terrain([[1] * 9] * 9)}.items():
+    worlds: dict[str, World] = {"polygons": round_and_not, "a terrain": Terrain([[1] * 9] * 9)}
+    for kind, world in worlds.items():
         task = Problem(Point(), world, (1, 1), (8, 8))
         for planner in PLANNERS.values():
             if planner.board is not None:
@@ -172,6 +175,6 @@ def shorten(problem: ProblemRecord) -> None:
     shortcut(rrt_connect(problem, rng=0, max_nodes=500), tries=5, rng=0)
 
 
-def room(robot: object, start: tuple[float, ...], goal: tuple[float, ...]) -> ProblemRecord:
+def room(robot: Robot, start: tuple[float, ...], goal: tuple[float, ...]) -> ProblemRecord:
     """A problem in a room with a wedge."""
     return Problem(robot, PolygonWorld(ROOM, [[(4, 0), (5, 0), (5, 5)]]), start, goal)

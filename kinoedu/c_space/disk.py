@@ -18,6 +18,7 @@ from ..geometry.checks import Array, as_array
 from ..geometry.convex import convex_hull
 from ..geometry.exact import length
 from ..geometry.minkowski import clip_to_shifted_edges, leftmost
+from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
 
@@ -151,7 +152,7 @@ def as_radius(radius: float) -> float:
     return float(size)
 
 
-def as_world(world: Any) -> PolygonWorldRecord:
+def as_world(world: World) -> PolygonWorldRecord:
     """Check that a world is a PolygonWorld; raise InvalidWorld otherwise."""
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(

@@ -7,7 +7,6 @@ its reference point, the origin of the coordinates of its vertices.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +16,7 @@ from ..geometry.checks import Array
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.minkowski import erosion, minkowski_difference
 from ..geometry.rings import as_ring
+from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord, discs_of
 
 
@@ -137,7 +137,7 @@ def pairwise_differences(obstacles: Sequence[Array], robots: Sequence[Array]) ->
     return [minkowski_difference(obstacle, robot) for obstacle in obstacles for robot in robots]
 
 
-def convex_solids(world: Any) -> list[Array]:
+def convex_solids(world: World) -> list[Array]:
     """The convex parts of all obstacles inside the boundary's hull; InvalidWorld for round ones."""
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(

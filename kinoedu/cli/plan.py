@@ -11,6 +11,7 @@ from typing import Any
 
 from ..errors import InvalidParameter
 from ..planners.registry import PLANNERS
+from ..problems.protocols import ProblemLike
 from ..support.progress import show_stage
 
 CHOICES = {planner.name.replace("_", "-"): planner for planner in PLANNERS.values()}
@@ -243,7 +244,7 @@ def run_interruptibly(work: Callable[[], Any]) -> Any:
     return answer.result()
 
 
-def make_plan(problem: Any, arguments: argparse.Namespace) -> Any:
+def make_plan(problem: ProblemLike, arguments: argparse.Namespace) -> Any:
     """Plan with the planner and the settings of the command line.
 
     Raises InvalidParameter for a setting that this planner does not have.

@@ -6,7 +6,6 @@ Bullo & Smith, chapter 4.
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,7 +19,7 @@ from ..robots.arm import ArmRobot
 from ..robots.moving import X, Y, place_piece
 from ..spaces.angles import FULL_TURN, wrap_angle
 from ..support.text import shortened
-from ..worlds.checks import check_world
+from ..worlds.checks import World, check_world
 from ..worlds.nearby import obstacles_near, rim
 from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
 
@@ -29,7 +28,7 @@ from .turning import contact_size, first_in_contact, meets_part, piece_in_contac
 DOUBT = 1e-3
 
 
-def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
+def link_in_contact(arm: ArmRobot, q: ArrayLike, world: World) -> int:
     """The first link that touches an obstacle or leaves the world, counted from 1; 0 for no link.
 
     Contact is the same as in `is_free`: it is decided to 1e-9 of the world's size.
@@ -70,7 +69,7 @@ def link_in_contact(arm: ArmRobot, q: ArrayLike, world: Any) -> int:
     return int(first_link_in_contact(arm, world, angles, contact_size(world.lo, world.hi)))
 
 
-def check_arm(arm: Any) -> None:
+def check_arm(arm: object) -> None:
     """Raise InvalidRobot where the argument is not an arm."""
     if not isinstance(arm, ArmRobot):
         raise InvalidRobot(
@@ -79,12 +78,12 @@ def check_arm(arm: Any) -> None:
 
 
 @compiled
-def first_link_in_contact(arm: ArmRobot, world: Any, q: Array, contact: float) -> int:
+def first_link_in_contact(arm: ArmRobot, world: World, q: Array, contact: float) -> int:
     """`link_in_contact` for arrays."""
     return first_in_contact(arm, world, q, np.zeros(len(q)), contact, contact) + 1
 
 
-def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArray[np.int8]:
+def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDArray[np.int8]:
     """Evaluate `link_in_contact` of a two-link arm over its configuration space, as an image.
 
     image[i2, i1] belongs to theta1 = angles[i1] and theta2 = angles[i2], where angles = -pi + (i +
@@ -130,7 +129,7 @@ def paint_configuration_space(arm: ArmRobot, world: Any, n: int = 360) -> NDArra
 
 @algorithm
 def paint_image(
-    arm: ArmRobot, world: Any, image: NDArray[np.int8], contact: float
+    arm: ArmRobot, world: World, image: NDArray[np.int8], contact: float
 ) -> NDArray[np.int8]:
     """Write `paint_configuration_space` into an image of zeros."""
     n, ring = len(image), rim_parts(rim(world))

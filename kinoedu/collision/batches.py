@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -12,13 +10,15 @@ from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array, nonnegative
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
+from ..robots.kinds import Robot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
+from ..worlds.checks import World
 from .interface import coordinates, is_free, is_free_path
 
 
 def free_configurations(
-    robot: Any, world: Any, qs: ArrayLike, *, clearance: float = 0.0
+    robot: Robot, world: World, qs: ArrayLike, *, clearance: float = 0.0
 ) -> NDArray[np.bool_]:
     """Whether the robot keeps more than `clearance` from every obstacle, for many configurations.
 
@@ -54,7 +54,7 @@ def free_configurations(
 
 
 def free_motions(
-    robot: Any, world: Any, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0
+    robot: Robot, world: World, a: ArrayLike, b: ArrayLike, *, clearance: float = 0.0
 ) -> NDArray[np.bool_]:
     """Whether the robot keeps more than `clearance` from every obstacle on many straight motions.
 
@@ -91,14 +91,14 @@ def free_motions(
 
 @coordinates.register(RoundRobot)
 @coordinates.register(TranslatingPolygonRobot)
-def position(robot: Any) -> int:
+def position(robot: Robot) -> int:
     """Two: x and y."""
     return 2
 
 
 @coordinates.register(RigidPolygonRobot)
 @coordinates.register(CarRobot)
-def pose(robot: Any) -> int:
+def pose(robot: Robot) -> int:
     """Three: x, y and theta."""
     return 3
 
@@ -110,7 +110,9 @@ def joint_angles(robot: ArmRobot) -> int:
 
 
 @algorithm
-def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) -> NDArray[np.bool_]:
+def judge_configurations(
+    robot: Robot, world: World, qs: Array, clearance: float
+) -> NDArray[np.bool_]:
     """The result of `is_free` for each row of qs, shape (n,)."""
     free = np.empty(len(qs), np.bool_)
     for i in range(len(qs)):
@@ -120,7 +122,7 @@ def judge_configurations(robot: Any, world: Any, qs: Array, clearance: float) ->
 
 @algorithm
 def judge_motions(
-    robot: Any, world: Any, a: Array, b: Array, clearance: float
+    robot: Robot, world: World, a: Array, b: Array, clearance: float
 ) -> NDArray[np.bool_]:
     """The result of `is_free_path` for each pair of rows, shape (n,)."""
     free = np.empty(len(a), np.bool_)
@@ -129,7 +131,7 @@ def judge_motions(
     return free
 
 
-def as_configurations(value: ArrayLike, robot: Any, name: str) -> Array:
+def as_configurations(value: ArrayLike, robot: Robot, name: str) -> Array:
     """Check configurations of a robot, shape (n, d); raise InvalidPoint otherwise.
 
     An empty list holds no configurations.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -13,12 +11,14 @@ from ..geometry.checks import Array, as_array
 from ..geometry.exact import height
 from ..geometry.parts import Parts
 from ..geometry.separation import pieces_distance
+from ..robots.kinds import Robot
 from ..robots.moving import place_body
 from ..support.text import shortened
+from ..worlds.checks import World
 from ..worlds.nearby import obstacles_near, rim
 
 
-def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
+def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
     """The distance from the robot at q to the nearest obstacle or to the world's boundary.
 
     It is 0 in contact, inside an obstacle and outside the world. The relative error is 1e-12, plus
@@ -49,7 +49,7 @@ def clearance_of(robot: Any, world: Any, q: ArrayLike) -> float:
 
 
 @compiled
-def least_distance(body: Parts, world: Any) -> float:
+def least_distance(body: Parts, world: World) -> float:
     """The least distance of any piece of a body.
 
     Only obstacles in a box as wide as the least distance so far are examined.

@@ -16,6 +16,7 @@ from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
 from ..geometry.grown import grow_piece, hull_of_sums
 from ..geometry.parts import Parts, make_parts
+from ..robots.kinds import Robot
 from ..robots.round import RoundRobot
 from ..worlds.moving import MovingWorldRecord, position_at
 
@@ -23,7 +24,7 @@ PAUSE = 1e-9  # of the horizon: intervals of contact are extended by this at bot
 
 
 def relative_obstacles(
-    robot: Any, world: MovingWorldRecord, clearance: float
+    robot: Robot, world: MovingWorldRecord, clearance: float
 ) -> tuple[Parts, NDArray[np.int64]]:
     """The C-obstacles of the robot in the frame of each moving piece.
 

@@ -7,16 +7,18 @@ a weighted planar subdivision" (1991).
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
 from ..compiled import compiled, generic
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
+from ..robots.kinds import Robot
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..spaces import distance
+from ..spaces.interface import Space
+from ..worlds.checks import World
 from ..worlds.terrain import TerrainRecord
 from .round_terrain import in_cells
 
@@ -24,21 +26,21 @@ ROUND = 1e-12  # of a motion: a shorter stretch in a blocked cell is a rounding 
 
 
 @generic(2)
-def motion_cost(robot: Any, world: Any, space: Any, a: Array, b: Array) -> float:
+def motion_cost(robot: Robot, world: World, space: Space, a: Array, b: Array) -> float:
     """The cost of the straight motion from a to b, free or not: its length."""
     return distance(space, a, b)
 
 
 @motion_cost.register(RoundRobot, TerrainRecord)
 @motion_cost.register(TranslatingPolygonRobot, TerrainRecord)
-def cost_on_terrain(robot: Any, world: TerrainRecord, space: Any, a: Array, b: Array) -> float:
+def cost_on_terrain(robot: Robot, world: TerrainRecord, space: Space, a: Array, b: Array) -> float:
     """The integral of the cells' costs at the robot's centre or reference point."""
     if world.cost.size == 0:
         return distance(space, a, b)
     return world.resolution * integral(world.cost, *in_cells(world, a, b))
 
 
-def check_cost(robot: Any, world: Any) -> None:
+def check_cost(robot: Robot, world: World) -> None:
     """Check that a robot can be used on a terrain with costs.
 
     Raises

@@ -1,7 +1,6 @@
 """Collision detection for cars: along arcs and curves of arcs, by conservative advancement."""
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -10,6 +9,7 @@ from ..curves.space import pieces_between
 from ..geometry.checks import Array
 from ..robots.car import CarRobot
 from ..robots.trajectory import TrajectoryRecord
+from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
 from .interface import is_free, is_free_drive, is_free_path
@@ -19,7 +19,7 @@ from .turning import contact_size, first_in_contact
 @is_free_drive.register(CarRobot, PolygonWorldRecord)
 @is_free_drive.register(CarRobot, TerrainRecord)
 def driving_freely(
-    robot: CarRobot, world: Any, pose: Array, distance: float, curvature: float, clearance: float
+    robot: CarRobot, world: World, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
     """Conservative advancement along the arc."""
     contact = contact_size(world.lo, world.hi)
@@ -29,7 +29,7 @@ def driving_freely(
 
 @is_free.register(CarRobot, PolygonWorldRecord)
 @is_free.register(CarRobot, TerrainRecord)
-def standing_freely(robot: CarRobot, world: Any, q: Array, clearance: float) -> bool:
+def standing_freely(robot: CarRobot, world: World, q: Array, clearance: float) -> bool:
     """An arc of length zero."""
     return is_free_drive(robot, world, q, 0.0, 0.0, clearance)
 
@@ -37,7 +37,7 @@ def standing_freely(robot: CarRobot, world: Any, q: Array, clearance: float) -> 
 @is_free_path.register(CarRobot, PolygonWorldRecord)
 @is_free_path.register(CarRobot, TerrainRecord)
 def driving_the_curve_freely(
-    robot: CarRobot, world: Any, a: Array, b: Array, clearance: float
+    robot: CarRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """Every arc of the shortest curve from a to b."""
     turns, lengths = pieces_between(a, b, robot.radius, robot.both_ways)
@@ -53,7 +53,7 @@ def driving_the_curve_freely(
 
 
 def is_free_trajectory(
-    robot: CarRobot, world: Any, trajectory: TrajectoryRecord, clearance: float = 0.0
+    robot: CarRobot, world: World, trajectory: TrajectoryRecord, clearance: float = 0.0
 ) -> bool:
     """Whether a car keeps more than `clearance` from every obstacle along a trajectory.
 

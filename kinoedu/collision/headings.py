@@ -19,8 +19,10 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_point
 from ..geometry.parts import Parts
+from ..robots.kinds import Robot
 from ..robots.polygon import RigidPolygonRobot
 from ..spaces.angles import wrap_angle
+from ..worlds.checks import World
 from ..worlds.nearby import obstacles_near, rim
 from .batches import free_configurations
 
@@ -29,7 +31,7 @@ from .batches import free_configurations
 SLACK = 1e-9
 
 
-def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
+def free_headings(robot: Robot, world: World, point: ArrayLike) -> Array:
     """The open intervals of headings at which a robot is free with its reference point at `point`.
 
     Results are exact to rounding; intervals shorter than the tolerance of collision detection,
@@ -82,7 +84,7 @@ def free_headings(robot: Any, world: Any, point: ArrayLike) -> Array:
     return join_intervals(ends, free[: len(stops)], free[len(stops) :])
 
 
-def free_heading(robot: Any, world: Any, point: ArrayLike) -> float | None:
+def free_heading(robot: Robot, world: World, point: ArrayLike) -> float | None:
     """The middle of the widest free interval of headings at a point.
 
     Returns
@@ -122,7 +124,7 @@ def join_intervals(ends: Array, between: NDArray[np.bool_], at: NDArray[np.bool_
     return np.array(rows).reshape(-1, 2)
 
 
-def critical_headings(robot: RigidPolygonRobot, world: Any, place: Array) -> Array:
+def critical_headings(robot: RigidPolygonRobot, world: World, place: Array) -> Array:
     """The headings at which contact may begin or end, and some others; (k,)."""
     reach = np.hypot(*robot.shape.points.T).max()
     parts, near = obstacles_near(world, *(place - reach), *(place + reach))

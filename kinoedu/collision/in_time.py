@@ -5,10 +5,9 @@ move along straight lines: relative to the obstacle, the robot moves along a str
 fixed piece. So each such stretch is tested as a whole, by the same test as for fixed obstacles.
 """
 
-from typing import Any
-
 from ..compiled import inlined
 from ..geometry.checks import Array
+from ..robots.kinds import Robot
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..worlds.moving import MovingWorldRecord, position_at
@@ -19,7 +18,7 @@ from .passing import touches
 @is_free_path.register(RoundRobot, MovingWorldRecord)
 @is_free_path.register(TranslatingPolygonRobot, MovingWorldRecord)
 def free_in_time(
-    robot: Any, world: MovingWorldRecord, a: Array, b: Array, clearance: float
+    robot: Robot, world: MovingWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether the motion touches no fixed and no moving obstacle at any moment.
 
@@ -37,7 +36,7 @@ def free_in_time(
 
 @inlined
 def is_met(
-    robot: Any, world: MovingWorldRecord, i: int, a: Array, b: Array, clearance: float
+    robot: Robot, world: MovingWorldRecord, i: int, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether moving piece i touches the robot on its way from a to b."""
     k, end = world.knots[i, 0], world.knots[i, 1]

@@ -5,22 +5,22 @@ Each pair of a robot and a world registers its own functions, in a file of its o
 
 from __future__ import annotations
 
-from typing import Any
-
 from ..compiled import generic
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
+from ..robots.kinds import Robot
 from ..support.text import shortened
+from ..worlds.checks import World
 
 
 @generic(2)
-def is_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def is_free_path(robot: Robot, world: World, a: Array, b: Array, clearance: float) -> bool:
     """Whether the robot keeps more than `clearance` from obstacles on the motion from a to b."""
     raise TypeError("no motions are defined for this robot in this world")
 
 
 @generic(2)
-def is_free(robot: Any, world: Any, q: Array, clearance: float) -> bool:
+def is_free(robot: Robot, world: World, q: Array, clearance: float) -> bool:
     """Whether the robot at q is more than `clearance` away from every obstacle.
 
     By default this is a motion of length zero.
@@ -29,7 +29,7 @@ def is_free(robot: Any, world: Any, q: Array, clearance: float) -> bool:
 
 
 @generic(2)
-def is_semi_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def is_semi_free_path(robot: Robot, world: World, a: Array, b: Array, clearance: float) -> bool:
     """Whether the robot keeps at least `clearance` on the motion from a to b; contact is allowed.
 
     The robot never enters the interior of an obstacle.
@@ -39,13 +39,13 @@ def is_semi_free_path(robot: Any, world: Any, a: Array, b: Array, clearance: flo
 
 @generic(2)
 def is_free_drive(
-    robot: Any, world: Any, pose: Array, distance: float, curvature: float, clearance: float
+    robot: Robot, world: World, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
     """Whether a car keeps more than `clearance` from obstacles while it drives along an arc."""
     raise TypeError("no drives are defined for this robot in this world")
 
 
 @generic(1)
-def coordinates(robot: Any) -> int:
+def coordinates(robot: Robot) -> int:
     """The number of coordinates of a configuration of this robot."""
     raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")

@@ -3,14 +3,13 @@
 For a moving obstacle, or one with an uncertain position, coordinates are relative to the piece.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..compiled import generic
 from ..geometry.checks import Array
 from ..geometry.parts import Parts, motion_touches_part, segment_part_distance
 from ..geometry.separation import pieces_distance
+from ..robots.kinds import Robot
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from .translating import hull_touches, swept_hull
@@ -18,7 +17,7 @@ from .translating import hull_touches, swept_hull
 
 @generic(1)
 def touches(
-    robot: Any, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float
+    robot: Robot, ax: float, ay: float, bx: float, by: float, parts: Parts, j: int, margin: float
 ) -> bool:
     """Whether the robot comes within `margin` of part j on the way from (ax, ay) to (bx, by).
 
@@ -28,7 +27,7 @@ def touches(
 
 
 @generic(1)
-def gap(robot: Any, a: Array, b: Array, parts: Parts, j: int) -> float:
+def gap(robot: Robot, a: Array, b: Array, parts: Parts, j: int) -> float:
     """The distance of the robot from part j on the way from a to b; 0 or less where they touch."""
     raise TypeError("this robot cannot pass a moving or an uncertain obstacle")
 

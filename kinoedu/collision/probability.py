@@ -16,6 +16,7 @@ from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..geometry.exact import length
 from ..geometry.parts import Parts
+from ..robots.kinds import Robot
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..support.text import shortened
@@ -41,7 +42,7 @@ class Chance(NamedTuple):
 
 
 def collision_probability(
-    robot: Any,
+    robot: Robot,
     world: UncertainWorldRecord,
     path: ArrayLike,
     *,
@@ -93,7 +94,7 @@ def collision_probability(
     return Chance(hits / len(offsets), float(low), float(high), hits, len(offsets))
 
 
-def path_clearances(robot: Any, world: UncertainWorldRecord, path: ArrayLike) -> Array:
+def path_clearances(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) -> Array:
     """The distance between a path and the expected position of each obstacle; 0 where they touch.
 
     Returns
@@ -119,7 +120,7 @@ def path_clearances(robot: Any, world: UncertainWorldRecord, path: ArrayLike) ->
     return np.maximum(nearest, 0.0)
 
 
-def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) -> float:
+def collision_bound(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) -> float:
     """An upper bound of the probability of a collision along a path.
 
     The sum of exp(-d^2 / (2 sigma^2)) over the obstacles, at most 1, where d is the clearance of
@@ -151,7 +152,7 @@ def collision_bound(robot: Any, world: UncertainWorldRecord, path: ArrayLike) ->
 
 
 @algorithm
-def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
+def part_gaps(robot: Robot, parts: Parts, path: Array) -> Array:
     """The distance between the path and each part, shape (k,); negative inside a round part."""
     least = np.full(len(parts.radius), np.inf)
     for j in range(len(parts.radius)):
@@ -162,7 +163,7 @@ def part_gaps(robot: Any, parts: Parts, path: Array) -> Array:
 
 @algorithm
 def hit_scenarios(
-    robot: Any, parts: Parts, owner: NDArray[np.int64], gaps: Array, path: Array, offsets: Array
+    robot: Robot, parts: Parts, owner: NDArray[np.int64], gaps: Array, path: Array, offsets: Array
 ) -> NDArray[np.bool_]:
     """Whether the path touches an obstacle in each scenario, shape (n,); offsets (n, m, 2).
 
@@ -185,7 +186,7 @@ def hit_scenarios(
     return hit
 
 
-def as_mover(robot: Any) -> Any:
+def as_mover(robot: Robot) -> Any:
     """Check that a robot does not rotate; raise InvalidParameter otherwise."""
     if not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
         raise InvalidParameter(

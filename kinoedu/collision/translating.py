@@ -1,7 +1,5 @@
 """Exact collision detection for translating polygons, by the convex hull that each piece sweeps."""
 
-from typing import Any
-
 import numpy as np
 
 from ..compiled import compiled, inlined
@@ -11,6 +9,7 @@ from ..geometry.exact import height, orientation_sign
 from ..geometry.parts import Parts
 from ..geometry.separation import insides_meet, pieces_distance, pieces_meet
 from ..robots.polygon import TranslatingPolygonRobot
+from ..worlds.checks import World
 from ..worlds.nearby import obstacles_near, rim
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
@@ -22,7 +21,7 @@ ROUND = 1e-12  # of a distance: a robot that slides may be nearer by this fracti
 @is_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
 @is_free_path.register(TranslatingPolygonRobot, TerrainRecord)
 def translating_freely(
-    robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float
+    robot: TranslatingPolygonRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """The hull of each piece at both ends lies inside the boundary's hull and touches nothing."""
     ring = rim(world)
@@ -40,7 +39,7 @@ def translating_freely(
 @is_semi_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
 @is_semi_free_path.register(TranslatingPolygonRobot, TerrainRecord)
 def translating_in_contact(
-    robot: TranslatingPolygonRobot, world: Any, a: Array, b: Array, clearance: float
+    robot: TranslatingPolygonRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """The interior of the hull of each piece does not meet the interior of an obstacle."""
     ring = rim(world)

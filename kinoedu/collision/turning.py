@@ -11,7 +11,6 @@ each corner; LaValle, section 5.3.4.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from ..geometry.separation import dividing_line
 from ..robots.arm import ArmRobot
 from ..robots.moving import ACC, VX, VY, X, Y, displacement, place_piece
 from ..robots.polygon import RigidPolygonRobot
+from ..worlds.checks import World
 from ..worlds.nearby import obstacles_near, rim
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
@@ -36,7 +36,9 @@ FAR = 1e-14  # of the largest coordinate: an upper bound on the rounding of a co
 @is_free_path.register(RigidPolygonRobot, TerrainRecord)
 @is_free_path.register(ArmRobot, PolygonWorldRecord)
 @is_free_path.register(ArmRobot, TerrainRecord)
-def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def turning_freely(
+    robot: ArmRobot | RigidPolygonRobot, world: World, a: Array, b: Array, clearance: float
+) -> bool:
     """Every piece stays inside the world and off each obstacle by more than the tolerance."""
     contact = contact_size(world.lo, world.hi)
     return (
@@ -49,7 +51,9 @@ def turning_freely(robot: Any, world: Any, a: Array, b: Array, clearance: float)
 @is_semi_free_path.register(RigidPolygonRobot, TerrainRecord)
 @is_semi_free_path.register(ArmRobot, PolygonWorldRecord)
 @is_semi_free_path.register(ArmRobot, TerrainRecord)
-def turning_in_contact(robot: Any, world: Any, a: Array, b: Array, clearance: float) -> bool:
+def turning_in_contact(
+    robot: ArmRobot | RigidPolygonRobot, world: World, a: Array, b: Array, clearance: float
+) -> bool:
     """No piece penetrates an obstacle by more than twice the tolerance."""
     contact = contact_size(world.lo, world.hi)
     return (
@@ -70,7 +74,12 @@ def contact_size(lo: Array, hi: Array) -> float:
 
 @compiled
 def first_in_contact(
-    robot: Any, world: Any, a: Array, change: Array, margin: float, contact: float
+    robot: ArmRobot | RigidPolygonRobot,
+    world: World,
+    a: Array,
+    change: Array,
+    margin: float,
+    contact: float,
 ) -> int:
     """The first piece that does not keep `margin` on the motion from a to a + change, or -1."""
     corners = np.empty((len(robot.shape.points), 5))
@@ -82,9 +91,9 @@ def first_in_contact(
 
 @compiled
 def piece_in_contact(
-    robot: Any,
+    robot: ArmRobot | RigidPolygonRobot,
     i: int,
-    world: Any,
+    world: World,
     a: Array,
     change: Array,
     corners: Array,
@@ -108,7 +117,7 @@ def piece_in_contact(
 
 @compiled
 def meets_part(
-    robot: Any,
+    robot: ArmRobot | RigidPolygonRobot,
     i: int,
     a: Array,
     change: Array,
@@ -136,7 +145,7 @@ def meets_part(
 
 @compiled
 def crosses_edge(
-    robot: Any,
+    robot: ArmRobot | RigidPolygonRobot,
     i: int,
     a: Array,
     change: Array,

@@ -6,7 +6,6 @@ import io
 import warnings
 from collections.abc import Callable
 from contextlib import redirect_stdout
-from typing import Any
 
 import numpy as np
 
@@ -33,7 +32,7 @@ class OutputBuffer(io.StringIO):
 
 
 def check(
-    function: Callable[..., Any], exercise: str = "", *, variant: str = "", staged: bool = False
+    function: Callable[..., object], exercise: str = "", *, variant: str = "", staged: bool = False
 ) -> Feedback:
     """Judge a student's function and return the feedback, which a notebook displays.
 

@@ -3,10 +3,12 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..messages import get_message
+from ..support.json_fields import JsonObject
 from .plain import wrong_shape
-from .shapes import Listed, Numbers, Record, Shape, Text
+from .shapes import Listed, Numbers, Record, Shape, Text, Value
 
 CURVE: Shape = Record(points=Numbers(("n", 2)), label=Text(), colour=Text())
 PLOT = Record(
@@ -34,7 +36,7 @@ class Drawn(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.drawn")
 
-    def encode(self, value: Any) -> dict[str, Any]:
+    def encode(self, value: Value) -> JsonObject:
         """Encode axes, a figure with one pair of axes, or a value that was decoded before.
 
         Raises
@@ -71,12 +73,12 @@ class Drawn(NamedTuple):
         }
         return PLOT.encode(plot)
 
-    def decode(self, data: Any) -> dict[str, Any]:
+    def decode(self, data: object) -> JsonObject:
         """Decode into a dict of numbers and text. Raises WrongShape."""
         return PLOT.decode(data)
 
 
-def curve_data(points: Any, artist: Any, colour: Any) -> dict[str, Any]:
+def curve_data(points: ArrayLike, artist: Any, colour: Any) -> JsonObject:
     """Points, label and colour of an artist."""
     from ..figures.palette import hex_of
 

@@ -6,12 +6,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..curves.arcs import drive_arc
 from ..files.scenes import parse_problem
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
-from ..support.json_fields import Field
+from ..support.json_fields import Field, Json
 from .plain import WrongShape
 from .tasks import ProblemShape, StudentProblem, scene_of
 
@@ -52,7 +53,7 @@ class DrivingProblem(StudentProblem):
         curvature = math.tan(phi) / self.problem.robot.wheelbase
         return np.array(drive_arc(float(q[0]), float(q[1]), float(q[2]), v * t, curvature))
 
-    def is_free_drive(self, q: Any, v: float, phi: float, t: float) -> bool:
+    def is_free_drive(self, q: ArrayLike, v: float, phi: float, t: float) -> bool:
         """Whether the car stays collision-free while the control (v, phi) is held for a time t."""
         return self.problem.is_free_drive(np.asarray(q, float), float(v), float(phi), float(t))
 
@@ -71,7 +72,7 @@ class DrivingProblem(StudentProblem):
         )
 
     def best_drive(
-        self, q: Any, target: Any, rng: np.random.Generator
+        self, q: ArrayLike, target: ArrayLike, rng: np.random.Generator
     ) -> tuple[float, float, float] | None:
         """Best of twenty random controls, cut off where it comes closest to the target.
 
@@ -141,7 +142,7 @@ def drivable(scene: dict[str, Any]) -> DrivingProblem:
 class DrivenProblemShape(ProblemShape):
     """The shape of a car's problem, encoded as a scene."""
 
-    def decode(self, data: Any) -> DrivingProblem:
+    def decode(self, data: Json) -> DrivingProblem:
         """Decode into a new problem without recorded calls."""
         try:
             return drivable(data)

@@ -9,20 +9,27 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from typing import Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
 from ..messages import get_message, has_message
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
-from .shapes import Record, Shape
+from .shapes import Record, Shape, Value
+
+if TYPE_CHECKING:
+    from ..figures.palette import Axes as Axes
+else:
+    Axes = object  # matplotlib is imported only where an answer is drawn
+
+Given = dict[str, Any]  # the arguments of a case by name
 
 
 class Case(NamedTuple):
     """One input: its kind, and the arguments by name."""
 
     kind: str
-    given: dict[str, Any]
+    given: Given
 
 
 class Verdict(NamedTuple):
@@ -54,7 +61,7 @@ class Slip(NamedTuple):
     """A known misconception: its key in the catalogue, and the answer of a program that has it."""
 
     key: str
-    answer: Callable[..., Any]
+    answer: Callable[..., object]
 
 
 class Exercise(ABC):
@@ -82,8 +89,8 @@ class Exercise(ABC):
     seconds: ClassVar[float] = 5.0
     slips: ClassVar[tuple[Slip, ...]] = ()
     shared: ClassVar[tuple[str, ...]] = ("exercise",)
-    source: ClassVar[Callable[..., Any] | None] = None
-    shown: ClassVar[Callable[..., Any] | None] = None
+    source: ClassVar[Callable[..., object] | None] = None
+    shown: ClassVar[Callable[..., object] | None] = None
     variants: ClassVar[tuple[str, ...]] = ()
 
     def __init__(self, variant: str = "") -> None:
@@ -98,17 +105,17 @@ class Exercise(ABC):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases from small to large, some of each kind; the same for the same rng."""
 
-    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+    def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the student's function with a case's arguments, in the declared order."""
         return function(*given.values())
 
-    def right_answer(self, *given: Any) -> Any:
+    def right_answer(self, *given: Value) -> Value:
         """One right answer, computed by the library."""
         assert self.source is not None
         return self.source(*given)
 
     @abstractmethod
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge an answer of the declared shape."""
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
@@ -122,12 +129,12 @@ class Exercise(ABC):
     def describe_expected(self, case: Case) -> str:
         """Description of the right answer to a case."""
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Description of the answer that was given to a case."""
         return format_value(value)
 
     @abstractmethod
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw a case, the given answer and the true one into matplotlib axes."""
 
     def table_with(self, key: str) -> str:
@@ -152,10 +159,10 @@ class ValueExercise(Exercise):
 
     @staticmethod
     @abstractmethod
-    def reference(*given: Any) -> Any:
+    def reference(*given: Value) -> Value:
         """True answer. Raises ValueError where there is none."""
 
-    def truth(self, case: Case) -> Any:
+    def truth(self, case: Case) -> Value:
         """True answer, or the ValueError itself.
 
         The result is cached, because a whole class is judged on the same cases.
@@ -180,13 +187,13 @@ class ValueExercise(Exercise):
         rule = {Late: "late", Changed: "changed"}.get(type(outcome), case.kind)
         return Verdict(0.0, rule, self.describe_expected(case))
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Compare a value with the reference."""
         if self.same(value, self.truth(case)):
             return RIGHT
         return Verdict(0.0, case.kind, self.describe_expected(case))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether two answers agree up to rounding; nan equals nan."""
         found, wanted = np.ravel(value).tolist(), np.ravel(truth).tolist()
         return len(found) == len(wanted) and all(map(self.near, found, wanted))
@@ -210,7 +217,7 @@ class ValueExercise(Exercise):
 MAX_POINTS_SHOWN, MAX_NUMBERS_SHOWN = 12, 60  # rows of a long array, entries of a long list
 
 
-def format_value(value: Any) -> str:
+def format_value(value: Value) -> str:
     """Format a value as a student would write it: at most ten digits, no trailing zeros.
 
     >>> format_value(np.array([[0.0, 1.5], [2.0, 1 / 3]]))

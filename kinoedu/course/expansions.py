@@ -8,21 +8,24 @@ import numpy as np
 
 from ..geometry.checks import Array
 from ..messages import get_message
+from ..problems.protocols import PlanningProblem
 from .plain import WrongShape, wrong_shape
 
 
-def wander(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
+def wander(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
     """Expand a random node to a random place nearby."""
     node = int(rng.integers(len(nodes)))
     return node, nodes[node] + rng.uniform(-1.5, 1.5, len(nodes[node]))
 
 
-def leap(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
+def leap(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
     """Expand a random node to a random sample of the whole space."""
     return int(rng.integers(len(nodes))), problem.sample(rng)
 
 
-def reach_out(problem: Any, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
+def reach_out(
+    problem: PlanningProblem, nodes: Array, rng: np.random.Generator
+) -> tuple[int, Array]:
     """Expand the node nearest to a sample by one step towards that sample, as an RRT does."""
     q_rand = problem.sample(rng)
     node = int(np.argmin([problem.distance(q, q_rand) for q in nodes]))
@@ -60,13 +63,13 @@ class Rule(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("planner.expansion")
 
-    def encode(self, value: Any) -> str:
+    def encode(self, value: object) -> str:
         """Encode an expansion as its name. Raises WrongShape."""
         if not isinstance(value, Expansion):
             raise wrong_shape(self.description, value)
         return value.name
 
-    def decode(self, data: Any) -> Expansion:
+    def decode(self, data: object) -> Expansion:
         """Decode the name of an expansion. Raises WrongShape."""
         if data not in EXPANSIONS:
             raise WrongShape(self.description)

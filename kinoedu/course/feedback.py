@@ -147,7 +147,7 @@ def late_message(late: Late) -> str:
     )
 
 
-def as_code(value: Any) -> str:
+def as_code(value: object) -> str:
     """Write a value as a line of Python that a student can copy.
 
     >>> as_code(np.array([[0.0, 0.5], [2.0, 1.0]])), as_code(2.0)

@@ -6,10 +6,10 @@ a sandbox, or from a file.
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
+from ..support.json_fields import JsonObject
 from ..support.time_limit import Limiter, run_within_processor_time
 from .exercise import CONTRACT, Case, Exercise, Slip, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
@@ -69,7 +69,7 @@ class Report:
 
 def run_case(
     exercise: Exercise,
-    function: Callable[..., Any],
+    function: Callable[..., object],
     case: Case,
     bounded: Limiter = run_within_processor_time,
 ) -> Outcome:
@@ -83,7 +83,7 @@ def run_case(
 
 
 def run_encoded_case(
-    exercise: Exercise, function: Callable[..., Any], data: dict[str, Any], bounded: Limiter
+    exercise: Exercise, function: Callable[..., object], data: JsonObject, bounded: Limiter
 ) -> Outcome:
     """Call a student's function on a case's arguments, given as JSON data.
 
@@ -105,7 +105,7 @@ def run_encoded_case(
     return Changed(changed) if isinstance(outcome, Answer) and changed else outcome
 
 
-def is_unchanged(shape: Shape, value: Any, data: Any) -> bool:
+def is_unchanged(shape: Shape, value: object, data: object) -> bool:
     """Whether a value still encodes to the given JSON data."""
     try:
         return bool(shape.encode(value) == data)
@@ -227,7 +227,7 @@ def is_unwritten(outcome: Outcome) -> bool:
     return isinstance(outcome, Raised) and outcome.is_unwritten
 
 
-def explains(exercise: Exercise, mistaken: Callable[..., Any], failure: JudgedCase) -> bool:
+def explains(exercise: Exercise, mistaken: Callable[..., object], failure: JudgedCase) -> bool:
     """Whether a misconception gives the same answer as the student's program."""
     if not isinstance(exercise, ValueExercise) or not isinstance(failure.outcome, Answer):
         return False

@@ -12,9 +12,10 @@ from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
 from ..messages import get_message
+from ..support.json_fields import JsonObject
 from ..support.time_limit import Limiter, SeenLines, TimeUp, run_within_processor_time
 from .plain import WrongShape, class_name, wrong_shape
-from .shapes import Listed, Record, Shape, Text, Truth
+from .shapes import Listed, Record, Shape, Text, Truth, Value
 
 HERE = str(Path(__file__).resolve().parent.parent)
 
@@ -22,7 +23,7 @@ HERE = str(Path(__file__).resolve().parent.parent)
 class Answer(NamedTuple):
     """The function returned a value of the declared shape."""
 
-    value: Any
+    value: Value
 
 
 class Misshapen(NamedTuple):
@@ -85,11 +86,11 @@ class Seconds(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.seconds")
 
-    def encode(self, value: Any) -> float:
+    def encode(self, value: object) -> float:
         """Check the float. Raises WrongShape."""
         return self.decode(value)
 
-    def decode(self, data: Any) -> float:
+    def decode(self, data: object) -> float:
         """Check the float. Raises WrongShape."""
         if type(data) is not float or not 0.0 <= data <= MOST_SECONDS:
             raise wrong_shape(self.description, data)
@@ -213,14 +214,14 @@ def is_students(file: str) -> bool:
 STANDARD = str(Path(traceback.__file__).resolve().parent)
 
 
-def encode_outcome(outcome: Outcome, shape: Shape) -> dict[str, Any]:
+def encode_outcome(outcome: Outcome, shape: Shape) -> JsonObject:
     """Encode an outcome as JSON data: its kind and its fields."""
     if isinstance(outcome, Answer):
         return {"kind": "Answer", "value": shape.encode(outcome.value)}
     return {"kind": type(outcome).__name__, **SHAPES[type(outcome)].encode(outcome._asdict())}
 
 
-def decode_outcome(data: Any, shape: Shape) -> Outcome:
+def decode_outcome(data: object, shape: Shape) -> Outcome:
     """Decode an outcome from JSON data.
 
     Raises

@@ -6,6 +6,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from ..messages import get_message
+from ..support.json_fields import Json
 
 
 class WrongShape(Exception):
@@ -19,7 +20,7 @@ class Describable(Protocol):
     def description(self) -> str: ...
 
 
-def as_array(value: Any, dimensions: tuple[int | str, ...], wanted: Describable) -> np.ndarray:
+def as_array(value: object, dimensions: tuple[int | str, ...], wanted: Describable) -> np.ndarray:
     """Copy a value into a float64 array of the wanted dimensions.
 
     Raises
@@ -53,7 +54,7 @@ def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:
     )
 
 
-def wrong_shape(words: str, value: Any) -> WrongShape:
+def wrong_shape(words: str, value: object) -> WrongShape:
     """Exception for a value of the wrong shape, with its message."""
     return WrongShape(get_message("shape.wrong", wanted=words, came=describe_value(value)))
 
@@ -86,19 +87,19 @@ def encode_float(number: float) -> float | str:
     return number if math.isfinite(number) else repr(number)
 
 
-def encode_floats(data: Any) -> Any:
+def encode_floats(data: Json) -> Any:
     """Encode nested lists of floats for JSON."""
     return [encode_floats(item) for item in data] if isinstance(data, list) else encode_float(data)
 
 
-def decode_floats(data: Any, wanted: Describable, depth: int) -> Any:
+def decode_floats(data: object, wanted: Describable, depth: int) -> Any:
     """Decode nested lists of floats of a known depth; deeper lists are rejected unvisited."""
     if depth == 0 or not isinstance(data, list):
         return decode_float(data, wanted)
     return [decode_floats(item, wanted, depth - 1) for item in data]
 
 
-def decode_float(data: Any, wanted: Describable) -> float:
+def decode_float(data: object, wanted: Describable) -> float:
     """Decode a float from JSON. Raises WrongShape."""
     if (
         type(data) is float

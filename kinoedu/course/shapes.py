@@ -15,7 +15,10 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from ..messages import get_message
+from ..support.json_fields import JsonObject
 from .plain import as_array, decode_float, decode_floats, encode_float, encode_floats, wrong_shape
+
+Value = Any  # a value of a shape that an exercise declares
 
 
 class Shape(Protocol):
@@ -24,9 +27,9 @@ class Shape(Protocol):
     @property
     def description(self) -> str: ...
 
-    def encode(self, value: Any) -> Any: ...
+    def encode(self, value: Value) -> object: ...
 
-    def decode(self, data: Any) -> Any: ...
+    def decode(self, data: object) -> object: ...
 
 
 class Number(NamedTuple):
@@ -41,11 +44,11 @@ class Number(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.number")
 
-    def encode(self, value: Any) -> float | str:
+    def encode(self, value: Value) -> float | str:
         """Encode a Python or numpy number, or an array without dimensions."""
         return encode_float(float(as_array(value, (), self)))
 
-    def decode(self, data: Any) -> float:
+    def decode(self, data: object) -> float:
         """Decode a float."""
         return decode_float(data, self)
 
@@ -70,12 +73,12 @@ class Numbers(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.numbers", dimensions=str(self.dimensions).replace("'", ""))
 
-    def encode(self, value: Any) -> Any:
+    def encode(self, value: Value) -> object:
         """Encode an array, or nested lists and tuples that make one."""
         array = as_array(value, self.dimensions, self)
         return array.tolist() if np.isfinite(array).all() else encode_floats(array.tolist())
 
-    def decode(self, data: Any) -> np.ndarray:
+    def decode(self, data: object) -> np.ndarray:
         """Decode a float64 array."""
         return as_array(decode_floats(data, self, len(self.dimensions)), self.dimensions, self)
 
@@ -88,13 +91,13 @@ class Truth(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.truth")
 
-    def encode(self, value: Any) -> bool:
+    def encode(self, value: Value) -> bool:
         """Encode a Python or numpy truth value."""
         if type(value) is not bool and type(value) is not np.bool_:
             raise wrong_shape(self.description, value)
         return bool(value)
 
-    def decode(self, data: Any) -> bool:
+    def decode(self, data: object) -> bool:
         """Decode a truth value."""
         return self.encode(data)
 
@@ -109,13 +112,13 @@ class Text(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.text")
 
-    def encode(self, value: Any) -> str:
+    def encode(self, value: Value) -> str:
         """Encode a str, with characters that UTF-8 cannot hold replaced."""
         if type(value) is not str or len(value) > self.most:
             raise wrong_shape(self.description, value)
         return value.encode("utf-8", "replace").decode("utf-8")
 
-    def decode(self, data: Any) -> str:
+    def decode(self, data: object) -> str:
         """Decode a str."""
         return self.encode(data)
 
@@ -138,15 +141,15 @@ class Record:
         """Description of the shape, for messages."""
         return get_message("shape.record", names=", ".join(self.fields))
 
-    def encode(self, value: Any) -> dict[str, Any]:
+    def encode(self, value: Value) -> JsonObject:
         """Encode each value by its shape."""
         return {name: shape.encode(self._named(value)[name]) for name, shape in self.fields.items()}
 
-    def decode(self, data: Any) -> dict[str, Any]:
+    def decode(self, data: object) -> dict[str, Any]:
         """Decode each value by its shape."""
         return {name: shape.decode(self._named(data)[name]) for name, shape in self.fields.items()}
 
-    def _named(self, value: Any) -> Mapping[str, Any]:
+    def _named(self, value: object) -> Mapping[str, Any]:
         if not isinstance(value, Mapping) or set(value) != set(self.fields):
             raise wrong_shape(self.description, value)
         return value
@@ -163,13 +166,13 @@ class Listed(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.list", row=self.row.description)
 
-    def encode(self, value: Any) -> list[Any]:
+    def encode(self, value: Value) -> list[Any]:
         """Encode a list, a tuple or an array."""
         if not isinstance(value, list | tuple | np.ndarray) or len(value) > self.most:
             raise wrong_shape(self.description, value)
         return [self.row.encode(item) for item in value]
 
-    def decode(self, data: Any) -> list[Any]:
+    def decode(self, data: object) -> list[Any]:
         """Decode a list."""
         if not isinstance(data, list) or len(data) > self.most:
             raise wrong_shape(self.description, data)
@@ -198,14 +201,14 @@ class Together(NamedTuple):
             "shape.together", places=", ".join(shape.description for shape in self.places)
         )
 
-    def encode(self, value: Any) -> list[Any]:
+    def encode(self, value: Value) -> list[Any]:
         """Encode a tuple or list of the right length, or an array with that many rows."""
         is_array = type(value) is np.ndarray and value.ndim > 0
         if not (isinstance(value, list | tuple) or is_array) or len(value) != len(self.places):
             raise wrong_shape(self.description, value)
         return [shape.encode(item) for shape, item in zip(self.places, value, strict=True)]
 
-    def decode(self, data: Any) -> tuple[Any, ...]:
+    def decode(self, data: object) -> tuple[Any, ...]:
         """Decode a tuple."""
         if not isinstance(data, list) or len(data) != len(self.places):
             raise wrong_shape(self.description, data)
@@ -222,10 +225,10 @@ class Maybe(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.maybe", shape=self.shape.description)
 
-    def encode(self, value: Any) -> Any:
+    def encode(self, value: Value) -> object:
         """Encode a value; None stays None."""
         return None if value is None else self.shape.encode(value)
 
-    def decode(self, data: Any) -> Any:
+    def decode(self, data: object) -> object:
         """Decode a value; None stays None."""
         return None if data is None else self.shape.decode(data)

@@ -17,7 +17,7 @@ from .lessons import EXERCISES
 class Source:
     """The source of one function, with its file."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[..., object]) -> None:
         self.text = dedent(inspect.getsource(function)).rstrip()
         self.place = f"{function.__module__.replace('.', '/')}.py"
 
@@ -35,7 +35,7 @@ class Source:
         return f"<div style='opacity:.75'>{escape(self.place)}</div>{body}"
 
 
-def show(function: Callable[..., Any] | str) -> Source:
+def show(function: Callable[..., object] | str) -> Source:
     """Show the source of one of kinoedu's functions.
 
     Parameters

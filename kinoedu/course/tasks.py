@@ -8,7 +8,7 @@ from ..files.scene_robots import describe_for_scene
 from ..files.scenes import parse_problem
 from ..messages import get_message
 from ..problems import ProblemRecord, Recorder
-from ..support.json_fields import Field
+from ..support.json_fields import Field, Json, JsonObject
 from .plain import WrongShape, wrong_shape
 
 
@@ -46,7 +46,7 @@ def runs_as_code(rows: list[str]) -> str:
     return "[" + ", ".join(f"*[{row!r}] * {n}" if n > 1 else repr(row) for row, n in runs) + "]"
 
 
-def scene_of(problem: ProblemRecord) -> dict[str, Any]:
+def scene_of(problem: ProblemRecord) -> JsonObject:
     """Scene of a problem."""
     ends = {"start": problem.start.tolist(), "goal": problem.goal.tolist()}
     margin = {"clearance": problem.clearance} if problem.clearance > 0.0 else {}
@@ -78,13 +78,13 @@ class ProblemShape(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("planner.problem")
 
-    def encode(self, value: Any) -> dict[str, Any]:
+    def encode(self, value: object) -> JsonObject:
         """Encode a problem as its scene. Raises WrongShape."""
         if not isinstance(value, StudentProblem):
             raise wrong_shape(self.description, value)
         return scene_of(value.problem)
 
-    def decode(self, data: Any) -> StudentProblem:
+    def decode(self, data: Json) -> StudentProblem:
         """Decode into a new problem without recorded calls. Raises WrongShape."""
         try:
             return problem_of(data)

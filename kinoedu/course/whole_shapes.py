@@ -1,6 +1,6 @@
 """Shapes of integers: counts and indices."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,7 +20,7 @@ class Integer(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.whole")
 
-    def encode(self, value: Any) -> int:
+    def encode(self, value: object) -> int:
         """Encode an integer of at most fifteen digits. Raises WrongShape."""
         if (
             not (type(value) is int or isinstance(value, np.integer))
@@ -29,7 +29,7 @@ class Integer(NamedTuple):
             raise wrong_shape(self.description, value)
         return int(value)
 
-    def decode(self, data: Any) -> int:
+    def decode(self, data: object) -> int:
         """Decode an integer. Raises WrongShape."""
         return self.encode(data)
 
@@ -48,14 +48,14 @@ class Integers(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.whole_numbers", dimensions=str(self.dimensions).replace("'", ""))
 
-    def encode(self, value: Any) -> Any:
+    def encode(self, value: object) -> object:
         """Encode an array, or nested lists and tuples; floats without a fraction are accepted."""
         array = as_array(value, self.dimensions, self)
         if not (np.abs(array) < 2**53).all() or (array != np.rint(array)).any():
             raise wrong_shape(self.description, value)
         return array.astype(np.int64).tolist()
 
-    def decode(self, data: Any) -> np.ndarray:
+    def decode(self, data: object) -> np.ndarray:
         """Decode an int64 array."""
         whole = self.encode(decode_floats(data, self, len(self.dimensions)))
         return as_array(whole, self.dimensions, self).astype(np.int64)

@@ -4,7 +4,7 @@ With this space, every planner that uses a space's distance and interpolation pl
 car can drive. Source: LaValle, Planning Algorithms, section 15.3.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..spaces import diameter, distance, interpolate, near, nearest, sample
 from ..spaces.angles import angle_difference
+from ..spaces.buckets import GrowingTree
 from ..spaces.interface import sample_box
 from .curve import poses_along, relative_pose
 from .dubins import shortest_forward
@@ -91,7 +92,7 @@ def curve_space_diameter(space: CurveSpace) -> float:
 
 
 @nearest.register(CurveSpace)
-def nearest_along_curves(space: CurveSpace, tree: Any, q: Array) -> int:
+def nearest_along_curves(space: CurveSpace, tree: GrowingTree, q: Array) -> int:
     """The node with the shortest curve to q; ties go to the first.
 
     A curve is computed only where its lower bound is less than the best length so far.
@@ -106,7 +107,9 @@ def nearest_along_curves(space: CurveSpace, tree: Any, q: Array) -> int:
 
 
 @near.register(CurveSpace)
-def near_along_curves(space: CurveSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+def near_along_curves(
+    space: CurveSpace, tree: GrowingTree, q: Array, radius: float
+) -> NDArray[np.int64]:
     """The nodes with a curve to q of at most a radius.
 
     A curve is computed only where its lower bound is small enough.

@@ -3,16 +3,15 @@
 Bullo & Smith, chapter 2.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ..problems import Roadmap
+from ..worlds.polygon_world import PolygonWorldRecord
 from .trapezoidation import Trapezoidation, trapezoidation
 from .triangulation import Triangulation
 
 
-def decomposition_roadmap(world: Any) -> Roadmap:
+def decomposition_roadmap(world: PolygonWorldRecord | Trapezoidation | Triangulation) -> Roadmap:
     """Join the centre of each cell to the midpoints of the walls that it shares with neighbours.
 
     For n cells, node i is the centre of cell i and node n + j the midpoint of wall j; wall j has

@@ -7,7 +7,7 @@ Geometry, sections 6.1 and 13.2. The algorithm is in sweep.py.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ from ..compiled import algorithm, compiled
 from ..errors import InvalidWorld
 from ..geometry.checks import Array, as_point
 from ..graphs.flat import counting_sort
+from ..worlds.polygon_world import PolygonWorldRecord
 from .cells import CELLS, CLOSED, WALLS
 from .crossing import CROSSED, side
 from .free_space import edges_to_try
@@ -44,7 +45,7 @@ class Trapezoidation(NamedTuple):
     walls: Array
     sides: NDArray[np.int64]
     edges: Array
-    world: Any
+    world: PolygonWorldRecord
 
     @property
     def areas(self) -> Array:
@@ -125,7 +126,7 @@ class Step(NamedTuple):
         return KINDS.get((len(self.closed), len(self.opened)), "a touch")
 
 
-def trapezoidation(world: Any) -> Trapezoidation:
+def trapezoidation(world: PolygonWorldRecord) -> Trapezoidation:
     """Decompose the free space of a PolygonWorld into trapezoids, by a sweep line.
 
     Obstacles may touch each other and the boundary. Where they overlap they are united first, and
@@ -160,7 +161,7 @@ def trapezoidation(world: Any) -> Trapezoidation:
     return Trapezoidation(cells[cell_order], pairs, ends, done.sides[cell_order], done.ends, world)
 
 
-def sweep(world: Any) -> Iterator[Step]:
+def sweep(world: PolygonWorldRecord) -> Iterator[Step]:
     """Iterate over the events of the sweep line, from left to right: the steps of `trapezoidation`.
 
     Yields
@@ -188,7 +189,7 @@ def sweep(world: Any) -> Iterator[Step]:
     return steps(new_sweep(edges))
 
 
-def sweep_world(world: Any) -> tuple[Sweep, Array]:
+def sweep_world(world: PolygonWorldRecord) -> tuple[Sweep, Array]:
     """The completed sweep of a world, and the edges that it swept."""
     for edges in edges_to_try(world):
         state = new_sweep(edges)

@@ -6,7 +6,7 @@ which avoids slender triangles as far as the edges allow, is shapely's.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled
 from ..geometry.checks import Array, as_point
 from ..geometry.convex import corner_tuples, directed_edges, in_convex, triangulate_ring
+from ..worlds.polygon_world import PolygonWorldRecord
 from .free_space import as_polygons, free_polygons
 
 
@@ -29,7 +30,7 @@ class Triangulation(NamedTuple):
     triangles: Array
     adjacency: NDArray[np.int64]
     walls: Array
-    world: Any
+    world: PolygonWorldRecord
 
     @property
     def areas(self) -> Array:
@@ -66,7 +67,7 @@ def rings_holding(rings: Array, x: float, y: float) -> NDArray[np.bool_]:
     return holds
 
 
-def triangulation(world: Any) -> Triangulation:
+def triangulation(world: PolygonWorldRecord) -> Triangulation:
     """Decompose the free space of a PolygonWorld into triangles, with vertices of the world only.
 
     It is a constrained Delaunay triangulation.

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..compiled import COMPILED_FIRST, running
 from ..errors import InvalidParameter
-from ..problems import MOTIONS, PLACES, Plan
+from ..problems import MOTIONS, PLACES, Plan, ProblemRecord
 from ..support.text import shortened
 
 FOUND, NO_PATH, OUT_OF_TIME, NOT_RUN = "found", "no path", "out of time", "not run"
@@ -30,7 +30,7 @@ class Cell(NamedTuple):
     planner_name: str
     tuning: str
     seed: int | None
-    problem: Any
+    problem: ProblemRecord
     planner: Callable[..., Any]
     repeat: int
     time_limit: float
@@ -81,7 +81,7 @@ def run_cell(cell: Cell) -> Outcome:
         return Outcome(NOT_RUN, reason=f"{type(error).__name__}: {error}")
 
 
-def outcome_of(plan: Any, query_counts: Any, seconds: float) -> Outcome:
+def outcome_of(plan: object, query_counts: Any, seconds: float) -> Outcome:
     """Outcome of a plan.
 
     Raises

@@ -149,7 +149,7 @@ def send_message(message: bytes, stream: Any) -> None:
     stream.flush()
 
 
-def receive_message(stream: Any) -> Any:
+def receive_message(stream: object) -> Any:
     """Read a message.
 
     Raises

@@ -23,7 +23,7 @@ def version() -> str:
     return source_digest(PACKAGE)
 
 
-def digest(value: Any) -> str:
+def digest(value: object) -> str:
     """32 hexadecimal digits, equal for equal values in every process and on every computer.
 
     Raises
@@ -42,7 +42,7 @@ def digest(value: Any) -> str:
     return hasher.hexdigest()[:32]
 
 
-def encode_parts(value: Any) -> Iterator[bytes]:
+def encode_parts(value: object) -> Iterator[bytes]:
     """Parts of a value as bytes, with types and lengths."""
     if value is None or isinstance(value, bool | int | float | str | bytes | np.generic):
         yield f"{type(value).__name__} {value!r}".encode("utf-8", "surrogatepass")

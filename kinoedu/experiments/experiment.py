@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
 from ..geometry.checks import integer, is_real, positive
+from ..support.json_fields import JsonObject
 from ..support.text import shortened
 from .cells import Cell
 from .digests import digest, version
@@ -38,7 +39,7 @@ class ExperimentRecord(NamedTuple):
     """The result of `Experiment`."""
 
     name: str
-    problems: dict[str, Any]
+    problems: JsonObject
     contestants: tuple[Contestant, ...]
     seeds: tuple[int, ...]
     repeat: int
@@ -112,7 +113,7 @@ def Experiment(
     )
 
 
-def as_seeds(seeds: Any) -> tuple[int, ...]:
+def as_seeds(seeds: object) -> tuple[int, ...]:
     """The seeds from 0, or the given ones. Raises InvalidParameter."""
     if is_real(seeds):
         return tuple(range(integer(seeds, "seeds", least=1)))
@@ -128,7 +129,7 @@ def as_seeds(seeds: Any) -> tuple[int, ...]:
     return chosen
 
 
-def as_limit(seconds: Any) -> float:
+def as_limit(seconds: object) -> float:
     """Check a time limit of at most a week. Raises InvalidParameter."""
     limit = positive(seconds, "time_limit")
     if limit > 604_800.0:
@@ -155,7 +156,7 @@ def contestants_of(name: str, given: Planner | Sequence[Planner]) -> list[Contes
     ]
 
 
-def check_planner(name: str, planner: Any) -> None:
+def check_planner(name: str, planner: object) -> None:
     """Raise InvalidParameter unless a planner is a function that has the given arguments."""
     function = getattr(planner, "func", planner)
     if not inspect.isfunction(function):

@@ -210,6 +210,6 @@ def argument_from(field: Field, annotation: Any) -> Any:
 TYPE_NAMES = {bool: "true or false", int: "a whole number", float: "a number", str: "a string"}
 
 
-def kinds_of(annotation: Any) -> list[type]:
+def kinds_of(annotation: object) -> list[type]:
     """Plain types that an argument may have."""
     return [kind for kind in PLAIN if kind in (get_args(annotation) or (annotation,))]

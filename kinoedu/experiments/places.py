@@ -5,7 +5,6 @@ import pickle
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from typing import Any
 
 from ..errors import InvalidParameter
 from ..geometry.checks import integer
@@ -19,7 +18,7 @@ Submit = Callable[[Cell], "Future[Outcome]"]
 
 
 @contextmanager
-def open_workers(where: Any, workers: int | None) -> Iterator[Submit]:
+def open_workers(where: object, workers: int | None) -> Iterator[Submit]:
     """Context manager that yields a function to submit cells; its workers end with the block.
 
     Raises

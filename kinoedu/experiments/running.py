@@ -3,7 +3,6 @@
 import os
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any
 
 from ..errors import InvalidParameter
 from ..support.completed_futures import CompletedFutures
@@ -23,7 +22,7 @@ Progress = Callable[[int, int], None]
 def run(
     experiment: ExperimentRecord,
     *,
-    where: Any = "local",
+    where: object = "local",
     out: str | os.PathLike[str] | None = None,
     workers: int | None = None,
     progress: Progress | None = None,

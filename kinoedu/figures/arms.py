@@ -5,8 +5,6 @@ Bullo & Smith, chapter 4.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -18,6 +16,7 @@ from ..errors import InvalidPoint
 from ..geometry.checks import as_array
 from ..messages import get_message
 from ..robots.arm import ArmRobot
+from ..worlds.checks import World
 from . import palette
 from .drawing import HALO, axes_for, draw_world
 from .robots import draw_robot
@@ -31,7 +30,7 @@ LINK_WORDS = "figure.link_0", "figure.link_1", "figure.link_2"
 
 
 def plot_environment(
-    arm: ArmRobot, q: ArrayLike, world: Any, ax: Axes | None = None
+    arm: ArmRobot, q: ArrayLike, world: World, ax: Axes | None = None
 ) -> list[Artist]:
     """Draw a world and an arm in it: base, links with their width, joints.
 
@@ -52,7 +51,7 @@ def plot_environment(
 
 
 def plot_configuration_space(
-    arm: ArmRobot, world: Any, samples: ArrayLike, ax: Axes | None = None
+    arm: ArmRobot, world: World, samples: ArrayLike, ax: Axes | None = None
 ) -> list[Artist]:
     """Draw samples of a two-link arm's configuration space in the book's colours.
 

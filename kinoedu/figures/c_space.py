@@ -19,13 +19,14 @@ from ..messages import get_message
 from ..worlds.polygon_world import PolygonWorldRecord
 from . import palette, plane
 from .drawing import HALO, axes_for, compound, draw_world
+from .palette import Style
 from .solid import draw_mesh
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
 GROWN = "#D5D9E0"  # a C-obstacle: the colour of obstacles, paler
-SPOT: Any = {"color": palette.INK, "markeredgecolor": "white"}  # a reference point
+SPOT: Style = {"color": palette.INK, "markeredgecolor": "white"}  # a reference point
 
 
 def draw_c_obstacle(
@@ -48,7 +49,7 @@ def draw_c_obstacle(
     artists: list[Artist] = [ax.add_patch(grown)]
     artists += [draw_body(robot + q, ax, alpha=0.22) for q in places]
     artists.append(ax.add_patch(Polygon(ring, zorder=3, **palette.SOLID)))
-    dashed: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 2.0}
+    dashed: Style = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 2.0}
     artists.append(ax.add_patch(Polygon(outline, fill=False, zorder=4, **dashed)))
     artists += ax.plot(*places.T, "o", markersize=6, zorder=5, **SPOT)
     artists.append(label_inside(ring, get_message("c_space.obstacle"), "white", ax))
@@ -67,13 +68,13 @@ def draw_grown(
     for artist in artists:
         artist.set_zorder(2)
     ax.set_facecolor(GROWN)
-    dashed: Any = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 1.8}
+    dashed: Style = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 1.8}
     for rings in regions:
         region = PathPatch(compound(rings), facecolor=palette.FREE, zorder=1, **dashed)
         artists.append(ax.add_patch(region))
     outline = max((rings[0] for rings in regions), key=len, default=np.empty((0, 2)))
     for x, y in spread_round(outline, ghosts) if len(outline) else []:
-        look: Any = {"facecolor": palette.ROBOT, "edgecolor": palette.ROBOT, "alpha": 0.35}
+        look: Style = {"facecolor": palette.ROBOT, "edgecolor": palette.ROBOT, "alpha": 0.35}
         artists.append(ax.add_patch(Circle((x, y), radius, zorder=3, **look)))
         artists += ax.plot(x, y, "o", markersize=6, zorder=5, **SPOT)
     unit = get_message("c_space.region") if len(regions) == 1 else get_message("c_space.regions")
@@ -121,7 +122,7 @@ def draw_slice(
     outlines = unite(translating_obstacles(robot, [ring]))
     q = spread_round(outlines[0], 8)[5] if at is None else np.asarray(at, float)
     plane.frame(np.concatenate([*outlines, robot + q]), ax, margin=0.12)
-    line: Any = {"fill": False, "edgecolor": palette.GOAL, "linewidth": 2.5, "zorder": 4}
+    line: Style = {"fill": False, "edgecolor": palette.GOAL, "linewidth": 2.5, "zorder": 4}
     faces = [Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1) for outline in outlines]
     lines = [Polygon(outline, **line) for outline in outlines]
     solid = Polygon(ring, zorder=2, **palette.SOLID)
@@ -150,7 +151,7 @@ def label_inside(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
 
     x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(shapely.Polygon(ring)))[0]
     dark = [patheffects.withStroke(linewidth=3.5, foreground=palette.OBSTACLE)]
-    style: Any = {"path_effects": dark if colour == "white" else HALO, **palette.CENTRED}
+    style: Style = {"path_effects": dark if colour == "white" else HALO, **palette.CENTRED}
     return ax.text(x, y, words, color=colour, zorder=9, **style, **palette.BOLD)
 
 
@@ -175,7 +176,7 @@ def spread_round(ring: Array, count: int) -> Array:
 def label_corner(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
     """Write words in the upper right corner, with a line to the ring's nearest vertex."""
     x, y = ring[int((ring[:, 0] + ring[:, 1]).argmax())]
-    style: Any = {"ha": "right", "va": "top", "path_effects": HALO, **palette.BOLD}
+    style: Style = {"ha": "right", "va": "top", "path_effects": HALO, **palette.BOLD}
     line = {"arrowstyle": "-", "color": colour, "linewidth": 1.2, "shrinkB": 2.0}
-    corner: Any = {"xytext": (0.985, 0.975), "textcoords": "axes fraction", "arrowprops": line}
+    corner: Style = {"xytext": (0.985, 0.975), "textcoords": "axes fraction", "arrowprops": line}
     return ax.annotate(words, (x, y), color=colour, zorder=9, **corner, **style)

@@ -7,7 +7,6 @@ path is infinite.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -20,9 +19,10 @@ from ..messages import get_message
 from ..support.text import shortened
 from . import palette
 from .ends import name_ends
+from .palette import Style
 
-TEXT: Any = {**palette.TEXT, "va": "center", "color": palette.INK}
-BUTT: Any = {"solid_capstyle": "butt"}
+TEXT: Style = {**palette.TEXT, "va": "center", "color": palette.INK}
+BUTT: Style = {"solid_capstyle": "butt"}
 COLOURS = (palette.TREE, palette.GOAL, palette.START, palette.ROBOT, palette.INK, palette.ROADMAP)
 LINES = ("-", "--", "-.", ":")
 WIDE = 20.0  # the ratio of largest to smallest value from which on the axis is logarithmic
@@ -73,7 +73,7 @@ def draw_medians(
         artists += ax.plot([low, high], [i, i], color=palette.INK, linewidth=2.4, **BUTT)
         ends = [i - 0.31, i + 0.31]
         artists += ax.plot([median, median], ends, color=colour, linewidth=3.0, **BUTT)
-        beside: Any = {"xytext": (6, 0), "textcoords": "offset points"}
+        beside: Style = {"xytext": (6, 0), "textcoords": "offset points"}
         place = (np.nan_to_num(high), i)
         artists.append(ax.annotate(format_median(median, some, given), place, **beside, **TEXT))
     ax.set_yticks(range(len(runs)), list(runs))
@@ -194,7 +194,7 @@ def draw_convergence(
         low, median, high = np.quantile(spread, (0.25, 0.5, 0.75), axis=1, method="inverted_cdf")
         median[np.isinf(median)] = np.nan
         colour, line, marker = COLOURS[i % 6], LINES[i % 4], "o^sD"[i % 4]
-        band: Any = {"where": np.isfinite(high), "alpha": 0.2, "linewidth": 0}
+        band: Style = {"where": np.isfinite(high), "alpha": 0.2, "linewidth": 0}
         artists.append(ax.fill_between(sizes, low, high, color=colour, **band))
         artists += ax.plot(sizes, median, line, color=colour, linewidth=2.4, marker=marker)
         if np.isfinite(median).any():

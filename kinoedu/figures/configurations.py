@@ -16,6 +16,7 @@ from ..geometry.checks import Array
 from ..robots.arm import ArmRobot
 from ..spaces import Torus, interpolate
 from . import palette
+from .palette import Style
 from .plane import TOUCHING, label
 from .solid import TORUS, draw_mesh, torus_mesh
 
@@ -63,7 +64,7 @@ def draw_links(
 ) -> list[Artist]:
     """Draw an arm without width through base, joints and tip, (n, 2); its words at the elbow."""
     joints = np.asarray(places, float)
-    look: Any = {"marker": "o", "color": colour, "linewidth": 3.0, "markersize": 7}
+    look: Style = {"marker": "o", "color": colour, "linewidth": 3.0, "markersize": 7}
     artists: list[Artist] = [*ax.plot(*joints.T, style, zorder=5, **look)]
     return [*artists, label(joints[1], words, ax, colour=colour)] if words else artists
 
@@ -82,7 +83,7 @@ def draw_linkage(
     artists: list[Artist] = []
     for a, b in bars:
         artists += ax.plot(*at[[a, b]].T, style, color=colour, linewidth=5.0, zorder=4)
-    loose: Any = {"color": "white", "markeredgecolor": palette.INK, "markersize": 10}
+    loose: Style = {"color": "white", "markeredgecolor": palette.INK, "markersize": 10}
     artists += ax.plot(*np.delete(at, fixed, axis=0).T, "o", zorder=6, **loose)
     artists += ax.plot(*at[fixed].T, "s", color=palette.INK, markersize=13, zorder=5)
     return artists

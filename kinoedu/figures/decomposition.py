@@ -1,7 +1,6 @@
 """Figures of decompositions: cells, their neighbours, and the sweep line at work."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -11,8 +10,10 @@ from matplotlib.collections import PolyCollection
 from ..decomposition import Step, Trapezoidation, Triangulation
 from ..decomposition.trapezoidation import corners_of
 from ..geometry.checks import Array
+from ..worlds.checks import World
 from . import palette
 from .drawing import HALO, axes_for, draw_edges, draw_world, line_width
+from .palette import Style
 
 FEW = 60  # the most cells whose numbers can be read
 ROOM = 0.012  # the least radius of a cell with a number, as a fraction of the world
@@ -55,7 +56,7 @@ def draw_decomposition(
 
 def draw_cells(outlines: Array, ax: Axes, total: int) -> list[Artist]:
     """Draw convex cells, shape (n, k, 2), with thinner lines for more of them."""
-    look: Any = {"edgecolors": palette.TREE, "linewidths": 1.2 * line_width(total)}
+    look: Style = {"edgecolors": palette.TREE, "linewidths": 1.2 * line_width(total)}
     pale = PolyCollection(list(outlines), facecolors=palette.CELL, zorder=1.5, **look)
     return [ax.add_collection(pale, autolim=False)]
 
@@ -88,11 +89,11 @@ def draw_neighbours(
 
 def write_number(i: int, centre: Array, ax: Axes) -> Artist:
     """Write a cell's number at its centre."""
-    style: Any = {"color": palette.INK, "path_effects": HALO, "zorder": 8, **palette.CENTRED}
+    style: Style = {"color": palette.INK, "path_effects": HALO, "zorder": 8, **palette.CENTRED}
     return ax.annotate(str(i), (centre[0], centre[1]), fontsize=palette.TEXT_SIZE - 1, **style)
 
 
-def draw_sweep(steps: Sequence[Step], world: Any, ax: Axes | None = None) -> list[Artist]:
+def draw_sweep(steps: Sequence[Step], world: World, ax: Axes | None = None) -> list[Artist]:
     """Draw the sweep line after the last of some steps, the closed cells, floors and ceilings.
 
     steps : the first steps of `sweep(world)`, at least one; `list(sweep(world))[:k]`.
@@ -101,22 +102,22 @@ def draw_sweep(steps: Sequence[Step], world: Any, ax: Axes | None = None) -> lis
     closed, count = np.concatenate([step.closed for step in steps]), len(now.closed)
     artists = [*draw_world(world, ax), *draw_cells(corners_of(closed), ax, len(closed))]
     if count:
-        frame: Any = {"facecolors": "none", "edgecolors": palette.TREE, "linewidths": 3.0}
+        frame: Style = {"facecolors": "none", "edgecolors": palette.TREE, "linewidths": 3.0}
         new = PolyCollection(list(corners_of(now.closed)), zorder=2, **frame)
         artists.append(ax.add_collection(new, autolim=False))
     for name, edges, colour, style in (
         ("floors", now.status[::2], palette.START, "-"),
         ("ceilings", now.status[1::2], palette.GOAL, "--"),
     ):
-        look: Any = {"color": colour, "linewidth": 3.5, "linestyle": style}
+        look: Style = {"color": colour, "linewidth": 3.5, "linestyle": style}
         artists += ax.plot(*join_edges(edges), zorder=4, label=f"{name}: {len(edges)}", **look)
     artists.append(ax.axvline(now.x, color=palette.INK, linewidth=1.8, zorder=4.5))
-    dots: Any = {"color": palette.INK, "markersize": 8, **palette.RIM}
+    dots: Style = {"color": palette.INK, "markersize": 8, **palette.RIM}
     artists += ax.plot(*now.vertices.T, "o", zorder=6, **dots)
     changes = f"cells closed {count}, opened {len(now.opened)}"
     title = f"event {len(steps)}, x = {now.x:.4g}, {now.kind}: {changes}"
     ax.set_title(title, **palette.TEXT)
-    below: Any = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.12), "ncols": 2}
+    below: Style = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.12), "ncols": 2}
     below["frameon"] = False
     artists.append(ax.legend(fontsize=palette.TEXT_SIZE - 1, **below))
     return artists

@@ -1,7 +1,5 @@
 """The Van der Corput sequence, digit by digit."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -9,6 +7,7 @@ from matplotlib.axes import Axes
 from ..geometry.checks import integer
 from ..sampling import van_der_corput
 from . import palette
+from .palette import Style
 
 LETTERS = "0123456789abcdefghijklmnopqrstuvwxyz"
 
@@ -65,9 +64,9 @@ def draw_van_der_corput(n: int, base: int = 2, ax: Axes | None = None) -> list[A
     places = van_der_corput(integer(n, "n", least=1), base)
     ax = palette.axes_or_new(ax, (8.0, 0.8 + 0.36 * n))
     artists: list[Artist] = []
-    mono: Any = {**palette.TEXT, "fontfamily": "monospace", "va": "center", "color": palette.INK}
-    earlier: Any = {"color": palette.OUTSIDE, "markersize": 6, "zorder": 2}
-    newest: Any = {"color": palette.TREE, "markersize": 11, "zorder": 3, **palette.RIM}
+    mono: Style = {**palette.TEXT, "fontfamily": "monospace", "va": "center", "color": palette.INK}
+    earlier: Style = {"color": palette.OUTSIDE, "markersize": 6, "zorder": 2}
+    newest: Style = {"color": palette.TREE, "markersize": 11, "zorder": 3, **palette.RIM}
     for i, place in enumerate(places, start=1):
         artists += ax.plot([0, 1], [-i, -i], "-", color=palette.OUTSIDE, linewidth=1.2, zorder=1)
         artists += ax.plot(places[: i - 1], np.full(i - 1, -i), "o", **earlier)

@@ -20,10 +20,12 @@ from ..messages import get_message
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
 from ..robots import Point
 from ..robots.trajectory import DrivenRoadmap, DrivenTree
+from ..worlds.checks import World
 from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from . import palette
+from .palette import Style
 from .robots import (
     draw_along,
     draw_driven,
@@ -43,14 +45,14 @@ HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 ENDS = (("start", palette.START, "o", 9), ("goal", palette.GOAL, "*", 15))
 
 
-def figure_size(world: Any) -> tuple[float, float]:
+def figure_size(world: World) -> tuple[float, float]:
     """Width and height in inches of a figure that has the world's shape."""
     extent = world.hi - world.lo
     width, height = np.maximum(6.0 * extent / extent.max(), 2.2)
     return float(width) + 1.0, float(height) + 1.0
 
 
-def axes_for(world: Any, ax: Axes | None = None) -> Axes:
+def axes_for(world: World, ax: Axes | None = None) -> Axes:
     """The axes given, or those of a new figure of the world's shape: equal scales, labelled."""
     ax = palette.axes_or_new(ax, figure_size(world))
     ax.set_aspect("equal")
@@ -64,7 +66,7 @@ def axes_for(world: Any, ax: Axes | None = None) -> Axes:
 
 
 @singledispatch
-def draw_world(world: Any, ax: Axes | None = None) -> list[Artist]:
+def draw_world(world: World, ax: Axes | None = None) -> list[Artist]:
     """Draw the free space and the obstacles of a world."""
     raise TypeError(f"a figure cannot draw a {type(world).__name__}")
 
@@ -73,7 +75,7 @@ def draw_world(world: Any, ax: Axes | None = None) -> list[Artist]:
 def _(world: PolygonWorldRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (outline,), *solids = rings_of(world)
-    rim: Any = {"facecolor": palette.OUTSIDE, "edgecolor": palette.OBSTACLE, "zorder": 1}
+    rim: Style = {"facecolor": palette.OUTSIDE, "edgecolor": palette.OBSTACLE, "zorder": 1}
     outside = PathPatch(compound([frame(world), outline]), **rim)
     polygons = [PathPatch(compound(rings), zorder=1, **palette.SOLID) for rings in solids]
     discs = [Circle((x, y), r, facecolor=palette.OBSTACLE, zorder=1) for x, y, r in discs_of(world)]
@@ -97,7 +99,7 @@ def compound(rings: list[Array]) -> Outline:
 def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (x0, y0), (x1, y1) = world.lo, world.hi
-    look: Any = {"origin": "lower", "extent": (x0, x1, y0, y1), "interpolation": "nearest"}
+    look: Style = {"origin": "lower", "extent": (x0, x1, y0, y1), "interpolation": "nearest"}
     ax.set_facecolor(palette.OUTSIDE)
     if world.cost.size:
         ground = LinearSegmentedColormap.from_list("ground", [palette.FREE, palette.DEAR])
@@ -136,24 +138,24 @@ def draw_problem(problem: ProblemRecord, ax: Axes | None = None) -> list[Artist]
 
 
 def draw_end(
-    at: Array, name: str, colour: str, marker: str, size: float, world: Any, ax: Axes
+    at: Array, name: str, colour: str, marker: str, size: float, world: World, ax: Axes
 ) -> list[Artist]:
     """Draw the marker of a start or a goal, with its name beside it."""
-    look: Any = {"color": colour, "markersize": size, "markeredgewidth": 1.2, **palette.RIM}
+    look: Style = {"color": colour, "markersize": size, "markeredgewidth": 1.2, **palette.RIM}
     return [*ax.plot(*at, marker, zorder=7, **look), label_beside(at, name, colour, world, ax)]
 
 
-def label_beside(q: Array, name: str, colour: str, world: Any, ax: Axes) -> Artist:
+def label_beside(q: Array, name: str, colour: str, world: World, ax: Axes) -> Artist:
     """Write a name next to a place, on the side where there is room."""
     right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
     up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
-    beside: Any = {
+    beside: Style = {
         "xytext": (9 if right else -9, 9 if up else -9),
         "textcoords": "offset points",
         "ha": "left" if right else "right",
         "va": "bottom" if up else "top",
     }
-    style: Any = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
+    style: Style = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
     return ax.annotate(name, (q[0], q[1]), **beside, **style)
 
 
@@ -215,8 +217,8 @@ def dot_size(n: int) -> float:
 def draw_path(path: Array, ax: Axes) -> list[Artist]:
     """Draw a path, shape (n, d), on a dark casing that keeps it visible on any background."""
     line, style = path[:, :2].T, {"solid_capstyle": "round"}
-    casing: Any = {"color": palette.INK, "linewidth": 5.0, "zorder": 4, **style}
-    inner: Any = {"color": palette.PATH, "linewidth": 3.0, "zorder": 5, **style}
+    casing: Style = {"color": palette.INK, "linewidth": 5.0, "zorder": 4, **style}
+    inner: Style = {"color": palette.PATH, "linewidth": 3.0, "zorder": 5, **style}
     return [*ax.plot(*line, **casing), *ax.plot(*line, **inner)]
 
 

@@ -1,12 +1,11 @@
 """Names at the ends of curves, in the curves' colours, without overlaps."""
 
-from typing import Any
-
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from . import palette
 from .drawing import HALO
+from .palette import Style
 
 GAP = 0.062  # the distance between names, as a fraction of the axes' height
 
@@ -16,8 +15,8 @@ def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Ar
 
     ends : names, heights and colours; equal heights are written upwards in this order.
     """
-    look: Any = {"va": "center", "path_effects": HALO, "annotation_clip": False, **palette.BOLD}
-    beside: Any = {"xytext": (6, 0), "textcoords": "offset points"}
+    look: Style = {"va": "center", "path_effects": HALO, "annotation_clip": False, **palette.BOLD}
+    beside: Style = {"xytext": (6, 0), "textcoords": "offset points"}
     ax.get_ylim()  # makes matplotlib compute the limits now
     to_share = ax.transData + ax.transAxes.inverted()
     sorted_ends = sorted(ends, key=lambda end: end[1])

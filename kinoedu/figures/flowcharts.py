@@ -1,12 +1,13 @@
 """Flowcharts: actions in boxes, questions in diamonds, arrows between them."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyBboxPatch, Polygon
 
 from . import palette
+from .palette import Style
 
 WIDE, HIGH = 3.4, 0.9  # the size of a box; columns are 4.4 apart, rows 1.6
 
@@ -53,7 +54,7 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
     (x, y), (w, h) = step.middle, step.half
     if step.kind == "ask":
         corners = [(x - w, y), (x, y - h), (x + w, y), (x, y + h)]
-        look: Any = {"facecolor": "#E5F0FA", "edgecolor": palette.TREE, "linewidth": 1.8}
+        look: Style = {"facecolor": "#E5F0FA", "edgecolor": palette.TREE, "linewidth": 1.8}
         shape: Artist = ax.add_patch(Polygon(corners, **look))
     else:
         style = "round,pad=0,rounding_size=0.44" if step.kind == "end" else "square,pad=0"
@@ -61,7 +62,7 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
         look = {"facecolor": "white", "edgecolor": colour, "linewidth": 1.8}
         box = FancyBboxPatch((x - w, y - h), WIDE, HIGH, boxstyle=style, **look)
         shape = ax.add_patch(box)
-    font: Any = {"fontsize": palette.TEXT_SIZE - 1, "color": palette.INK}
+    font: Style = {"fontsize": palette.TEXT_SIZE - 1, "color": palette.INK}
     return [shape, ax.text(x, y, step.words, **palette.CENTRED, **font)]
 
 

@@ -18,6 +18,7 @@ from ..geometry.checks import Array
 from ..graphs import Graph
 from . import palette
 from .drawing import HALO, draw_edges, draw_path
+from .palette import Style
 from .plane import frame
 
 MOST_LABELS = 60  # the numbers of more nodes than this would cover the graph
@@ -85,7 +86,7 @@ def draw_graph(
     if parents is not None:
         artists += draw_parents(graph, np.asarray(parents), places, ax, gap=gap)
     for u, v in np.asarray(highlight_edges, np.int64).reshape(-1, 2):
-        look: Any = {"arrow": graph.directed, "width": 4.0, "bend": bend(graph, u, v)}
+        look: Style = {"arrow": graph.directed, "width": 4.0, "bend": bend(graph, u, v)}
         artists += draw_link(places[u], places[v], ax, palette.PATH, **look)
     if len(along) > 1:
         artists += draw_path(places[along], ax)
@@ -137,7 +138,7 @@ def draw_links(graph: Graph, places: Array, ax: Axes, *, gap: float) -> list[Art
     edges = graph.edges
     loops = np.unique(edges[edges[:, 0] == edges[:, 1], 0])
     aside = ax.transData + ScaledTranslation(0, gap / 72.0, ax.figure.dpi_scale_trans)
-    ring: Any = {"fillstyle": "none", "markersize": max(1.4 * gap, 4), "markeredgewidth": 1.8}
+    ring: Style = {"fillstyle": "none", "markersize": max(1.4 * gap, 4), "markeredgewidth": 1.8}
     artists: list[Artist] = [
         *ax.plot(*places[loops].T, "o", color=LINK, zorder=2, transform=aside, **ring)
     ]
@@ -145,7 +146,7 @@ def draw_links(graph: Graph, places: Array, ax: Axes, *, gap: float) -> list[Art
     if not graph.directed:
         width = float(np.clip(2.6 - 0.4 * np.log10(len(edges) + 1), 0.5, 2.0))
         return [*artists, *draw_edges(places[apart], ax, LINK, width=width, zorder=2)]
-    arrow: Any = {"arrow": True, "width": 1.6, "gap": gap, "zorder": 2}
+    arrow: Style = {"arrow": True, "width": 1.6, "gap": gap, "zorder": 2}
     for u, v in apart:
         artists += draw_link(places[u], places[v], ax, LINK, bend=bend(graph, u, v), **arrow)
     return artists
@@ -164,14 +165,14 @@ def draw_link(
     zorder: float = 3.0,
 ) -> list[Artist]:
     """Draw one edge, a gap in points short of its ends."""
-    shape: Any = {
+    shape: Style = {
         "arrowstyle": "-|>" if arrow else "-",
         "connectionstyle": f"arc3,rad={bend}",
         "mutation_scale": 8.0 + 3.5 * width,
         "shrinkA": gap,
         "shrinkB": gap,
     }
-    look: Any = {"color": colour, "linewidth": width, "zorder": zorder}
+    look: Style = {"color": colour, "linewidth": width, "zorder": zorder}
     return [ax.add_patch(FancyArrowPatch((a[0], a[1]), (b[0], b[1]), **shape, **look))]
 
 
@@ -186,7 +187,7 @@ def draw_parents(
     artists: list[Artist] = []
     for child in children.tolist():
         parent = int(parents[child])
-        look: Any = {"arrow": True, "width": 2.6, "gap": gap, "bend": bend(graph, parent, child)}
+        look: Style = {"arrow": True, "width": 2.6, "gap": gap, "bend": bend(graph, parent, child)}
         artists += draw_link(places[parent], places[child], ax, palette.TREE, **look)
     return artists
 
@@ -209,7 +210,7 @@ def draw_nodes(
         marker, factor, face, ink = STATES[states[u]]
         zorder = 6 + rank / len(graph)
         artists += draw_markers(places[u], marker, factor * size, face, 1.4, zorder, ax)
-        centred: Any = {"ha": "center", "va": "center_baseline", **palette.TEXT}
+        centred: Style = {"ha": "center", "va": "center_baseline", **palette.TEXT}
         x, y = places[u]
         artists.append(ax.text(x, y, str(u), color=ink, zorder=zorder, **centred))
     return artists
@@ -219,7 +220,7 @@ def draw_markers(
     at: Array, marker: str, size: float, face: str, rim: float, zorder: float, ax: Axes
 ) -> list[Artist]:
     """Draw markers at one place (2,) or several (k, 2)."""
-    edge: Any = {"markeredgecolor": palette.INK, "markeredgewidth": rim}
+    edge: Style = {"markeredgecolor": palette.INK, "markeredgewidth": rim}
     return [*ax.plot(*at.T, marker, markersize=size, markerfacecolor=face, zorder=zorder, **edge)]
 
 
@@ -238,6 +239,6 @@ def write_beside(
     at: Array, words: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left"
 ) -> Artist:
     """Write small words near a place, offset in points."""
-    place: Any = {"xytext": offset, "textcoords": "offset points", "ha": ha}
-    style: Any = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
+    place: Style = {"xytext": offset, "textcoords": "offset points", "ha": ha}
+    style: Style = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
     return ax.annotate(words, (at[0], at[1]), zorder=8, **place, **style)

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -15,6 +15,7 @@ from matplotlib.ticker import NullLocator
 from ..geometry.checks import Array
 from ..support.whole_files import written_whole
 from . import palette
+from .palette import Style
 
 PANEL, COLUMNS = (4.0, 3.5), 4  # the size of a panel in inches; panels in a row
 
@@ -53,18 +54,18 @@ def draw_growth(curve: Curve, ax: Axes | None = None) -> list[Artist]:
     ax.set_xscale("log")
     ax.set_yscale("log")
     median, least, most = (f(curve.seconds, axis=1) for f in (np.median, np.min, np.max))
-    tint: Any = {"color": palette.TREE, "alpha": 0.25, "linewidth": 0}
+    tint: Style = {"color": palette.TREE, "alpha": 0.25, "linewidth": 0}
     artists: list[Artist] = [ax.fill_between(curve.n, least, most, **tint)]
     last = curve.n[-curve.fitted :]
     middle = np.log(median[-curve.fitted :]).mean()
     height = np.exp(middle + curve.exponent * (np.log(last) - np.log(last).mean()))
-    line: Any = {"linewidth": 5.0, "alpha": 0.5, "solid_capstyle": "butt"}
+    line: Style = {"linewidth": 5.0, "alpha": 0.5, "solid_capstyle": "butt"}
     artists += ax.plot(last, height, color=palette.GOAL, **line)
     artists += ax.plot(curve.n, median, "o-", color=palette.TREE, linewidth=2.0, markersize=5.0)
     ax.tick_params(labelsize=palette.TEXT_SIZE)
     ax.grid(**palette.GRID)
     ax.spines[["top", "right"]].set_visible(False)
-    style: Any = {"fontsize": palette.TEXT_SIZE + 1, "color": palette.INK}
+    style: Style = {"fontsize": palette.TEXT_SIZE + 1, "color": palette.INK}
     title = ax.set_title(f"{curve.name}: $n^{{{curve.exponent:.2f}}}$", **style)
     return [*artists, title, ax.set_xlabel(f"n = {curve.unit}", **palette.TEXT)]
 

@@ -13,18 +13,26 @@ from matplotlib.patches import Arc
 from numpy.typing import ArrayLike
 
 from ..collision import free_configurations, free_headings
-from ..geometry.checks import as_point
+from ..geometry.checks import Array, as_point
 from ..messages import get_message
+from ..robots.polygon import RigidPolygonRobot
+from ..worlds.checks import World
 from . import palette
 from .drawing import axes_for, draw_problem, draw_world
+from .palette import Style
 from .plane import title
 from .robots import draw_robot
 
-MARK: Any = {"markersize": 9, "zorder": 8, **palette.RIM}
+MARK: Style = {"markersize": 9, "zorder": 8, **palette.RIM}
 
 
 def draw_headings(
-    robot: Any, world: Any, point: ArrayLike, ax: Axes | None = None, *, tried: ArrayLike = ()
+    robot: RigidPolygonRobot,
+    world: World,
+    point: ArrayLike,
+    ax: Axes | None = None,
+    *,
+    tried: ArrayLike = (),
 ) -> list[Artist]:
     """Draw a robot that turns at a place, and a ring whose thick green arcs are free headings.
 
@@ -35,8 +43,8 @@ def draw_headings(
     reach = 1.15 * np.hypot(*robot.outline.T).max()
     rows = free_headings(robot, world, place)
     artists = draw_world(world, ax)
-    thin: Any = {"color": palette.CONTACT, "linewidth": 1.5}
-    thick: Any = {"color": palette.START, "linewidth": 7}
+    thin: Style = {"color": palette.CONTACT, "linewidth": 1.5}
+    thick: Style = {"color": palette.START, "linewidth": 7}
     size = 2 * reach
     for look, arcs in ((thin, [(-np.pi, np.pi)]), (thick, rows)):
         for low, high in np.degrees(np.array(arcs).reshape(-1, 2)):
@@ -48,12 +56,12 @@ def draw_headings(
     artists += mark_tried(robot, world, place, reach, np.atleast_1d(np.asarray(tried, float)), ax)
     lines = [Line2D([], [], **look) for look in (thick, thin)]
     names = [get_message("headings.free"), get_message("headings.contact")]
-    box: Any = {"fontsize": palette.TEXT_SIZE - 1, "loc": "lower left", "framealpha": 0.9}
+    box: Style = {"fontsize": palette.TEXT_SIZE - 1, "loc": "lower left", "framealpha": 0.9}
     return [*artists, ax.legend(lines, names, **box)]
 
 
 def mark_tried(
-    robot: Any, world: Any, place: Any, reach: float, tried: Any, ax: Axes
+    robot: RigidPolygonRobot, world: World, place: Array, reach: float, tried: Array, ax: Axes
 ) -> list[Artist]:
     """Draw marks on the ring for the headings tried."""
     poses = np.column_stack([np.tile(place, (len(tried), 1)), tried])
@@ -74,7 +82,7 @@ def draw_cells_with_headings(
     artists = draw_problem(problem, ax)
     if edges:
         segments = list(roadmap.nodes[roadmap.edges][:, :, :2])
-        faint: Any = {"colors": palette.ROADMAP, "linewidths": 0.5, "alpha": 0.5}
+        faint: Style = {"colors": palette.ROADMAP, "linewidths": 0.5, "alpha": 0.5}
         lines = LineCollection(segments, zorder=2, **faint)
         artists.append(ax.add_collection(lines, autolim=False))
     bodies = [body for q in roadmap.nodes[2:] for body in draw_robot(problem.robot, q, ax)]

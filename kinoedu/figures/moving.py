@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -17,6 +15,7 @@ from ..problems.in_time import TimedProblemRecord
 from ..worlds.moving import MovingWorldRecord, movers_at
 from . import palette
 from .drawing import ENDS, axes_for, draw_end, draw_path, draw_robot, draw_world
+from .palette import Style
 from .plane import arrow
 
 ROUND = np.linspace(0.0, 2.0 * np.pi, 25)[:-1]
@@ -44,7 +43,7 @@ def draw_movers(world: MovingWorldRecord, t: float, ax: Axes) -> list[Artist]:
     drawn: list[Artist] = []
     for (points, radius), (later, _) in zip(movers_at(world, t), movers_at(world, t + SOON)):
         shape = outline_of(points, radius)
-        look: Any = {"facecolor": palette.OBSTACLE, "edgecolor": palette.INK, "hatch": "//"}
+        look: Style = {"facecolor": palette.OBSTACLE, "edgecolor": palette.INK, "hatch": "//"}
         drawn.append(ax.add_patch(Polygon(shape, zorder=2, **look)))
         (x, y), (u, v) = shape.mean(axis=0), (later[0] - points[0]) / SOON
         if u or v:
@@ -79,7 +78,7 @@ def draw_moment(
         here = place_on(path, t)
         drawn += draw_path(np.vstack([path[path[:, 2] < t, :2], here]), ax)
         drawn += draw_robot(problem.robot, here, ax)
-        dot: Any = {"color": palette.ROBOT, "markeredgecolor": palette.INK, "markersize": 7}
+        dot: Style = {"color": palette.ROBOT, "markeredgecolor": palette.INK, "markersize": 7}
         drawn += ax.plot(*here, "o", zorder=8, **dot)
     return drawn
 
@@ -106,7 +105,7 @@ def draw_against_time(
     ax.set(xlim=(0.0, far), ylim=(0.0, until), facecolor=palette.OBSTACLE)
     free = PolyCollection(list(boxes), facecolors=palette.FREE, edgecolors="none", zorder=1)
     fastest = [[(0.0, 0.0), (far, far / problem.speed)]]
-    dotted: Any = {"colors": palette.START, "linestyles": ":", "linewidths": 2.0}
+    dotted: Style = {"colors": palette.START, "linestyles": ":", "linewidths": 2.0}
     slope = LineCollection(fastest, zorder=3, **dotted)
     artists: list[Artist] = [ax.add_collection(free), ax.add_collection(slope)]
     ax.set_xlabel("way from start to goal", **palette.TEXT)

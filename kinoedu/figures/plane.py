@@ -1,7 +1,6 @@
 """Figures of geometry in the plane: points, segments, polygons and arrows with their labels."""
 
 from textwrap import fill
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -14,9 +13,10 @@ from numpy.typing import ArrayLike
 from ..messages import get_message
 from . import palette
 from .drawing import HALO
+from .palette import Style
 
 SHAPE = 1.5  # the width of the axes over their height
-TOUCHING: Any = {"shrinkA": 0, "shrinkB": 0}  # an arrow that reaches both its ends
+TOUCHING: Style = {"shrinkA": 0, "shrinkB": 0}  # an arrow that reaches both its ends
 
 
 def plane_figure() -> tuple[Figure, Axes]:
@@ -61,7 +61,7 @@ def dot(
 ) -> list[Artist]:
     """Draw a point with its name beside it."""
     x, y = np.asarray(at, float)
-    look: Any = {"color": colour, "markersize": 15 if marker == "*" else 9, **palette.RIM}
+    look: Style = {"color": colour, "markersize": 15 if marker == "*" else 9, **palette.RIM}
     artists: list[Artist] = [*ax.plot(x, y, marker, zorder=6, **look)]
     return [*artists, label((x, y), name, ax, colour=colour)] if name else artists
 
@@ -80,8 +80,8 @@ def label(
     left, right = ax.get_xlim()
     if offset[0] > 0 and ha == "left" and x > left + 0.8 * (right - left):
         offset, ha = (-offset[0], offset[1]), "right"  # there is more room on the other side
-    beside: Any = {"xytext": offset, "textcoords": "offset points", "ha": ha}
-    style: Any = {"color": colour, "path_effects": HALO, **palette.BOLD}
+    beside: Style = {"xytext": offset, "textcoords": "offset points", "ha": ha}
+    style: Style = {"color": colour, "path_effects": HALO, **palette.BOLD}
     return ax.annotate(words, (x, y), zorder=9, **beside, **style)
 
 
@@ -119,7 +119,7 @@ def line(line: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-"
     reach = 2.0 * max(np.ptp(ax.get_xlim()), np.ptp(ax.get_ylim()))
     ends = np.array([middle - reach * along, middle + reach * along])
     limits = ax.get_xlim(), ax.get_ylim()
-    look: Any = {"color": colour, "linewidth": 2.5, "scalex": False, "scaley": False}
+    look: Style = {"color": colour, "linewidth": 2.5, "scalex": False, "scaley": False}
     artists: list[Artist] = [*ax.plot(*ends.T, style, zorder=3, label=words, **look)]
     ax.set_xlim(limits[0])
     ax.set_ylim(limits[1])
@@ -138,7 +138,7 @@ def ring(
             if words
             else []
         )
-    look: Any = {"edgecolor": colour, "linestyle": style, "linewidth": 2.2}
+    look: Style = {"edgecolor": colour, "linestyle": style, "linewidth": 2.2}
     circle = ax.add_patch(Circle((x, y), radius, fill=False, zorder=3, **look))
     if not words:
         return [circle]
@@ -147,14 +147,14 @@ def ring(
         at = np.array([x + radius * np.cos(angle), y + radius * np.sin(angle)])
         if (least < at).all() and (at < most).all():
             left = np.cos(angle) < 0.1
-            beside: Any = {"offset": (-6 if left else 6, 4), "ha": "right" if left else "left"}
+            beside: Style = {"offset": (-6 if left else 6, 4), "ha": "right" if left else "left"}
             return [circle, label(at, words, ax, colour=colour, **beside)]
     return [circle, corner_note(words, ax, colour=colour)]
 
 
 def corner_note(words: str, ax: Axes, *, colour: str) -> Artist:
     """Write words in the lower left corner, for things outside the picture."""
-    style: Any = {"color": colour, "path_effects": HALO, **palette.BOLD}
+    style: Style = {"color": colour, "path_effects": HALO, **palette.BOLD}
     return ax.annotate(words, (0.02, 0.03), xycoords="axes fraction", **style)
 
 
@@ -177,13 +177,13 @@ def arrow(
 def polygon(vertices: ArrayLike, ax: Axes, *, numbers: bool = True) -> list[Artist]:
     """Draw a solid polygon, its vertices numbered as in the array."""
     points = np.asarray(vertices, float)
-    look: Any = {"facecolor": "#C7CCD4", "edgecolor": palette.OBSTACLE, "linewidth": 2.0}
+    look: Style = {"facecolor": "#C7CCD4", "edgecolor": palette.OBSTACLE, "linewidth": 2.0}
     artists: list[Artist] = [ax.add_patch(Polygon(points, zorder=2, **look))]
     middle = points.mean(axis=0)
     for number, point in enumerate(points if numbers and len(points) <= 40 else []):
         inward = middle - point
         size = float(np.sqrt((inward * inward).sum())) or 1.0
         dx, dy = 13.0 * inward / size
-        place: Any = {"colour": palette.OBSTACLE, "offset": (dx - 4, dy - 5)}
+        place: Style = {"colour": palette.OBSTACLE, "offset": (dx - 4, dy - 5)}
         artists.append(label(point, str(number), ax, **place))
     return artists

@@ -15,6 +15,7 @@ from matplotlib.lines import Line2D
 
 from ..support.whole_files import written_whole
 from . import palette
+from .palette import Style
 
 LINE, WIDTH = 0.34, 14.0  # inches: the height of a line, the width of the figure
 TITLE = 38  # the most letters in a line of a title
@@ -24,11 +25,11 @@ HOLDS = {
     False: ("X", palette.HIT, "missed"),
     None: ("s", palette.OBSTACLE, "nothing to hold"),
 }
-TEXT: Any = {**palette.TEXT, "va": "center", "color": palette.INK}
-OFFSET: Any = {"textcoords": "offset points"}
+TEXT: Style = {**palette.TEXT, "va": "center", "color": palette.INK}
+OFFSET: Style = {"textcoords": "offset points"}
 
 
-BAR: Any = {"linewidth": 6.0, "alpha": 0.35}  # for the middle half of the rounds
+BAR: Style = {"linewidth": 6.0, "alpha": 0.35}  # for the middle half of the rounds
 
 
 class Mark(NamedTuple):
@@ -72,9 +73,9 @@ def draw_ratios(marks: Sequence[Mark], ax: Axes | None = None, *, label: str = "
         lines, title = list(group), wrap(what, TITLE)
         height = max(len(lines), len(title))
         if number % 2 == 0:
-            stripe: Any = {"color": palette.CELL, "alpha": 0.6, "linewidth": 0, "zorder": 0}
+            stripe: Style = {"color": palette.CELL, "alpha": 0.6, "linewidth": 0, "zorder": 0}
             artists.append(ax.axhspan(top - 0.5, top + height - 0.5, **stripe))
-        place: Any = {"xytext": (-GUTTER, 0), "xycoords": ax.get_yaxis_transform(), **OFFSET}
+        place: Style = {"xytext": (-GUTTER, 0), "xycoords": ax.get_yaxis_transform(), **OFFSET}
         at = (0.0, top + height / 2 - 0.5)
         artists.append(ax.annotate("\n".join(title), at, **place, **TEXT))
         for i, mark in enumerate(lines):
@@ -94,7 +95,7 @@ def draw_mark(mark: Mark, y: float, ax: Axes) -> list[Artist]:
     artists: list[Artist] = [*ax.plot([mark.low, mark.high], [y, y], color=colour, zorder=2, **BAR)]
     artists += ax.plot(mark.middle, y, shape, color=colour, markersize=9.5, zorder=4, **palette.RIM)
     if mark.goal is not None:
-        stroke: Any = {"color": palette.INK, "linewidth": 2.6, "zorder": 3}
+        stroke: Style = {"color": palette.INK, "linewidth": 2.6, "zorder": 3}
         artists += ax.plot([mark.goal, mark.goal], [y - 0.4, y + 0.4], **stroke)
     number = f"{mark.middle:.3g}" if mark.middle < 1000 else f"{mark.middle:,.0f}"
     at, left = (max(mark.high, mark.goal or 0.0), y), ax.get_yaxis_transform()
@@ -151,7 +152,7 @@ def save_ratios(
     looks.append({"color": palette.INK, "label": "to hold", **stroke})
     looks.append({"color": palette.OBSTACLE, "label": "the middle half of the rounds", **BAR})
     keys = [Line2D([], [], **look) for look in looks]
-    below: Any = {"loc": "outside lower center", "ncols": len(keys), "frameon": False}
+    below: Style = {"loc": "outside lower center", "ncols": len(keys), "frameon": False}
     figure.legend(handles=keys, **below, **palette.TEXT)
     with written_whole(file) as part:
         figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)

@@ -15,13 +15,18 @@ from ..curves.space import pieces_between
 from ..geometry.checks import Array
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
+from ..robots.kinds import Robot
 from ..robots.moving import displacement, place_piece
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..robots.trajectory import TrajectoryRecord, poses_between
 from ..spaces import distance, interpolate
+from ..spaces.interface import Space
 from . import palette
 from .bars import draw_bar
+from .palette import Style
+
+Outlined = TranslatingPolygonRobot | RigidPolygonRobot | CarRobot
 
 GHOSTS = 12  # bodies shown along a path
 BENDS = 12  # segments that draw the path of an arm's tip
@@ -29,7 +34,7 @@ CURVED = 40  # segments that draw a car's curve
 
 
 @singledispatch
-def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+def draw_robot(robot: Robot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     """Draw a robot's body at a configuration."""
     raise TypeError(f"a figure cannot draw a {type(robot).__name__}")
 
@@ -38,13 +43,13 @@ def draw_robot(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> l
 def _(robot: RoundRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     if robot.radius == 0.0:
         return []
-    look: Any = {"facecolor": colour, "edgecolor": colour, "alpha": 0.35}
+    look: Style = {"facecolor": colour, "edgecolor": colour, "alpha": 0.35}
     return [ax.add_patch(Circle((q[0], q[1]), robot.radius, zorder=6, **look))]
 
 
 @draw_robot.register(TranslatingPolygonRobot)
 @draw_robot.register(RigidPolygonRobot)
-def _(robot: Any, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
+def _(robot: Outlined, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
     return [ax.add_patch(make_body(robot, q, colour))]
 
 
@@ -59,23 +64,23 @@ def _(robot: ArmRobot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[
     places = np.vstack([robot.base, *robot.joints(q)])
     links = zip(places, places[1:], robot.shape.radius)
     bars = [bar for a, b, r in links for bar in draw_bar(a, b, r, ax, colour, alpha=0.35, zorder=6)]
-    look: Any = {"color": colour, "markersize": 6, **palette.RIM}
+    look: Style = {"color": colour, "markersize": 6, **palette.RIM}
     return [*bars, *ax.plot(*places[:-1].T, "o", zorder=6.5, **look)]
 
 
-def make_body(robot: Any, q: Array, colour: str) -> Polygon:
+def make_body(robot: Outlined, q: Array, colour: str) -> Polygon:
     """A polygon robot's body at a configuration, tinted."""
-    look: Any = {"facecolor": f"{colour}59", "edgecolor": colour, "linewidth": 1.5}
+    look: Style = {"facecolor": f"{colour}59", "edgecolor": colour, "linewidth": 1.5}
     return Polygon(outline_at(robot, q), zorder=6, **look)
 
 
-def make_ghost(robot: Any, q: Array, **style: Any) -> Polygon:
+def make_ghost(robot: Outlined, q: Array, **style: Any) -> Polygon:
     """A polygon robot's outline at a configuration on its way."""
-    look: Any = {"facecolor": "none", "edgecolor": palette.ROBOT, "linewidth": 1.2}
+    look: Style = {"facecolor": "none", "edgecolor": palette.ROBOT, "linewidth": 1.2}
     return Polygon(outline_at(robot, q), **look, **style)
 
 
-def outline_at(robot: Any, q: Array) -> Array:
+def outline_at(robot: Outlined, q: Array) -> Array:
     """A polygon robot's outline at (x, y) or (x, y, theta), shape (n, 2)."""
     cos, sin = (np.cos(q[2]), np.sin(q[2])) if len(q) > 2 else (1.0, 0.0)
     return robot.outline @ np.array([[cos, sin], [-sin, cos]]) + q[:2]
@@ -92,7 +97,7 @@ def wheels_at(car: CarRobot, q: Array) -> list[Array]:
 
 
 @singledispatch
-def place_of(robot: Any, q: Array) -> Array:
+def place_of(robot: Robot, q: Array) -> Array:
     """The point of the plane that shows a configuration: the reference point, or an arm's tip."""
     return q[:2]
 
@@ -103,7 +108,7 @@ def _(robot: ArmRobot, q: Array) -> Array:
 
 
 @singledispatch
-def tracks(robot: Any, a: Array, b: Array) -> Array:
+def tracks(robot: Robot, a: Array, b: Array) -> Array:
     """The paths of that point on motions between configurations (m, d), as polylines (m, k, 2)."""
     return np.stack([a, b], axis=1)[:, :, :2]
 
@@ -140,14 +145,14 @@ def even_times(trajectory: TrajectoryRecord) -> Array:
     return np.linspace(0.0, trajectory.duration, BENDS * len(trajectory.durations) + 2)
 
 
-def track_of(robot: Any, path: Array) -> Array:
+def track_of(robot: Robot, path: Array) -> Array:
     """The path of that point along a path of shape (n, d), as one polyline (k, 2)."""
     lines = tracks(robot, path[:-1], path[1:])
     return np.vstack([place_of(robot, path[0]), *(line[1:] for line in lines)])
 
 
 @singledispatch
-def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
+def draw_along(robot: Robot, space: Space, path: Array, ax: Axes) -> list[Artist]:
     """Draw equally spaced bodies along a path; none for a robot that looks the same everywhere."""
     return []
 
@@ -155,12 +160,12 @@ def draw_along(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
 @draw_along.register(TranslatingPolygonRobot)
 @draw_along.register(RigidPolygonRobot)
 @draw_along.register(CarRobot)
-def _(robot: Any, space: Any, path: Array, ax: Axes) -> list[Artist]:
+def _(robot: Outlined, space: Space, path: Array, ax: Axes) -> list[Artist]:
     return [ax.add_patch(make_ghost(robot, q)) for q in spread_configurations(space, path)]
 
 
 @draw_along.register
-def _(robot: ArmRobot, space: Any, path: Array, ax: Axes) -> list[Artist]:
+def _(robot: ArmRobot, space: Space, path: Array, ax: Axes) -> list[Artist]:
     drawn: list[Artist] = []
     for q in spread_configurations(space, path):
         places = np.vstack([robot.base, *robot.joints(q)])
@@ -175,7 +180,7 @@ def draw_driven(car: Any, trajectory: TrajectoryRecord, ax: Axes) -> list[Artist
     return [ax.add_patch(make_ghost(car, q)) for q in poses]
 
 
-def spread_configurations(space: Any, path: Array, n: int = GHOSTS) -> list[Array]:
+def spread_configurations(space: Space, path: Array, n: int = GHOSTS) -> list[Array]:
     """n equally spaced configurations along a path, without its ends."""
     passed = np.cumsum([0.0, *(distance(space, a, b) for a, b in zip(path, path[1:]))])
     if passed[-1] == 0.0:

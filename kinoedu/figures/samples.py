@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -22,6 +21,7 @@ from ..sampling.dispersion import EmptyBall
 from . import palette
 from .drawing import HALO
 from .ends import name_ends
+from .palette import Style
 
 MOST_NUMBERS = 40  # the numbers of more points than this would cover the square
 LINES = ("-", "--", "-.", ":")
@@ -75,7 +75,7 @@ def draw_samples(
     if norm is not None and len(shown):
         artists += draw_ball(largest_empty_ball(shown, norm), norm, ax)
     size = float(np.clip(11.0 - 2.0 * np.log10(len(shown) + 1), 3.0, 9.0))
-    look: Any = {"color": palette.TREE, "markersize": size, "markeredgewidth": 0.6, **palette.RIM}
+    look: Style = {"color": palette.TREE, "markersize": size, "markeredgewidth": 0.6, **palette.RIM}
     artists += ax.plot(*shown.T, "o", zorder=4, **look)
     if len(shown) <= MOST_NUMBERS if numbers is None else numbers:
         artists += [write_beside(str(i), (x, y), ax) for i, (x, y) in enumerate(shown, start=1)]
@@ -96,7 +96,7 @@ def square_axes(ax: Axes | None) -> Axes:
 
 def draw_ball(ball: EmptyBall, norm: float, ax: Axes) -> list[Artist]:
     """Draw the empty ball or square and its centre, and write its radius as the title."""
-    look: Any = {"edgecolor": palette.PATH, "linewidth": 2.0, "zorder": 1}
+    look: Style = {"edgecolor": palette.PATH, "linewidth": 2.0, "zorder": 1}
     look["facecolor"] = (*to_rgb(palette.PATH), 0.25)
     (x, y), r = ball.centre, ball.radius
     square = norm == math.inf
@@ -111,8 +111,8 @@ def write_beside(
 ) -> Artist:
     """Write words above a place, to the left where there is no room on the right."""
     right = at[0] < 0.93
-    place: Any = {"xytext": (4 if right else -4, 3), "textcoords": "offset points"}
-    style: Any = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
+    place: Style = {"xytext": (4 if right else -4, 3), "textcoords": "offset points"}
+    style: Style = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
     return ax.annotate(words, at, ha="left" if right else "right", zorder=6, **place, **style)
 
 
@@ -193,7 +193,7 @@ def draw_shares(
     artists: list[Artist] = [ax.fill_between(across, least, most, color=palette.TREE, alpha=0.2)]
     names = {get_message("samples.chance", seeds=len(random)): np.median(random, axis=0), **curves}
     for i, (name, curve) in enumerate(names.items()):
-        look: Any = {"color": COLOURS[i % 4], "linewidth": 2.4, "marker": "o^sD"[i % 4]}
+        look: Style = {"color": COLOURS[i % 4], "linewidth": 2.4, "marker": "o^sD"[i % 4]}
         artists += ax.plot(across, curve, LINES[i % 4], label=name, **look)
     label_axes(get_message("samples.width"), get_message("samples.share"), ax)
     ax.set_xlim(0.0, float(across.max()) * 1.03)

@@ -1,7 +1,5 @@
 """One moment of a search on a graph: expanded nodes, frontier and unseen nodes."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -22,6 +20,7 @@ from .graphs import (
     write_beside,
     write_weights,
 )
+from .palette import Style
 from .plane import title
 
 
@@ -78,8 +77,8 @@ def draw_legend(ax: Axes) -> Artist:
     marks = []
     for state in ("expanding", "expanded", "frontier", "unseen"):
         marker, factor, face, _ = STATES[state]
-        look: Any = {"linestyle": "", "marker": marker, "markersize": 11 * factor}
+        look: Style = {"linestyle": "", "marker": marker, "markersize": 11 * factor}
         look |= {"markerfacecolor": face, "markeredgecolor": palette.INK}
         marks.append(Line2D([], [], label=state, **look))
-    below: Any = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.1), "ncols": 4}
+    below: Style = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.1), "ncols": 4}
     return ax.legend(handles=marks, frameon=False, fontsize=palette.TEXT_SIZE - 1, **below)

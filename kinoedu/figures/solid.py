@@ -14,6 +14,7 @@ from ..errors import InvalidPoint
 from ..geometry.checks import Array
 from ..support.text import shortened
 from . import palette
+from .palette import Style
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -40,7 +41,7 @@ def draw_mesh(
         ax = figure.add_subplot(projection="3d")
     ax.computed_zorder = False
     colours = shade_faces(mesh)
-    seamless: Any = {"facecolors": colours, "edgecolors": colours, "linewidths": 0.3}
+    seamless: Style = {"facecolors": colours, "edgecolors": colours, "linewidths": 0.3}
     solid = Poly3DCollection(mesh.triangles, zorder=1, **seamless)
     artists: list[Artist] = [ax.add_collection3d(solid)]
     lo, hi = mesh.bounds
@@ -57,7 +58,7 @@ def draw_mesh(
         margin = 0.06 * (hi - lo)
         (x0, y0, _), (x1, y1, _) = lo - margin, hi + margin
         page = [[(x0, y0, theta), (x1, y0, theta), (x1, y1, theta), (x0, y1, theta)]]
-        glass: Any = {"facecolors": palette.PATH, "edgecolors": palette.GOAL, "alpha": 0.22}
+        glass: Style = {"facecolors": palette.PATH, "edgecolors": palette.GOAL, "alpha": 0.22}
         plane, outline = Poly3DCollection(page, zorder=2, **glass), list(cut_mesh(mesh, theta))
         cut = Line3DCollection(outline, colors=palette.GOAL, linewidths=3.0, zorder=3)
         artists.append(ax.add_collection3d(plane))

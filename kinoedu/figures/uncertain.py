@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -16,6 +14,7 @@ from ..worlds.uncertain import UncertainWorldRecord, chance_margins
 from . import palette
 from .drawing import axes_for, draw_world
 from .moving import outline_of
+from .palette import Style
 
 
 def expected_outlines(world: UncertainWorldRecord) -> list[tuple[int, Array]]:
@@ -70,8 +69,8 @@ def draw_uncertain(
     """
     ax = axes_for(world.expected, ax)
     drawn = draw_world(world.expected, ax)
-    faint: Any = {"edgecolors": palette.HIT, "alpha": 0.35, "linewidths": 0.9}
-    dashed: Any = {"edgecolors": palette.INK, "linestyles": "--", "linewidths": 1.8}
+    faint: Style = {"edgecolors": palette.HIT, "alpha": 0.35, "linewidths": 0.9}
+    dashed: Style = {"edgecolors": palette.INK, "linestyles": "--", "linewidths": 1.8}
     moved: list[Array] = []
     if offsets is not None:
         moved = [

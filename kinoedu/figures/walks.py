@@ -12,6 +12,7 @@ from matplotlib.collections import LineCollection
 from ..geometry.checks import Array
 from ..problems import Plan, Walk
 from . import palette
+from .palette import Style
 
 CASING = [patheffects.withStroke(linewidth=4.5, foreground=palette.INK)]
 HALO = [patheffects.withStroke(linewidth=3.0, foreground="white")]
@@ -64,7 +65,7 @@ def draw_stretches(points: Array, following: Iterable[bool], ax: Axes, colour: s
         if len(run):
             line = points[run[0] : run[-1] + 2]
             style: Any = "-" if along[run[0]] else (0, (0.1, 1.8))
-            look: Any = {"colors": colour, "linewidths": 2.6, "capstyle": "round"}
+            look: Style = {"colors": colour, "linewidths": 2.6, "capstyle": "round"}
             lines = LineCollection([line], linestyles=[style], zorder=5, **look)
             lines.set_path_effects([*CASING, patheffects.Normal()])
             artists.append(ax.add_collection(lines, autolim=False))
@@ -102,7 +103,7 @@ def mark_hits_and_leaves(
             if i < shown:
                 names.setdefault((points[i, 0], points[i, 1]), []).append(f"{letter}{count}")
         right, up = above or letter == "L", above or letter == "H"
-        look: Any = {"color": palette.CONTACT, "markersize": 8, **palette.RIM}
+        look: Style = {"color": palette.CONTACT, "markersize": 8, **palette.RIM}
         for at, labels in names.items():
             artists += ax.plot(*at, marker, zorder=7, **look)
             artists.append(name_mark(", ".join(labels), at, ax, right=right, up=up))
@@ -111,11 +112,11 @@ def mark_hits_and_leaves(
 
 def name_mark(text: str, at: tuple[float, float], ax: Axes, *, right: bool, up: bool) -> Artist:
     """Write a name beside a mark."""
-    beside: Any = {
+    beside: Style = {
         "xytext": (7 if right else -7, 7 if up else -7),
         "textcoords": "offset points",
         "ha": "left" if right else "right",
         "va": "bottom" if up else "top",
     }
-    style: Any = {"fontsize": palette.TEXT_SIZE - 1, "fontweight": "bold", "path_effects": HALO}
+    style: Style = {"fontsize": palette.TEXT_SIZE - 1, "fontweight": "bold", "path_effects": HALO}
     return ax.annotate(text, at, color=palette.CONTACT, zorder=8, **beside, **style)

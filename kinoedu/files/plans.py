@@ -30,7 +30,7 @@ from ..geometry.checks import as_array
 from ..problems import Plan, ProblemRecord, Recorder, Roadmap, Tree, Walk
 from ..robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from ..spaces import RealSpace, WrappingSpace
-from ..support.json_fields import Field, read_json
+from ..support.json_fields import Field, JsonObject, read_json
 from ..support.reading import as_path
 from ..support.text import shortened
 from ..support.whole_files import written_whole
@@ -133,7 +133,7 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
         json.dump(whole, stream, allow_nan=False)
 
 
-def as_json_object(record: Any) -> dict[str, Any] | None:
+def as_json_object(record: Any) -> JsonObject | None:
     """A tree, a roadmap, a walk or a trajectory as an object of lists and numbers."""
     if record is None:
         return None

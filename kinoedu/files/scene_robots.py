@@ -12,7 +12,7 @@ from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
-from ..support.json_fields import Field
+from ..support.json_fields import Field, JsonObject
 from .meshes import mesh_outline
 
 
@@ -62,7 +62,7 @@ def read_mesh_file(field: Field) -> RigidPolygonRobot:
 MESH_OPTIONS = ("slice_at", "up")
 
 
-def mesh_options(fields: dict[str, Field]) -> dict[str, Any]:
+def mesh_options(fields: dict[str, Field]) -> JsonObject:
     """The options of `read_mesh` that the scene gives."""
     slicing = {"slice_at": fields["slice_at"].number()} if "slice_at" in fields else {}
     return slicing | ({"up": fields["up"].text()} if "up" in fields else {})
@@ -93,7 +93,7 @@ ROBOTS: dict[str, Callable[[Field], Any]] = {
 
 
 @singledispatch
-def describe_for_scene(thing: Any) -> dict[str, Any]:
+def describe_for_scene(thing: object) -> JsonObject:
     """The object of a scene that describes a robot or a world.
 
     Returns
@@ -109,30 +109,30 @@ def describe_for_scene(thing: Any) -> dict[str, Any]:
 
 
 @describe_for_scene.register
-def _(robot: RoundRobot) -> dict[str, Any]:
+def _(robot: RoundRobot) -> JsonObject:
     return {"kind": "disk", "radius": robot.radius} if robot.radius else {"kind": "point"}
 
 
 @describe_for_scene.register
-def _(robot: TranslatingPolygonRobot) -> dict[str, Any]:
+def _(robot: TranslatingPolygonRobot) -> JsonObject:
     return {"kind": "polygon", "vertices": robot.outline.tolist()}
 
 
 @describe_for_scene.register
-def _(robot: RigidPolygonRobot) -> dict[str, Any]:
+def _(robot: RigidPolygonRobot) -> JsonObject:
     shape = {"vertices": robot.outline.tolist(), "turn_weight": robot.turn_weight}
     return {"kind": "turning polygon", **shape}
 
 
 @describe_for_scene.register
-def _(robot: ArmRobot) -> dict[str, Any]:
+def _(robot: ArmRobot) -> JsonObject:
     width = 2.0 * float(robot.shape.radius[0])
     shape = {"lengths": robot.lengths.tolist(), "width": width, "base": robot.base.tolist()}
     return {"kind": "arm", **shape}
 
 
 @describe_for_scene.register
-def _(robot: CarRobot) -> dict[str, Any]:
+def _(robot: CarRobot) -> JsonObject:
     (length, width), behind = np.ptp(robot.outline, axis=0).tolist(), -float(robot.outline[0, 0])
     size = {"length": length, "width": width}
     axles = {"wheelbase": robot.wheelbase, "rear_overhang": behind}

@@ -44,7 +44,8 @@ from ..errors import InvalidParameter, UnknownFormat, UnreadableScene
 from ..geometry.checks import Array
 from ..problems import Problem, ProblemRecord
 from ..robots import Point
-from ..support.json_fields import Field, read_json
+from ..robots.kinds import Robot
+from ..support.json_fields import Field, JsonObject, read_json
 from ..support.reading import as_path
 from ..support.text import shortened
 from ..support.whole_files import written_whole
@@ -183,7 +184,7 @@ def write_scene(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
         json.dump(scene, stream, indent=1)
 
 
-def as_scene_object(problem: ProblemRecord) -> dict[str, Any]:
+def as_scene_object(problem: ProblemRecord) -> JsonObject:
     """The object of a scene, as JSON holds it.
 
     Raises
@@ -206,7 +207,7 @@ def as_scene_object(problem: ProblemRecord) -> dict[str, Any]:
 
 
 @describe_for_scene.register
-def _(world: PolygonWorldRecord) -> dict[str, Any]:
+def _(world: PolygonWorldRecord) -> JsonObject:
     (outline,), *solids = [[ring.tolist() for ring in rings] for rings in rings_of(world)]
     polygons = [{"polygon": ring, **({"rooms": rooms} if rooms else {})} for ring, *rooms in solids]
     discs = [{"centre": [x, y], "radius": r} for x, y, r in discs_of(world).tolist()]
@@ -214,7 +215,7 @@ def _(world: PolygonWorldRecord) -> dict[str, Any]:
 
 
 @describe_for_scene.register
-def _(world: TerrainRecord) -> dict[str, Any]:
+def _(world: TerrainRecord) -> JsonObject:
     rows = ["".join(FREE if free else BLOCKED for free in row) for row in world.free[::-1].tolist()]
     place = {"resolution": world.resolution, "origin": world.origin.tolist()}
     cost = {"cost": np.where(world.free, world.cost, 1.0)[::-1].tolist()} if world.cost.size else {}
@@ -224,7 +225,7 @@ def _(world: TerrainRecord) -> dict[str, Any]:
 def read_problem(
     path: str | os.PathLike[str],
     *,
-    robot: Any = None,
+    robot: Robot | None = None,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
     query: int | None = None,
@@ -270,8 +271,8 @@ def read_problem(
 
 def make_problem(
     file: Path,
-    world: Any,
-    robot: Any,
+    world: PolygonWorldRecord | TerrainRecord,
+    robot: Robot | None,
     start: ArrayLike | None,
     goal: ArrayLike | None,
     query: int | None,

@@ -1,7 +1,7 @@
 """Checks of arguments: arrays of float64, numbers and Generators, or a named error."""
 
 from numbers import Real
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -97,7 +97,7 @@ def one_or_many(value: ArrayLike, answers: NDArray[Any]) -> Any:
     return answers[0].item() if answers.ndim == 1 else answers[0]
 
 
-def positive(value: Any, name: str) -> float:
+def positive(value: object, name: str) -> float:
     """A number above 0 and at most 1e150, as a float.
 
     Raises
@@ -117,7 +117,7 @@ def positive(value: Any, name: str) -> float:
     return float(value)
 
 
-def nonnegative(value: Any, name: str) -> float:
+def nonnegative(value: object, name: str) -> float:
     """A number from 0 to 1e150, as a float.
 
     Raises
@@ -132,7 +132,7 @@ def nonnegative(value: Any, name: str) -> float:
     return float(value)
 
 
-def integer(value: Any, name: str, *, least: int) -> int:
+def integer(value: object, name: str, *, least: int) -> int:
     """An integer from `least` to ten million, the most nodes that memory is expected to hold.
 
     Raises
@@ -151,7 +151,7 @@ def integer(value: Any, name: str, *, least: int) -> int:
     return int(value)
 
 
-def is_real(value: Any) -> bool:
+def is_real(value: object) -> TypeGuard[float]:
     """Whether the value is a real number; True and False are not."""
     return isinstance(value, Real) and not isinstance(value, bool | np.bool_)
 

@@ -9,6 +9,7 @@ from ..compiled import algorithm
 from ..errors import InvalidGraph, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..spaces import RealSpace, distance
+from ..spaces.interface import Space
 from ..support.text import shortened
 
 
@@ -33,7 +34,7 @@ class Rows:
         """The rows that have been added, a view."""
         return self.room[: self.count]
 
-    def append(self, row: Any) -> None:
+    def append(self, row: object) -> None:
         """Add one row at the end."""
         if self.count == len(self.room):
             self.room = np.concatenate(
@@ -43,7 +44,7 @@ class Rows:
         self.count += 1
 
 
-def as_size(size: Any, places: int | None) -> int:
+def as_size(size: object, places: int | None) -> int:
     """The number of nodes, from `size` and from the number of given places.
 
     Raises
@@ -136,7 +137,7 @@ def as_node_places(nodes: ArrayLike, space: Any) -> Array:
     return np.ascontiguousarray(places)
 
 
-def as_node_place(q: ArrayLike | None, nodes: Array, space: Any) -> Array:
+def as_node_place(q: ArrayLike | None, nodes: Array, space: Space | None) -> Array:
     """The position of one new node, shape (d,), beside nodes (n, d).
 
     Raises
@@ -161,7 +162,7 @@ def unbounded_space(d: int) -> RealSpace:
 
 
 @algorithm
-def edge_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+def edge_lengths(space: Space | None, nodes: Array, edges: NDArray[np.int64]) -> Array:
     """The distance between the ends of each edge (m, 2) by the space's metric, shape (m,)."""
     lengths = np.empty(len(edges))
     for e in range(len(edges)):
@@ -170,7 +171,7 @@ def edge_lengths(space: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
 
 
 @algorithm
-def compute_distances(space: Any, nodes: Array, q: Array) -> Array:
+def compute_distances(space: Space | None, nodes: Array, q: Array) -> Array:
     """The distance from each node (n, d) to q by the space's metric, shape (n,)."""
     apart = np.empty(len(nodes))
     for i in range(len(nodes)):

@@ -147,7 +147,7 @@ def graph_edge(graph: GraphRecord, u: int, k: int) -> tuple[int, float]:
 
 
 @singledispatch
-def as_searchable(graph: Any) -> Any:
+def as_searchable(graph: object) -> Any:
     """Convert a graph to the record on which compiled searches run.
 
     Raises

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
+from ..spaces.interface import Space
 from ..support.text import shortened
 from .checks import (
     Rows,
@@ -76,7 +77,7 @@ class Graph:
         weights: ArrayLike | None = None,
         *,
         nodes: ArrayLike | None = None,
-        space: Any = None,
+        space: Space | None = None,
         directed: bool = False,
     ) -> None:
         places = None
@@ -137,7 +138,7 @@ class Graph:
         """The weights of the edges, (m,); a copy."""
         return self._weights.rows.copy()
 
-    def add_node(self, q: ArrayLike | None = None, data: Any = None) -> int:
+    def add_node(self, q: ArrayLike | None = None, data: object = None) -> int:
         """Add a node, at position q (d,) in an embedded graph. O(1) on average.
 
         Returns
@@ -163,7 +164,7 @@ class Graph:
         self._flat = None
         return self.size - 1
 
-    def add_edge(self, u: int, v: int, weight: float | None = None, data: Any = None) -> None:
+    def add_edge(self, u: int, v: int, weight: float | None = None, data: object = None) -> None:
         """Add an edge from u to v, in both directions unless directed. O(1) on average.
 
         By default its weight is 1, or the distance between its ends in an embedded graph. Where

@@ -60,7 +60,7 @@ class Expansion(NamedTuple):
     parent: NDArray[np.int64]
 
 
-def check_ends(graph: Any, start: int, goal: int | None) -> tuple[Any, int, int]:
+def check_ends(graph: object, start: int, goal: int | None) -> tuple[Any, int, int]:
     """The graph as a record, the start, and the goal or -1.
 
     Raises

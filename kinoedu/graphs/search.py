@@ -157,7 +157,7 @@ def run_search(flat: Any, start: int, goal: int, heuristic: Array) -> Search:
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
-def dijkstra(graph: Any, start: int) -> Search:
+def dijkstra(graph: object, start: int) -> Search:
     """Shortest paths from one node to all others, by Dijkstra's algorithm.
 
     O(n + m b) for costs that differ in b of their 63 bits.
@@ -183,7 +183,7 @@ def dijkstra(graph: Any, start: int) -> Search:
 
 
 def astar(
-    graph: Any, start: int, goal: int, estimate: ArrayLike | None = None
+    graph: object, start: int, goal: int, estimate: ArrayLike | None = None
 ) -> tuple[NDArray[np.int64] | None, Search]:
     """A shortest path between two nodes, by A*.
 
@@ -215,7 +215,7 @@ def astar(
 
 
 def astar_expansions(
-    graph: Any, start: int, goal: int, estimate: ArrayLike | None = None
+    graph: object, start: int, goal: int, estimate: ArrayLike | None = None
 ) -> Iterator[Expansion]:
     """A* as an iterator over its expansions, with the priority queue at each of them.
 
@@ -240,7 +240,7 @@ def astar_expansions(
     return yield_expansions(flat, first, last, as_heuristic(estimate, flat.size))
 
 
-def dijkstra_expansions(graph: Any, start: int) -> Iterator[Expansion]:
+def dijkstra_expansions(graph: object, start: int) -> Iterator[Expansion]:
     """Dijkstra's algorithm as an iterator over its expansions; see `astar_expansions`.
 
     Raises

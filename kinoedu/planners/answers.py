@@ -12,12 +12,13 @@ from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
+from ..problems.protocols import PlanningProblem, ProblemLike
 from ..spaces.buckets import GrowingTree
 from .problem_input import as_problem
 
 
 @algorithm
-def cost_along(problem: Any, path: Array) -> float:
+def cost_along(problem: PlanningProblem, path: Array) -> float:
     """The cost of a path: the sum of the costs of its motions."""
     cost = 0.0
     for i in range(1, len(path)):
@@ -25,7 +26,7 @@ def cost_along(problem: Any, path: Array) -> float:
     return cost
 
 
-def path_cost(problem: Any, path: ArrayLike) -> float:
+def path_cost(problem: ProblemLike, path: ArrayLike) -> float:
     """The cost of a path in a problem, whether the path is free or not.
 
     The cost is the length of the path; on a terrain with costs it is their integral along the path.
@@ -54,7 +55,11 @@ def path_cost(problem: Any, path: ArrayLike) -> float:
 
 
 def plan_along(
-    problem: Any, nodes: Array, numbers: NDArray[np.int64] | None, reason: str, **built: Any
+    problem: PlanningProblem,
+    nodes: Array,
+    numbers: NDArray[np.int64] | None,
+    reason: str,
+    **built: Any,
 ) -> Plan:
     """A plan along numbered nodes, shape (k,), or a plan without a path where `numbers` is None."""
     if numbers is None:
@@ -64,7 +69,12 @@ def plan_along(
 
 
 def plan_from_tree(
-    planner: str, problem: Any, tree: GrowingTree, at_goal: int, reason: str, **stats: int
+    planner: str,
+    problem: PlanningProblem,
+    tree: GrowingTree,
+    at_goal: int,
+    reason: str,
+    **stats: int,
 ) -> Plan:
     """A plan from the root of a tree to its node at the goal; without a path where that is -1."""
     n = int(tree.size[0])

@@ -3,10 +3,12 @@
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..problems import MOTIONS, ProblemRecord, Recorder
+from ..problems.protocols import PlanningProblem, ProblemLike
 from ..robots.round import RoundRobot
 from ..spaces import diameter
 from ..spaces.buckets import GrowingTree, empty_tree
@@ -23,7 +25,7 @@ class OwnProblem:
 
     NEEDED = ("start", "goal", "sample", "distance", "steer", "is_free_path")
 
-    def __init__(self, problem: Any) -> None:
+    def __init__(self, problem: ProblemLike) -> None:
         missing = [name for name in self.NEEDED if not hasattr(problem, name)]
         if missing:
             given = type(problem).__name__
@@ -35,7 +37,7 @@ class OwnProblem:
         self.goal = self._configuration(problem.goal, "goal")
         self.query_counts = np.zeros(2, np.int64)
 
-    def _configuration(self, value: Any, name: str) -> Array:
+    def _configuration(self, value: ArrayLike, name: str) -> Array:
         """A configuration with the shape of the start; raises InvalidPoint otherwise."""
         q = np.atleast_1d(as_array(value, name))
         if q.shape != self.start.shape or q.ndim != 1:
@@ -84,7 +86,7 @@ class OwnProblem:
         return int(np.argmin([self.distance(node, q) for node in tree.nodes[: tree.size[0]]]))
 
 
-def as_problem(problem: Any) -> Any:
+def as_problem(problem: Any) -> PlanningProblem:
     """The problem itself where it is ours or a recorder of ours; else a reader's object, checked.
 
     Raises
@@ -98,12 +100,12 @@ def as_problem(problem: Any) -> Any:
     return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
 
 
-def count_checks(problem: Any) -> int:
+def count_checks(problem: PlanningProblem) -> int:
     """How many motions the problem has checked so far."""
     return int(problem.query_counts[MOTIONS])
 
 
-def world_size(problem: Any) -> float:
+def world_size(problem: PlanningProblem) -> float:
     """The diameter of the space; for a reader's object the distance from start to goal."""
     space = getattr(problem, "space", None)
     if space is None:
@@ -111,7 +113,7 @@ def world_size(problem: Any) -> float:
     return float(diameter(space))
 
 
-def as_step_size(problem: Any, value: Any, name: str) -> float:
+def as_step_size(problem: PlanningProblem, value: object, name: str) -> float:
     """A length, checked; by default a twentieth of the world's size.
 
     Raises
@@ -122,7 +124,7 @@ def as_step_size(problem: Any, value: Any, name: str) -> float:
     return positive(world_size(problem) / 20.0 if value is None else value, name)
 
 
-def new_tree(problem: Any, capacity: int) -> GrowingTree:
+def new_tree(problem: PlanningProblem, capacity: int) -> GrowingTree:
     """An empty tree for configurations of the problem."""
     space = getattr(problem, "space", None)
     if space is None:
@@ -130,7 +132,7 @@ def new_tree(problem: Any, capacity: int) -> GrowingTree:
     return empty_tree(capacity, space.lo, space.hi)
 
 
-def check_exact(problem: Any, planner: str) -> None:
+def check_exact(problem: PlanningProblem, planner: str) -> None:
     """Check that a point is to move among polygons without clearance, as exact planners need it.
 
     Raises
@@ -150,7 +152,7 @@ def check_exact(problem: Any, planner: str) -> None:
         )
 
 
-def as_two_way_problem(problem: Any, planner: str) -> Any:
+def as_two_way_problem(problem: ProblemLike, planner: str) -> PlanningProblem:
     """Convert as `as_problem` does, for a planner that uses its edges in both directions.
 
     Raises

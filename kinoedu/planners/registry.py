@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from ..problems import Plan
+from ..problems.protocols import ProblemLike
 from .driving.hybrid_astar import hybrid_astar
 from .driving.kinodynamic_prm import kinodynamic_prm
 from .driving.kinodynamic_rrt import kinodynamic_rrt
@@ -68,11 +69,11 @@ class Planner(NamedTuple):
         """Plan with settings by their common names; `seed` is for random planners."""
         return self.run(problem, seed, {self.options[name]: v for name, v in settings.items()})
 
-    def quick_plan(self, problem: Any) -> Plan:
+    def quick_plan(self, problem: ProblemLike) -> Plan:
         """Plan with the keywords of the short run."""
         return self.run(problem, 0, self.quick)
 
-    def run(self, problem: Any, seed: int, keywords: Mapping[str, Any]) -> Plan:
+    def run(self, problem: ProblemLike, seed: int, keywords: Mapping[str, Any]) -> Plan:
         """Call the function, with a random generator where it takes one."""
         random = {"rng": seed} if self.is_random else {}
         return self.function(problem, **keywords, **random)

@@ -6,7 +6,6 @@ R. Geraerts, M. H. Overmars, "Creating high-quality paths for motion planning" (
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
 from ..problems import Plan
+from ..problems.protocols import PlanningProblem
 from ..support.text import shortened
 from .answers import cost_along
 from .problem_input import as_problem, count_checks
@@ -21,7 +21,9 @@ from .tuning import integer
 
 
 @algorithm
-def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator) -> Array:
+def cut_corners(
+    problem: PlanningProblem, path: Array, tries: int, rng: np.random.Generator
+) -> Array:
     """Try to join two random places of a path (n, d) by a straight motion, `tries` times.
 
     Returns
@@ -54,7 +56,7 @@ def cut_corners(problem: Any, path: Array, tries: int, rng: np.random.Generator)
 
 
 @callable_from_compiled
-def cost_between(problem: Any, path: Array, first: int, last: int) -> float:
+def cost_between(problem: PlanningProblem, path: Array, first: int, last: int) -> float:
     """The cost of a path from point `first` to point `last`."""
     cost = 0.0
     for k in range(first, last):

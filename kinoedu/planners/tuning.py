@@ -1,7 +1,5 @@
 """Checks of tuning parameters: each becomes a plain number, or an InvalidParameter is raised."""
 
-from typing import Any
-
 from ..errors import InvalidParameter
 from ..geometry.checks import integer, is_real, nonnegative, positive
 from ..support.text import shortened
@@ -9,7 +7,7 @@ from ..support.text import shortened
 __all__ = ["fraction", "integer", "iteration_limit", "nonnegative", "one_of", "positive"]
 
 
-def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
+def one_of(value: object, name: str, choices: tuple[str, ...]) -> str:
     """One of a few strings.
 
     Raises
@@ -29,7 +27,7 @@ def one_of(value: Any, name: str, choices: tuple[str, ...]) -> str:
     return value
 
 
-def iteration_limit(max_iterations: Any, max_nodes: int) -> int:
+def iteration_limit(max_iterations: object, max_nodes: int) -> int:
     """The largest number of iterations; by default ten for each node.
 
     Raises
@@ -42,7 +40,7 @@ def iteration_limit(max_iterations: Any, max_nodes: int) -> int:
     return integer(max_iterations, "max_iterations", least=0)
 
 
-def fraction(value: Any, name: str) -> float:
+def fraction(value: object, name: str) -> float:
     """A number from 0 to 1 as a float.
 
     Raises

@@ -14,15 +14,18 @@ from ..geometry.checks import Array, as_array
 from ..geometry.polygons import point_polygon_distance
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
+from ..robots.kinds import Robot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..spaces import RealSpace, WrappingSpace
+from ..spaces.interface import Space
 from ..spaces.wrapping import wrapped_configuration
 from ..support.text import shortened
+from ..worlds.checks import World
 
 
 @singledispatch
-def space_of(robot: Any, world: Any) -> Any:
+def space_of(robot: Robot, world: World) -> Any:
     """The configuration space of a robot in a world.
 
     Returns
@@ -38,19 +41,19 @@ def space_of(robot: Any, world: Any) -> Any:
 
 
 @space_of.register
-def _(robot: RoundRobot, world: Any) -> RealSpace:
+def _(robot: RoundRobot, world: World) -> RealSpace:
     return RealSpace(world.lo, world.hi)
 
 
 @space_of.register
-def _(robot: TranslatingPolygonRobot, world: Any) -> RealSpace:
+def _(robot: TranslatingPolygonRobot, world: World) -> RealSpace:
     lo, hi = robot.outline.min(axis=0), robot.outline.max(axis=0)
     # a reference point outside the body may lie outside the world
     return RealSpace(world.lo - np.maximum(lo, 0.0), world.hi - np.minimum(hi, 0.0))
 
 
 @space_of.register
-def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
+def _(robot: RigidPolygonRobot, world: World) -> WrappingSpace:
     off = point_polygon_distance((0.0, 0.0), robot.outline)
     lo, hi = np.append(world.lo - off, -np.pi), np.append(world.hi + off, np.pi)
     weight = np.array([1.0, 1.0, robot.turn_weight])
@@ -58,19 +61,19 @@ def _(robot: RigidPolygonRobot, world: Any) -> WrappingSpace:
 
 
 @space_of.register
-def _(robot: CarRobot, world: Any) -> CurveSpace:
+def _(robot: CarRobot, world: World) -> CurveSpace:
     return CurveSpace(
         np.append(world.lo, -np.pi), np.append(world.hi, np.pi), robot.radius, robot.both_ways
     )
 
 
 @space_of.register
-def _(robot: ArmRobot, world: Any) -> WrappingSpace:
+def _(robot: ArmRobot, world: World) -> WrappingSpace:
     n = len(robot.lengths)
     return WrappingSpace(np.full(n, -np.pi), np.full(n, np.pi), np.full(n, True), np.ones(n))
 
 
-def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
+def as_configuration(value: ArrayLike, space: Space, name: str) -> Array:
     """Check a configuration of a space.
 
     Returns
@@ -91,7 +94,7 @@ def as_configuration(value: ArrayLike, space: Any, name: str) -> Array:
 
 
 @singledispatch
-def explain_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
+def explain_not_free(robot: Robot, world: World, q: Array, clearance: float) -> str:
     """Explain why a configuration is not free, and say what to change."""
     return (
         f"the robot{margin_text(clearance)} is outside the world or touches an obstacle there; "
@@ -100,7 +103,7 @@ def explain_not_free(robot: Any, world: Any, q: Array, clearance: float) -> str:
 
 
 @explain_not_free.register
-def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
+def _(robot: RoundRobot, world: World, q: Array, clearance: float) -> str:
     if (q <= world.lo).any() or (q >= world.hi).any():
         return (
             f"it must lie inside the world, between {tuple(world.lo.tolist())} and "
@@ -110,7 +113,7 @@ def _(robot: RoundRobot, world: Any, q: Array, clearance: float) -> str:
 
 
 @explain_not_free.register
-def _(robot: ArmRobot, world: Any, q: Array, clearance: float) -> str:
+def _(robot: ArmRobot, world: World, q: Array, clearance: float) -> str:
     link = link_in_contact(robot, q, world)
     if not link:
         return (

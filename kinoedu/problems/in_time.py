@@ -6,7 +6,7 @@ The goal is a place; it may be reached at any time up to the horizon.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +15,7 @@ from ..collision import in_time, is_free, is_free_path
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
 from ..geometry.checks import Array, nonnegative, positive
+from ..robots.kinds import Robot
 from ..support.constructors import Constructor
 from ..support.text import shortened
 from ..worlds.moving import MovingWorldRecord
@@ -32,7 +33,7 @@ class TimedProblemRecord(NamedTuple):
     start and goal are places, shape (2,). Configurations have shape (3,), float64.
     """
 
-    robot: Any
+    robot: Robot
     world: MovingWorldRecord
     start: Array
     goal: Array
@@ -93,7 +94,7 @@ class TimedProblem(TimedProblemRecord, metaclass=Constructor):
 
     def __new__(  # type: ignore[misc]  # returns the record
         cls,
-        robot: Any,
+        robot: Robot,
         world: MovingWorldRecord,
         start: ArrayLike,
         goal: ArrayLike,

@@ -27,9 +27,11 @@ from ..compiled import record
 from ..errors import InvalidGoal, InvalidStart
 from ..geometry.checks import Array, nonnegative
 from ..robots.controls import control, curvature, drive
+from ..robots.kinds import Robot
 from ..spaces import distance, interpolate, nearest, sample
+from ..spaces.buckets import GrowingTree
 from ..support.constructors import Constructor
-from ..worlds.checks import check_world
+from ..worlds.checks import World, check_world
 from .configurations import as_configuration, explain_not_free, space_of
 
 # indices of ProblemRecord.query_counts: the queries about motions and about configurations
@@ -44,7 +46,7 @@ class ProblemRecord(NamedTuple):
     query_counts[PLACES] for configurations.
     """
 
-    robot: Any
+    robot: Any  # which kinds, a planner checks that needs one
     world: Any
     space: Any
     start: Array
@@ -69,7 +71,7 @@ class ProblemRecord(NamedTuple):
         length = distance(self.space, a, b)
         return b.copy() if length <= step else interpolate(self.space, a, b, step / length)
 
-    def nearest(self, tree: Any, q: Array) -> int:
+    def nearest(self, tree: GrowingTree, q: Array) -> int:
         """The number of the tree node that is nearest to q."""
         return nearest(self.space, tree, q)
 
@@ -147,8 +149,8 @@ class Problem(ProblemRecord, metaclass=Constructor):
 
     def __new__(  # type: ignore[misc]  # returns the record
         cls,
-        robot: Any,
-        world: Any,
+        robot: Robot,
+        world: World,
         start: ArrayLike,
         goal: ArrayLike,
         *,

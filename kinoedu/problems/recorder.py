@@ -1,8 +1,11 @@
 """A recorder wraps a problem and logs every query of a planner."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from .protocols import ProblemLike
 
 
 class Question(NamedTuple):
@@ -10,7 +13,7 @@ class Question(NamedTuple):
 
     name: str
     given: tuple[Any, ...]
-    answer: Any
+    answer: object
 
 
 class Recorder:
@@ -36,8 +39,8 @@ class Recorder:
         *("control", "is_free_drive"),
     )
 
-    def __init__(self, problem: Any) -> None:
-        self.problem = problem
+    def __init__(self, problem: ProblemLike) -> None:
+        self.problem: Any = problem
         self.log: list[Question] = []
 
     def __getattr__(self, name: str) -> Any:
@@ -46,8 +49,8 @@ class Recorder:
         answer = getattr(self.problem, name)
         return self._recorded(name, answer) if name in self.QUERIES else answer
 
-    def _recorded(self, name: str, question: Any) -> Any:
-        def logged(*given: Any) -> Any:
+    def _recorded(self, name: str, question: Callable[..., object]) -> Callable[..., object]:
+        def logged(*given: object) -> object:
             answer = question(*given)
             kept = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
             self.log.append(

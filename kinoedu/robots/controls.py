@@ -5,7 +5,6 @@ driven registers its functions in this file.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -13,22 +12,23 @@ from ..compiled import generic
 from ..curves.arcs import drive_arc
 from ..geometry.checks import Array
 from .car import CarRobot
+from .kinds import Robot
 
 
 @generic(1)
-def control(robot: Any, rng: np.random.Generator) -> tuple[float, float]:
+def control(robot: Robot, rng: np.random.Generator) -> tuple[float, float]:
     """A random control (v, phi)."""
     raise TypeError("this robot is not driven")
 
 
 @generic(1)
-def curvature(robot: Any, phi: float) -> float:
+def curvature(robot: Robot, phi: float) -> float:
     """The curvature of the arc that is driven at a steering angle."""
     raise TypeError("this robot is not driven")
 
 
 @generic(1)
-def drive(robot: Any, q: Array, v: float, phi: float, t: float, there: Array) -> None:
+def drive(robot: Robot, q: Array, v: float, phi: float, t: float, there: Array) -> None:
     """Write into `there` the configuration after driving from q for time t."""
     raise TypeError("this robot is not driven")
 

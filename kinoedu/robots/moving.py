@@ -19,6 +19,7 @@ from ..geometry.parts import Parts
 from ..spaces.angles import angle_difference
 from .arm import ArmRobot
 from .car import CarRobot
+from .kinds import Robot
 from .polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from .round import RoundRobot
 
@@ -28,13 +29,13 @@ X, Y, VX, VY, ACC = range(5)
 
 
 @generic(1)
-def displacement(robot: Any, a: Array, b: Array) -> Array:
+def displacement(robot: Robot, a: Array, b: Array) -> Array:
     """The change of configuration from a to b, shape (d,); angles change along the shorter arc."""
     raise TypeError("this robot does not move")
 
 
 @generic(1)
-def place_piece(robot: Any, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
+def place_piece(robot: Robot, i: int, a: Array, change: Array, t: float, corners: Array) -> None:
     """Write the corners of piece i at a + t * change, 0 <= t <= 1, into their rows of `corners`.
 
     The motion takes one unit of time. corners has shape (n, 5): position and velocity at time t,

@@ -121,7 +121,7 @@ def reverse_digits(numbers: NDArray[np.int64], base: int, digits: int) -> NDArra
     return reverse
 
 
-def as_first_index(start: Any) -> int:
+def as_first_index(start: object) -> int:
     """The first index of a sequence: an integer from 0, small enough for exact digits."""
     if isinstance(start, bool) or not isinstance(start, int | np.integer) or not 0 <= start < EXACT:
         raise InvalidParameter(

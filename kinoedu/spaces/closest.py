@@ -1,6 +1,6 @@
 """The k nodes nearest to each node of a set, found by a tree's buckets."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from ..compiled import algorithm
 from ..geometry.checks import Array
 from .buckets import GrowingTree, add
+from .interface import Space
 from .rings import search_near, squared_distance, squared_radius, visit_bucket
 
 
@@ -24,7 +25,7 @@ class Closest(NamedTuple):
 
 @visit_bucket.register(Closest)
 def visit_for_closest(
-    search: Closest, space: Any, tree: GrowingTree, bucket: int, q: Array
+    search: Closest, space: Space, tree: GrowingTree, bucket: int, q: Array
 ) -> Closest:
     """Insert the bucket's nodes among those found; ties go to the first."""
     found, apart, u = search.found, search.squared, search.itself
@@ -57,7 +58,7 @@ def add_nodes(tree: GrowingTree, nodes: Array) -> None:
 
 
 @algorithm
-def k_closest_in_buckets(space: Any, tree: GrowingTree, k: int) -> NDArray[np.int64]:
+def k_closest_in_buckets(space: Space, tree: GrowingTree, k: int) -> NDArray[np.int64]:
     """The k nodes nearest to each node, in order of distance, without the node itself.
 
     Ties go to the first. The result has shape (n, k), k < n.

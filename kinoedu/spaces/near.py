@@ -5,21 +5,19 @@ Spaces whose distance is bounded by the buckets use them. Other spaces compare e
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ..compiled import generic
 from ..geometry.checks import Array
-from .buckets import bucket_of
-from .interface import distance
+from .buckets import GrowingTree, bucket_of
+from .interface import Space, distance
 from .real import RealSpace
 from .rings import squared_distance
 
 
 @generic(1)
-def near(space: Any, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+def near(space: Space, tree: GrowingTree, q: Array, radius: float) -> NDArray[np.int64]:
     """The indices of the tree's nodes within a radius of q, shape (k,), in no particular order."""
     found, size = np.empty(tree.size[0], np.int64), 0
     for node in range(tree.size[0]):
@@ -30,7 +28,9 @@ def near(space: Any, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
 
 
 @near.register(RealSpace)
-def near_in_buckets(space: RealSpace, tree: Any, q: Array, radius: float) -> NDArray[np.int64]:
+def near_in_buckets(
+    space: RealSpace, tree: GrowingTree, q: Array, radius: float
+) -> NDArray[np.int64]:
     """`near` by the buckets that intersect a square around q; O(k) for evenly spread nodes."""
     beyond = radius * (1.0 + 1e-9)  # no node is lost by the rounding of a bucket's number
     x, y = q[0], q[1] if len(q) > 1 else 0.0

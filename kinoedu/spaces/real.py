@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array
+from .buckets import GrowingTree
 from .euclidean import nearest_euclidean_node, squared_difference
 from .interface import distance, interpolate, nearest, sample, sample_box
 from .rings import squared_distance
@@ -80,7 +81,7 @@ def interpolate_line(space: RealSpace, a: Array, b: Array, t: float) -> Array:
 
 
 @nearest.register(RealSpace)
-def nearest_euclidean(space: RealSpace, tree: Any, q: Array) -> int:
+def nearest_euclidean(space: RealSpace, tree: GrowingTree, q: Array) -> int:
     """Found by the tree's grid of buckets."""
     return nearest_euclidean_node(tree, q)
 

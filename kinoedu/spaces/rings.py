@@ -13,22 +13,23 @@ from ..compiled import compiled, generic, inlined
 from ..geometry.checks import Array
 from .buckets import GrowingTree, bucket_of, first_ring
 from .euclidean import SMALL
+from .interface import Space
 
 
 @generic(1)
-def squared_distance(space: Any, nodes: Array, node: int, q: Array) -> float:
+def squared_distance(space: Space, nodes: Array, node: int, q: Array) -> float:
     """The squared distance between nodes[node] and q."""
     raise TypeError("this space has no squared distance for a search by buckets")
 
 
 @generic(1)
-def coordinate_weight(space: Any, i: int) -> float:
+def coordinate_weight(space: Space, i: int) -> float:
     """The weight of coordinate i in the distance."""
     return 1.0
 
 
 @generic(1)
-def visit_bucket(search: Any, space: Any, tree: GrowingTree, bucket: int, q: Array) -> Any:
+def visit_bucket(search: Any, space: Space, tree: GrowingTree, bucket: int, q: Array) -> Any:
     """The search record after the nodes of one bucket."""
     raise TypeError("this search cannot visit buckets")
 
@@ -48,7 +49,7 @@ class Nearest(NamedTuple):
 
 @visit_bucket.register(Nearest)
 def visit_for_nearest(
-    search: Nearest, space: Any, tree: GrowingTree, bucket: int, q: Array
+    search: Nearest, space: Space, tree: GrowingTree, bucket: int, q: Array
 ) -> Nearest:
     """The better of the best node so far and the bucket's nodes."""
     best, least = search.node, search.squared
@@ -68,7 +69,7 @@ def best_squared_distance(search: Nearest) -> float:
 
 
 @inlined
-def search_rings(space: Any, tree: GrowingTree, q: Array, x: float, y: float, search: Any) -> Any:
+def search_rings(space: Space, tree: GrowingTree, q: Array, x: float, y: float, search: Any) -> Any:
     """The search record after all wanted nodes near q.
 
     The centre (x, y) of the rings is equivalent to the first two coordinates of q.
@@ -106,13 +107,13 @@ def squared_gap(offset: float, number: int, cell: float, weight: float) -> float
 
 
 @generic(1)
-def search_near(space: Any, tree: GrowingTree, q: Array, search: Any) -> Any:
+def search_near(space: Space, tree: GrowingTree, q: Array, search: Any) -> Any:
     """The search record after all wanted nodes near q."""
     return search_rings(space, tree, q, q[0], q[1] if len(q) > 1 else 0.0, search)
 
 
 @inlined
-def nearest_in_buckets(space: Any, tree: GrowingTree, q: Array) -> int:
+def nearest_in_buckets(space: Space, tree: GrowingTree, q: Array) -> int:
     """The index of the node with the least distance to q; ties go to the first."""
     if tree.size[0] <= SMALL:
         return nearest_of_all(space, tree, q)
@@ -120,7 +121,7 @@ def nearest_in_buckets(space: Any, tree: GrowingTree, q: Array) -> int:
 
 
 @inlined
-def nearest_of_all(space: Any, tree: GrowingTree, q: Array) -> int:
+def nearest_of_all(space: Space, tree: GrowingTree, q: Array) -> int:
     """`nearest_in_buckets` by comparing every node."""
     best, least = 0, np.inf
     for node in range(tree.size[0]):

@@ -155,7 +155,7 @@ def interpolate_wrapping(space: WrappingSpace, a: Array, b: Array, t: float) -> 
 
 
 @nearest.register(WrappingSpace)
-def nearest_wrapping(space: WrappingSpace, tree: Any, q: Array) -> int:
+def nearest_wrapping(space: WrappingSpace, tree: GrowingTree, q: Array) -> int:
     """Found by the tree's grid of buckets, around q and around its images a full turn away."""
     return nearest_in_buckets(space, tree, q)
 

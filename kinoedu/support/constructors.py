@@ -1,7 +1,5 @@
 """Public classes that check their arguments and make a record."""
 
-from typing import Any
-
 
 class Constructor(type):
     """The metaclass of public classes such as `Problem` and `PolygonWorld`.
@@ -12,9 +10,9 @@ class Constructor(type):
     is true for every record that the class makes.
     """
 
-    def __instancecheck__(cls, thing: Any) -> bool:
+    def __instancecheck__(cls, thing: object) -> bool:
         return any(isinstance(thing, base) for base in cls.__bases__) and cls._makes(thing)
 
-    def _makes(cls, thing: Any) -> bool:
+    def _makes(cls, thing: object) -> bool:
         """Whether this class can make the record, and not only another class of the same record."""
         return True

@@ -10,6 +10,8 @@ from ..errors import KinoeduError, UnreadableScene
 from .reading import read_text
 from .text import shortened
 
+Json = Any  # what json.loads returns
+JsonObject = dict[str, Json]
 Built = TypeVar("Built")
 
 
@@ -17,7 +19,7 @@ class Field(NamedTuple):
     """A value of a file with its name, such as world.obstacles[2].radius, for error messages."""
 
     name: str
-    value: Any
+    value: Json
     folder: Path
 
     def wrong(self, expected: str) -> UnreadableScene:
@@ -157,7 +159,7 @@ def refuse_constant(constant: str) -> float:
     raise UnreadableScene(f"numbers must be finite, got {constant}")
 
 
-def members_without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def members_without_repeats(pairs: list[tuple[str, Json]]) -> JsonObject:
     """The members of an object; a repeated key is refused."""
     members = dict(pairs)
     if len(members) < len(pairs):

@@ -4,7 +4,6 @@ Every kind of world registers both, so that the collision tests work for all of 
 """
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,20 +11,21 @@ from numpy.typing import NDArray
 from ..compiled import compiled, generic
 from ..geometry.checks import Array
 from ..geometry.parts import Parts
+from .checks import World
 from .parts_index import MARGIN, PartsIndex, clip
 from .polygon_world import PolygonWorldRecord
 from .terrain import TerrainRecord
 
 
 @generic(1)
-def rim(world: Any) -> Array:
+def rim(world: World) -> Array:
     """The convex ring (n, 2), counter-clockwise, outside of which everything is solid."""
     raise TypeError("this world has no rim")
 
 
 @generic(1)
 def obstacles_near(
-    world: Any, x0: float, y0: float, x1: float, y1: float
+    world: World, x0: float, y0: float, x1: float, y1: float
 ) -> tuple[Parts, NDArray[np.int64]]:
     """The obstacles as convex parts, and the numbers of those near a box, each once.
 

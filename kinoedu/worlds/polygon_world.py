@@ -140,7 +140,7 @@ def discs_of(world: PolygonWorldRecord) -> Array:
     )
 
 
-def is_pair_with_radius(obstacle: Any) -> bool:
+def is_pair_with_radius(obstacle: object) -> bool:
     """Whether an obstacle is a pair (centre, radius)."""
     return (
         isinstance(obstacle, Sequence | np.ndarray)

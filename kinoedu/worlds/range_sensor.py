@@ -6,7 +6,7 @@ LaValle, section 11.1.1; Bullo & Smith, chapter 5.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,7 @@ from ..geometry.exact import length
 from ..geometry.polygons import locate_points
 from ..geometry.segments import shared_points
 from ..support.text import shortened
+from .checks import World
 from .polygon_world import PolygonWorldRecord, discs_of, rings_of
 
 
@@ -37,7 +38,7 @@ class Scan(NamedTuple):
     points: Array
 
 
-def scan(world: Any, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) -> Scan:
+def scan(world: World, q: ArrayLike, *, rays: int = 180, reach: float = math.inf) -> Scan:
     """Measure the distances to walls from q, along evenly spaced rays; the first along the x-axis.
 
     Whether a ray hits a wall is decided exactly, for the segment from q to its rounded end point;

@@ -22,6 +22,8 @@ from ...problems import Plan
 from ...problems.configurations import as_configuration, space_of
 from ...robots import why_unreachable
 from ...robots.arm import ArmRobot
+from ...support.json_fields import JsonObject
+from ...worlds.checks import World
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies
 from ..core.framed import Pictured, arrange_in_row
@@ -39,11 +41,11 @@ ELBOW, TIP = 0, 1  # the numbers of the workspace's handles; the square's are q 
 
 def arm_board(
     arm: ArmRobot,
-    world: Any,
+    world: World,
     q: ArrayLike = (0.0, 0.0),
     *,
     goal: ArrayLike | None = None,
-    planner: Callable[..., Any] = rrt,
+    planner: Callable[..., object] = rrt,
     rng: int = 0,
 ) -> ArmBoard:
     """Drag an arm's elbow or tip, or its configuration q in the square of its two angles.
@@ -87,10 +89,10 @@ class ArmBoard(Pictured, widgets.VBox):
     def __init__(
         self,
         arm: ArmRobot,
-        world: Any,
+        world: World,
         q: ArrayLike,
         goal: ArrayLike | None,
-        planner: Callable[..., Any],
+        planner: Callable[..., object],
         rng: int,
     ) -> None:
         check_arm(arm)
@@ -194,7 +196,7 @@ class ArmBoard(Pictured, widgets.VBox):
         drawing = Drawing(layers, text=text, total=total, unit=unit)
         return replace(drawing, step_texts=texts, places=places)
 
-    def _grips(self) -> list[dict[str, Any]]:
+    def _grips(self) -> list[JsonObject]:
         """The workspace's handles: elbow and tip."""
         names = (get_message("arm_board.elbow"), get_message("arm_board.tip"))
         return [
@@ -202,7 +204,7 @@ class ArmBoard(Pictured, widgets.VBox):
             for name, at in zip(names, self.arm.joints(self.q), strict=True)
         ]
 
-    def _spots(self) -> list[dict[str, Any]]:
+    def _spots(self) -> list[JsonObject]:
         """The square's handles: q, and the goal where there is one."""
         handles = [handle(get_message("arm_board.q"), self.q, colour="ink")]
         if self.goal is not None:

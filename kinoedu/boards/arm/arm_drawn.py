@@ -1,7 +1,6 @@
 """An arm on a board: its links and joints, and its contacts."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -11,13 +10,14 @@ from ...geometry.checks import Array
 from ...messages import get_message
 from ...robots import ArmChain
 from ...robots.arm import ArmRobot
+from ...worlds.checks import World
 from ..core.drawing import Layer, bodies, dots, labels
 
 ASIDE = 0.15  # the distance of a link's name from it, as a fraction of its length
 HITS = ("ink", "hit")  # the colours of links 1 and 2 in contact, as in the square
 
 
-def links_in_contact(arm: ArmRobot, q: Array, world: Any) -> list[int]:
+def links_in_contact(arm: ArmRobot, q: Array, world: World) -> list[int]:
     """Every link, from 1, that touches something.
 
     `link_in_contact` stops at the first one, so the second link is tried as an arm of its own.

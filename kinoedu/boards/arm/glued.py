@@ -1,13 +1,12 @@
 """The square of an arm's two angles, with opposite sides identified: the torus laid flat."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...figures.arms import find_widest
 from ...geometry.checks import Array
 from ...messages import get_message
+from ...support.json_fields import JsonObject
 from ..core.drawing import Layer, arrows, edges, labels, sides_of
 from ..core.scene import Scene, make_scene
 
@@ -16,7 +15,7 @@ COLOURS = ["free_area", "hit_1_area", "hit_2_area"]  # of an image: free, link 1
 COARSE = 6  # names are placed on every sixth cell only
 
 
-def make_square_scene(handles: list[dict[str, Any]]) -> Scene:
+def make_square_scene(handles: list[JsonObject]) -> Scene:
     """The square [-pi, pi) x [-pi, pi), with room for its scales at the left and below."""
     scene = make_scene((-PI - 0.7, -PI - 0.7), (PI + 0.3, PI + 0.3), handles=handles)
     glued = {"lo": [-PI, -PI], "hi": [PI, PI]}

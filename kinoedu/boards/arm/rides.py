@@ -11,6 +11,7 @@ from ...figures.robots import spread_configurations, track_of
 from ...geometry.checks import Array
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.arm import ArmRobot
+from ...worlds.checks import World
 from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_along
 from ..planning.own import Attempt, describe_result, try_planner
 from .arm_drawn import link_outlines
@@ -42,7 +43,11 @@ class Ride(NamedTuple):
 
 
 def plan_ride(
-    planner: Callable[..., Any], arm: ArmRobot, world: Any, ends: tuple[Array, Array], seed: int
+    planner: Callable[..., Any],
+    arm: ArmRobot,
+    world: World,
+    ends: tuple[Array, Array],
+    seed: int,
 ) -> Ride:
     """Plan between two configurations, or say why that is impossible.
 
@@ -60,7 +65,7 @@ def plan_ride(
     return Ride(plan, text, path, spread_stops(problem, path))
 
 
-def is_ours(planner: Callable[..., Any]) -> bool:
+def is_ours(planner: Callable[..., object]) -> bool:
     """Whether a planner is one of this package's."""
     return getattr(planner, "__module__", "").startswith("kinoedu.planners")
 

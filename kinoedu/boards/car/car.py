@@ -17,6 +17,7 @@ from ...planners import trajectory_along
 from ...planners.registry import PLANNERS
 from ...planners.tuning import integer, one_of
 from ...problems import Plan, Problem, ProblemRecord
+from ...problems.protocols import ProblemLike
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
@@ -223,7 +224,7 @@ class CarBoard(Framed):
         super()._changed(change)
 
 
-def check_car_problem(problem: Any) -> ProblemRecord:
+def check_car_problem(problem: ProblemLike) -> ProblemRecord:
     """The problem itself, if it is a car's; or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, CarRobot):
         raise InvalidParameter(

@@ -38,6 +38,7 @@ import traitlets
 from ...errors import KinoeduError
 from ...figures import palette
 from ...messages import get_message
+from ...support.json_fields import JsonObject
 from .drawing import Drawing, encode_drawing
 from .printed import print_board
 from .scene import Scene, arrange_like, list_places, move_parts
@@ -98,7 +99,7 @@ class Canvas(anywidget.AnyWidget):
         scene: Scene,
         answer: Callable[[Scene], Drawing],
         *,
-        free: Any = None,
+        free: object = None,
         drive: Callable[[set[str]], None] | None = None,
     ) -> None:
         self._answer, self._drive = answer, drive
@@ -139,7 +140,7 @@ class Canvas(anywidget.AnyWidget):
             self._show(None, None)
             self.scene = scene  # last, because a page that has the places sends no question
 
-    def set_bitmap(self, bitmap: Any) -> None:
+    def set_bitmap(self, bitmap: object) -> None:
         """Replace the bitmap beneath by another of the same size.
 
         Every page receives it now and paints it together with the next drawing.
@@ -148,7 +149,7 @@ class Canvas(anywidget.AnyWidget):
             self._free = np.asarray(bitmap, None if self._free is None else self._free.dtype)
             self.bitmap = pack_bitmap(self._free)
 
-    def set_state(self, sync_data: dict[str, Any]) -> None:
+    def set_state(self, sync_data: JsonObject) -> None:
         """Accept from a page only where things are; ignore the rest, and any invalid scene."""
         try:
             kept = {}
@@ -158,14 +159,14 @@ class Canvas(anywidget.AnyWidget):
         except KinoeduError as error:
             log.warning("a board was sent a scene that it cannot show: %s", error)
 
-    def _arranged(self, _: Any) -> None:
+    def _arranged(self, _: object) -> None:
         """Answer a scene that a page or Python has set."""
         with _answering:
             if self.scene != self._shown:
                 self._shown = self.scene
                 self._draw()
 
-    def _received(self, _: Any, message: Any, _buffers: Any) -> None:
+    def _received(self, _: object, message: object, _buffers: object) -> None:
         """Handle a message from a page; ignore messages of other forms."""
         if not isinstance(message, dict) or not isinstance(message.get("from"), str):
             return
@@ -187,7 +188,7 @@ class Canvas(anywidget.AnyWidget):
                 self._draw()
                 self._show(page, seq)
 
-    def _move(self, parts: Any) -> None:
+    def _move(self, parts: object) -> None:
         """Move parts of the scene and answer it, unless nothing changed."""
         scene = move_parts(self._shown, parts)
         if scene != self._shown:
@@ -234,7 +235,7 @@ class Canvas(anywidget.AnyWidget):
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.drawing.message})"
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
+    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[JsonObject, JsonObject] | None:
         return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
@@ -245,9 +246,7 @@ def pack_bitmap(bitmap: Any) -> bytes:
     return bytes(np.packbits(bitmap).tobytes() if bitmap.dtype == np.bool_ else bitmap.tobytes())
 
 
-def add_picture(
-    bundle: Any, widget: Any, canvas: Any
-) -> tuple[dict[str, Any], dict[str, Any]] | None:
+def add_picture(bundle: Any, widget: object, canvas: Any) -> tuple[JsonObject, JsonObject] | None:
     """Add a picture for readers without JavaScript to what a notebook stores of a widget."""
     data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
     if data is None:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...geometry.checks import Array
+from ...support.json_fields import JsonObject
 
 # The number of points that begin each row; the rows of polygons consist of points.
 POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "eye": 1}
@@ -221,9 +222,7 @@ def as_steps(when: ArrayLike | None) -> Array | None:
     return None if when is None else np.asarray(when, np.float64)
 
 
-def encode_drawing(
-    drawing: Drawing, lo: ArrayLike, size: float
-) -> tuple[dict[str, Any], list[bytes]]:
+def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonObject, list[bytes]]:
     """A drawing as a message and a buffer of float32 for each layer.
 
     Coordinates are sent as multiples of `size` from the corner `lo`; the steps of a row follow its

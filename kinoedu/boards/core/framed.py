@@ -10,6 +10,7 @@ import ipywidgets as widgets
 from ...messages import get_message, has_message
 from ...planners.registry import Planner
 from ...planners.tuning import positive
+from ...support.json_fields import JsonObject
 from .canvas import Canvas, add_picture
 from .printed import join_pictures
 
@@ -46,7 +47,7 @@ class Framed(Pictured, widgets.VBox):
         for control in controls:
             control.observe(self._changed, "value")
 
-    def _changed(self, _: Any) -> None:
+    def _changed(self, _: object) -> None:
         """Answer again, because a control has another value."""
         self.canvas.refresh()
 
@@ -108,7 +109,7 @@ def make_length_slider(key: str, size: float, given: float | None) -> widgets.Fl
     )
 
 
-def control_style(key: str) -> dict[str, Any]:
+def control_style(key: str) -> JsonObject:
     """The shared style of a control, and its name: the message under a key."""
     layout = widgets.Layout(width="30em", max_width="100%")
     return {

@@ -23,7 +23,7 @@ ACROSS = 2  # pictures in a row: with more the texts would be too small on a pag
 ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
 
 
-def print_board(scene: Scene, drawing: Drawing, free: Any = None) -> bytes:
+def print_board(scene: Scene, drawing: Drawing, free: object = None) -> bytes:
     """A board's scene and the drawing that answers it, as a PNG; `free` is the bitmap beneath."""
     (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
     size, margin = max(x1 - x0, y1 - y0), 0.01 * max(x1 - x0, y1 - y0)

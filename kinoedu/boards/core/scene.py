@@ -35,6 +35,7 @@ from numpy.typing import ArrayLike
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_point
 from ...messages import get_message
+from ...support.json_fields import JsonObject
 from ...support.text import shortened
 
 Scene = dict[str, Any]
@@ -47,7 +48,7 @@ def make_scene(
     hi: ArrayLike,
     *,
     boundary: ArrayLike | None = None,
-    **parts: list[dict[str, Any]],
+    **parts: list[JsonObject],
 ) -> Scene:
     """A scene of `handles`, `polygons` and `discs`, lists of what the functions below return.
 
@@ -86,7 +87,7 @@ def make_scene(
 
 def handle(
     name: str, at: ArrayLike, *, colour: str, marker: str = "dot", radius: float = 0.0
-) -> dict[str, Any]:
+) -> JsonObject:
     """A point to drag."""
     return {
         "name": name,
@@ -97,14 +98,14 @@ def handle(
     }
 
 
-def stop(name: str, at: ArrayLike) -> dict[str, Any]:
+def stop(name: str, at: ArrayLike) -> JsonObject:
     """A point to drag; the first two handles can be moved to it by a click."""
     return {"name": name, "at": as_point(at, name).tolist(), "stop": True}
 
 
 def polygon(
     name: str, rings: list[Array], *, movable: bool = True, vertices: bool = True
-) -> dict[str, Any]:
+) -> JsonObject:
     """A polygon to drag as a whole or by its vertices; the rings after the first are holes."""
     return {
         "name": name,
@@ -114,7 +115,7 @@ def polygon(
     }
 
 
-def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> dict[str, Any]:
+def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> JsonObject:
     """A disc to drag."""
     return {
         "name": name,
@@ -124,12 +125,12 @@ def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> di
     }
 
 
-def mark_drawn(item: dict[str, Any]) -> dict[str, Any]:
+def mark_drawn(item: JsonObject) -> JsonObject:
     """A handle or polygon that is dragged, but painted by the answer, which may move it."""
     return {**item, "drawn": True}
 
 
-def mark_driven(item: dict[str, Any]) -> dict[str, Any]:
+def mark_driven(item: JsonObject) -> JsonObject:
     """A handle that is driven by the arrow keys instead of dragged."""
     return {**mark_drawn(item), "driven": True}
 
@@ -152,7 +153,7 @@ def place_of(scene: Scene, name: str) -> Array:
     raise InvalidParameter(f"the scene has no handle {name!r}")
 
 
-def move_parts(scene: Scene, parts: Any) -> Scene:
+def move_parts(scene: Scene, parts: object) -> Scene:
     """The scene with some parts at other places.
 
     Parameters
@@ -179,7 +180,7 @@ def move_parts(scene: Scene, parts: Any) -> Scene:
     return after
 
 
-def move_item(item: dict[str, Any], coordinates: Any, part: Any) -> dict[str, Any]:
+def move_item(item: JsonObject, coordinates: Any, part: Any) -> JsonObject:
     """A handle, disc or polygon at another place."""
     if "at" in item:
         return {**item, "at": as_point(coordinates, item["name"]).tolist()}

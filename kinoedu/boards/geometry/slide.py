@@ -79,7 +79,7 @@ class SlideBoard(Framed):
             self.share = float(change["new"])
             self.canvas.refresh()
 
-    def _let_go(self, _: Any) -> None:
+    def _let_go(self, _: object) -> None:
         """Move the slider once, when the dragged point is released.
 
         While the point is dragged the slider's own messages would come back late.

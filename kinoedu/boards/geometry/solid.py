@@ -28,6 +28,7 @@ from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
 from ...geometry.rings import as_ring
 from ...messages import get_message
+from ...support.json_fields import JsonObject
 from ...support.text import shortened
 from ..core.canvas import add_picture
 
@@ -43,7 +44,7 @@ Section = Callable[[float, Array], dict[str, Any]]
 
 def shape(
     points: ArrayLike, fill: str = "", line: str = "", *, alpha: float = 1.0, closed: bool = True
-) -> dict[str, Any]:
+) -> JsonObject:
     """A polygon or line of a section, (n, 2); fill and line are names of colours, "" for none."""
     return {
         "points": np.asarray(points, float).tolist(),
@@ -116,7 +117,7 @@ def turning_board(
     )
 
 
-def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array) -> dict[str, Any]:
+def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array) -> JsonObject:
     """The workspace at one heading: C-obstacle slice, obstacle, robot, and exact contact."""
     body = turned(robot, theta)
     touches = any(
@@ -189,7 +190,7 @@ class SolidBoard(anywidget.AnyWidget):
         self.observe(lambda _: self._answer(), ["theta", "place"])
         self._answer()
 
-    def set_state(self, sync_data: dict[str, Any]) -> None:
+    def set_state(self, sync_data: JsonObject) -> None:
         """Accept from a page only valid places of the plane and of the point."""
         kept: dict[str, Any] = {}
         try:
@@ -222,7 +223,7 @@ class SolidBoard(anywidget.AnyWidget):
             self.cut = cut_mesh(self._mesh, self.theta)[:, :, :2].tolist()
             self.section = {**shown, "theta": self.theta, "place": self.place}
 
-    def _outline(self, theta: float, _: Array) -> dict[str, Any]:
+    def _outline(self, theta: float, _: Array) -> JsonObject:
         """The cut itself, as a section."""
         lines = [
             shape(line[:, :2], line="goal", closed=False) for line in cut_mesh(self._mesh, theta)

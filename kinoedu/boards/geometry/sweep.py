@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
 
 import ipywidgets as widgets
 import numpy as np
@@ -13,7 +12,7 @@ from ...decomposition import Step, sweep
 from ...decomposition.trapezoidation import corners_of
 from ...geometry.checks import Array
 from ...messages import get_message
-from ...worlds.polygon_world import rings_of
+from ...worlds.polygon_world import PolygonWorldRecord, rings_of
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
 from ..core.framed import Pictured
@@ -23,7 +22,7 @@ from ..planning.plans import world_in
 FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
 
 
-def sweep_board(world: Any, *, x: float | None = None) -> SweepBoard:
+def sweep_board(world: PolygonWorldRecord, *, x: float | None = None) -> SweepBoard:
     """Drag the sweep line across a world, or obstacles and their vertices.
 
     The closed and the open cells and the status of the line are shown.
@@ -56,7 +55,7 @@ def sweep_board(world: Any, *, x: float | None = None) -> SweepBoard:
 class SweepBoard(Pictured, widgets.HBox):
     """The widget that `sweep_board` returns: the world in `canvas`, the status in `status`."""
 
-    def __init__(self, world: Any, *, x: float | None) -> None:
+    def __init__(self, world: PolygonWorldRecord, *, x: float | None) -> None:
         sweep(world)  # raises for a world that it cannot cut
         self.steps: list[Step] = []
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
@@ -84,7 +83,7 @@ class SweepBoard(Pictured, widgets.HBox):
             self.status.value = list_status(rows, names if len(rows) else {})
 
 
-def make_sweep_scene(world: Any, x: float | None) -> Scene:
+def make_sweep_scene(world: PolygonWorldRecord, x: float | None) -> Scene:
     """The scene of a world, with a handle for the sweep line below it."""
     (outline,), *solids = rings_of(world)
     margin = 0.06 * (world.hi - world.lo).max()

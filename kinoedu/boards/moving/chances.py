@@ -18,6 +18,7 @@ from ...messages import get_message
 from ...planners import prm, shortcut
 from ...planners.tuning import integer
 from ...problems import Plan, Problem
+from ...robots.kinds import Robot
 from ...support.text import shortened
 from ...worlds.polygon_world import rings_of
 from ...worlds.uncertain import UncertainWorldRecord, inflated, scenarios
@@ -32,7 +33,7 @@ CHANCES = (0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001, 0.0001)
 
 
 def chance_board(
-    robot: Any,
+    robot: Robot,
     world: UncertainWorldRecord,
     start: ArrayLike,
     goal: ArrayLike,
@@ -79,7 +80,7 @@ class ChanceBoard(Framed):
 
     def __init__(
         self,
-        robot: Any,
+        robot: Robot,
         world: UncertainWorldRecord,
         start: ArrayLike,
         goal: ArrayLike,

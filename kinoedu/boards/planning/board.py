@@ -29,7 +29,7 @@ ON_BOARD = {name: planner for name, planner in PLANNERS.items() if planner.board
 
 def board(
     problem: ProblemRecord,
-    planner: str | Callable[..., Any] = "rrt",
+    planner: str | Callable[..., object] = "rrt",
     *,
     step_size: float | None = None,
     samples: int = 1000,
@@ -77,7 +77,7 @@ class Board(Framed):
     def __init__(
         self,
         problem: ProblemRecord,
-        planner: str | Callable[..., Any],
+        planner: str | Callable[..., object],
         *,
         step_size: float | None,
         samples: int,
@@ -125,7 +125,7 @@ class Board(Framed):
         self.plan = planner.plan(problem, seed=seed, **{n: given[n] for n in planner.board or ()})
         return draw_plan(self.plan)
 
-    def _changed(self, change: Any) -> None:
+    def _changed(self, change: object) -> None:
         self._dress()
         super()._changed(change)
 
@@ -144,7 +144,7 @@ def list_controls(name: str) -> list[str]:
     return [*(["seed"] if planner.is_random else []), *takes]
 
 
-def choose_planner(planner: Any) -> tuple[Callable[..., Any] | None, str]:
+def choose_planner(planner: object) -> tuple[Callable[..., object] | None, str]:
     """A reader's function or None, and the first choice of the menu; or InvalidParameter."""
     if isinstance(planner, str) and planner in ON_BOARD:
         return None, planner

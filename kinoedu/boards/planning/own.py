@@ -19,6 +19,7 @@ from ...geometry.checks import Array, as_array
 from ...messages import get_message
 from ...planners.problem_input import world_size
 from ...problems import Plan, ProblemRecord, Question, Recorder
+from ...problems.protocols import ProblemLike
 from ...support.text import shortened
 from ...support.time_limit import TimeUp, run_within_processor_time
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path
@@ -66,7 +67,7 @@ class Attempt:
 
 
 def try_planner(
-    planner: Callable[..., Any], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
+    planner: Callable[..., object], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
 ) -> Attempt:
     """Run a reader's planner on a copy of a problem, for a bounded time."""
     recorder = Recorder(deepcopy(problem))
@@ -102,7 +103,7 @@ def describe_timeout(over: TimeUp) -> str:
     return f"{words} {get_message(ending)}"
 
 
-def call_planner(planner: Callable[..., Any], problem: Any, seed: int) -> Any:
+def call_planner(planner: Callable[..., object], problem: ProblemLike, seed: int) -> Any:
     """Call planner(problem), with a generator where it takes one.
 
     A generator is passed to an argument called rng, or as a required second argument.

@@ -8,8 +8,11 @@ import numpy as np
 from ...errors import InvalidParameter
 from ...figures.drawing import dot_size, growth_of, line_width, summary
 from ...problems import Plan, Problem, ProblemRecord
+from ...problems.protocols import ProblemLike
+from ...support.json_fields import JsonObject
 from ...support.text import shortened
 from ...worlds import PolygonWorld
+from ...worlds.checks import World
 from ...worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ...worlds.terrain import TerrainRecord
 from ..core.canvas import Canvas
@@ -27,7 +30,7 @@ class Settings(NamedTuple):
     samples: int
 
 
-def check_in_plane(problem: Any) -> ProblemRecord:
+def check_in_plane(problem: ProblemLike) -> ProblemRecord:
     """The problem itself, if its configurations are points of the plane; or InvalidParameter."""
     if not isinstance(problem, ProblemRecord) or problem.start.shape != (2,):
         raise InvalidParameter(
@@ -43,7 +46,7 @@ def make_problem_canvas(problem: ProblemRecord, answer: Callable[[Scene], Drawin
 
 
 def make_canvas(
-    world: Any,
+    world: World,
     scene: Scene,
     answer: Callable[[Scene], Drawing],
     drive: Callable[[set[str]], None] | None = None,
@@ -66,7 +69,7 @@ def make_problem_scene(problem: ProblemRecord) -> Scene:
     return make_world_scene(problem.world, handles)
 
 
-def make_world_scene(world: Any, handles: list[dict[str, Any]]) -> Scene:
+def make_world_scene(world: World, handles: list[JsonObject]) -> Scene:
     """A world with handles; among polygons every obstacle and its vertices can be dragged."""
     if not isinstance(world, PolygonWorldRecord):
         return make_scene(world.lo, world.hi, handles=handles)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
 
 from ...errors import InvalidParameter, KinoeduError
 from ...messages import get_message
@@ -26,7 +25,7 @@ MOST = 4  # the most planners side by side
 
 def race_board(
     problem: ProblemRecord,
-    planners: Sequence[Callable[..., Any]] | None = None,
+    planners: Sequence[Callable[..., object]] | None = None,
     *,
     nodes: int = 1000,
     step_size: float | None = None,
@@ -74,7 +73,7 @@ class RaceBoard(Framed):
     def __init__(
         self,
         problem: ProblemRecord,
-        planners: Sequence[Callable[..., Any]] | None,
+        planners: Sequence[Callable[..., object]] | None,
         nodes: int,
         step_size: float | None,
         rng: int,
@@ -129,12 +128,12 @@ class RaceBoard(Framed):
             stuck = old is not None and getattr(old.plan, "still_running", False)
             self._runners.append(old if old and stuck else run_planner(planner, problem, given))
 
-    def _changed(self, _: Any) -> None:
+    def _changed(self, _: object) -> None:
         self._scene = {}
         self.canvas.refresh()
 
 
-def check_planners(planners: Sequence[Callable[..., Any]] | None) -> list[Callable[..., Any]]:
+def check_planners(planners: Sequence[Callable[..., object]] | None) -> list[Callable[..., object]]:
     """The planners of a race, or InvalidParameter."""
     chosen = [rrt, rrt_connect, rrt_star] if planners is None else planners
     some = isinstance(chosen, Sequence) and 1 <= len(chosen) <= MOST

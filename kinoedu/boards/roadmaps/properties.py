@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...figures.drawing import dot_size
@@ -97,7 +95,7 @@ class PropertiesBoard(Framed):
         self.survey = survey_roadmap(problem, roadmap, n=PLACES, shortest=shortest, rng=rng)
         return draw_survey(problem, roadmap, self.survey, exact)
 
-    def _changed(self, change: Any) -> None:
+    def _changed(self, change: object) -> None:
         self.controls.dress()
         super()._changed(change)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from ...planners.roadmaps.prm import Sampler
 from ...planners.tuning import integer, one_of
 from ...problems import Plan, ProblemRecord, Roadmap
 from ...sampling import halton, sukharev_grid
+from ...support.json_fields import JsonObject
 from ..core.drawing import Drawing, Layer, dots, edges, path
 from ..core.framed import Framed, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
@@ -58,7 +58,7 @@ class RoadmapControls:
             control.layout.display = None if there else "none"
 
     @property
-    def given(self) -> dict[str, Any]:
+    def given(self) -> JsonObject:
         """The arguments of `prm` and `build_roadmap`."""
         k, r = self.k.value, self.r.value
         rules = {"closest": KClosest(k), "radius": Radius(r), "component": ComponentKClosest(k)}
@@ -122,7 +122,7 @@ class RoadmapBoard(Framed):
         self.plan = prm(problem_in(scene, self._given), **self.controls.given)
         return draw_growing_roadmap(self.plan)
 
-    def _changed(self, change: Any) -> None:
+    def _changed(self, change: object) -> None:
         self.controls.dress()
         super()._changed(change)
 

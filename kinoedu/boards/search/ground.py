@@ -33,7 +33,7 @@ class Ground(NamedTuple):
     side: float
 
 
-def make_ground(given: Any, start: int | None, goal: int | None) -> Ground:
+def make_ground(given: object, start: int | None, goal: int | None) -> Ground:
     """The graph of the argument of a search board, with its scene.
 
     Raises

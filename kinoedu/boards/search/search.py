@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...geometry.checks import Array
@@ -21,7 +19,11 @@ SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
 
 
 def search_board(
-    graph_or_problem: Any, *, search: str = "bfs", start: int | None = None, goal: int | None = None
+    graph_or_problem: object,
+    *,
+    search: str = "bfs",
+    start: int | None = None,
+    goal: int | None = None,
 ) -> SearchBoard:
     """Scrub through a search from the node nearest to the start to the one nearest to the goal.
 
@@ -59,7 +61,7 @@ class SearchBoard(Framed):
     """The widget that `search_board` returns: the menu of searches, and the graph in `canvas`."""
 
     def __init__(
-        self, graph_or_problem: Any, *, search: str, start: int | None, goal: int | None
+        self, graph_or_problem: object, *, search: str, start: int | None, goal: int | None
     ) -> None:
         self.ground = make_ground(graph_or_problem, start, goal)
         self.moments: list[Expansion] = []

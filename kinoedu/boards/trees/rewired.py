@@ -1,6 +1,6 @@
 """The tree of RRT* at each step, drawn so that it can be scrubbed: one step is one node."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...messages import get_message
 from ...planners.trees.rewiring import Rewirings
+from ...support.json_fields import JsonObject
 from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_along
 
 CORNERS = 40  # of the polygon that draws a ball
@@ -88,7 +89,7 @@ def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     new, again = log.node == log.came, log.node != log.came
     looked = np.flatnonzero(log.radius > 0.0)
 
-    def then(numbers: NDArray[np.int64]) -> dict[str, Any]:
+    def then(numbers: NDArray[np.int64]) -> JsonObject:
         return {"when": numbers + 1, "until": numbers + 2}
 
     angles = 2.0 * np.pi * np.arange(CORNERS) / CORNERS

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from ...course.lessons import EXERCISES
 from ...errors import InvalidParameter
 from ...messages import get_message
+from ...support.json_fields import JsonObject
 from ...support.whole_files import written_whole
 from .notebook import join_text, parse_notebook, read_bytes, read_cells
 
@@ -190,6 +191,6 @@ def find_prose_answers(cells: list[Any]) -> list[tuple[str, bool]]:
     ]
 
 
-def as_table(data: Any) -> dict[str, Any]:
+def as_table(data: object) -> JsonObject:
     """`data` if it is a table, else an empty one."""
     return data if isinstance(data, dict) else {}

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...errors import KinoeduError
+from ...support.json_fields import JsonObject
 
 MOST_BYTES = 60 * 2**20  # of a notebook with its pictures
 MOST_PARTS = 2**21  # commas and brackets; each may be a value, which takes far more than a byte
@@ -92,7 +93,7 @@ def read_cells(data: bytes) -> list[Cell]:
     return [cell for cell in found if cell.source.strip()]
 
 
-def parse_notebook(data: bytes) -> dict[str, Any]:
+def parse_notebook(data: bytes) -> JsonObject:
     """A notebook of version 4 as JSON data. Raises UnreadableSubmission."""
     if not data.strip():
         raise UnreadableSubmission("the file is empty")
@@ -114,7 +115,7 @@ def parse_notebook(data: bytes) -> dict[str, Any]:
     return book
 
 
-def extract_source(cell: dict[str, Any]) -> str:
+def extract_source(cell: JsonObject) -> str:
     """A cell's code without notebook commands, with characters that no file can hold replaced."""
     lines = (
         join_text(cell.get("source"))

@@ -16,6 +16,7 @@ from typing import Any
 from ...course.release import solution_path
 from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
+from ...support.json_fields import JsonObject
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.notebook import UnreadableSubmission, join_text, parse_notebook
@@ -162,7 +163,7 @@ def add_score(gradebook: Any, row: Row) -> None:
     grade.needs_manual_grade = False
 
 
-def clean_notebook(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
+def clean_notebook(book: JsonObject, marks: Marks) -> JsonObject:
     """A notebook that is safe to open, with only the solution's marks, each once."""
     left = dict(marks)
     cells = (
@@ -178,7 +179,7 @@ def clean_notebook(book: dict[str, Any], marks: Marks) -> dict[str, Any]:
     return {"nbformat": 4, "nbformat_minor": 4, "metadata": {}, "cells": cells}
 
 
-def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
+def clean_cell(cell: JsonObject, left: Marks) -> JsonObject:
     """One cell, with its mark unless an earlier cell has that mark."""
     metadata = cell.get("metadata")
     mine = metadata.get("nbgrader") if isinstance(metadata, dict) else None
@@ -195,7 +196,7 @@ def clean_cell(cell: dict[str, Any], left: Marks) -> dict[str, Any]:
     }
 
 
-def make_text_cell(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
+def make_text_cell(source: str, mark: JsonObject | None) -> JsonObject:
     """A cell of text."""
     kept = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
     return {
@@ -205,7 +206,7 @@ def make_text_cell(source: str, mark: dict[str, Any] | None) -> dict[str, Any]:
     }
 
 
-def clean_outputs(cell: dict[str, Any]) -> Iterator[dict[str, Any]]:
+def clean_outputs(cell: JsonObject) -> Iterator[JsonObject]:
     """Yield the text and the pictures among a cell's outputs."""
     outputs = cell.get("outputs")
     for output in outputs if isinstance(outputs, list) else ():

@@ -18,6 +18,7 @@ from ...course.plain import WrongShape
 from ...course.shapes import Maybe, Shape, Truth
 from ...errors import InvalidParameter
 from ...messages import get_message
+from ...support.json_fields import JsonObject
 from ...support.time_limit import MAX_WAIT_FACTOR, slowdown
 from ..collect.notebook import Cell
 from ..sandbox.sandbox import Reply, Sandbox
@@ -109,9 +110,7 @@ def run_program(
     return found
 
 
-def make_request(
-    cells: list[Cell], questions: list[Question], patience: float
-) -> list[dict[str, Any]]:
+def make_request(cells: list[Cell], questions: list[Question], patience: float) -> list[JsonObject]:
     """The request that inside.py reads, in its three parts."""
     sources = [question.exercise.source for question in questions]
     seconds = sum(CELL_SECONDS for _ in cells) + sum(
@@ -138,7 +137,7 @@ def make_request(
     ]
 
 
-def encode_question(exercise: Exercise, patience: float) -> dict[str, Any]:
+def encode_question(exercise: Exercise, patience: float) -> JsonObject:
     """A question without its cases: its name, shapes, time limit, and how it is called.
 
     Raises InvalidParameter where a shape is not one of kinoedu.course.
@@ -207,7 +206,7 @@ def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None
                 outcomes.append(Misshapen(get_message("grading.no_outcome")))
 
 
-def store_outcome(line: dict[str, Any], question: Question, part: int, found: Answers) -> None:
+def store_outcome(line: JsonObject, question: Question, part: int, found: Answers) -> None:
     """Store the outcome of a case, if it is the next case and belongs to this part."""
     outcomes = found.outcomes.setdefault(question.name, [])
     if outcomes is None:
@@ -219,7 +218,7 @@ def store_outcome(line: dict[str, Any], question: Question, part: int, found: An
         outcomes.append(decode_line(line.get("outcome"), question.exercise.answer))
 
 
-def decode_line(data: Any, shape: Shape) -> Outcome:
+def decode_line(data: object, shape: Shape) -> Outcome:
     """The outcome in a line; an answer of the wrong shape if the line holds none."""
     try:
         return decode_outcome(data, shape)

@@ -13,7 +13,7 @@ import warnings
 import zlib
 from collections.abc import Iterable, Iterator
 from itertools import groupby
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 RUN = 24  # words, about two lines; shorter runs are often equal by chance
 WINDOW = 8  # neighbours of which one is kept; RUN + WINDOW - 1 common words are always seen
@@ -168,7 +168,7 @@ def name_node(node: ast.AST, own: set[str]) -> str:
     return {"AnnAssign": "Assign"}.get(type(node).__name__, type(node).__name__)
 
 
-def spell_constant(value: Any) -> str:
+def spell_constant(value: object) -> str:
     """A constant as a word; all texts are equal, and so are all very long numbers."""
     if isinstance(value, str | bytes):
         return "text"

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_point
 from ...problems import Plan, Walk
 from ...robots import Disk, Point
+from ...robots.kinds import Robot
 from ...worlds.open_world import OpenWorld
 from ..tuning import nonnegative, one_of, positive
 from .robot import BugRobot, Trail
@@ -22,7 +23,7 @@ MOST_POINTS = 10_000_000  # that memory can hold
 class BugProblem(NamedTuple):
     """The problem of a Bug plan: a point, or a disk of radius `clearance`, among obstacles."""
 
-    robot: Any
+    robot: Robot
     world: OpenWorld
     start: Array
     goal: Array

@@ -27,6 +27,7 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
+from ...problems.protocols import DrivingProblem
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
@@ -63,7 +64,9 @@ def cell_of(lattice: Lattice, q: Array) -> int:
 
 
 @algorithm
-def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tuple[int, int]:
+def drive_by_cells(
+    problem: DrivingProblem, growth: DrivenGrowth, lattice: Lattice
+) -> tuple[int, int]:
     """Lines 1 to 7, until a curve to the goal is free, no pose is left, or the tree is full.
 
     Returns
@@ -97,7 +100,7 @@ def drive_by_cells(problem: Any, growth: DrivenGrowth, lattice: Lattice) -> tupl
 
 
 def hybrid_astar(
-    problem: Any,
+    problem: ProblemRecord | Recorder,
     *,
     spacing: float | None = None,
     step_size: float | None = None,
@@ -152,7 +155,7 @@ def hybrid_astar(
     before = count_checks(inner)
     last, expanded = drive_by_cells(problem, growth, lattice)
     tree = copy_tree(growth)
-    built = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
+    built: dict[str, Any] = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
     stats = {
         "nodes": len(tree.nodes),
         "expanded": int(expanded),

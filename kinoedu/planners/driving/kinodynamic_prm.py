@@ -11,14 +11,14 @@ al. (1996).
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import astar, flat_graph
-from ...problems import Plan
+from ...problems import Plan, ProblemRecord, Recorder
+from ...problems.protocols import DrivingProblem
 from ...robots.trajectory import DrivenRoadmap, DrivenTree
 from ..problem_input import count_checks
 from ..roadmaps.prm import distances_to
@@ -50,7 +50,7 @@ from .parameters import (
 
 @algorithm
 def drive_from_nearest(
-    problem: Any,
+    problem: DrivingProblem,
     growth: DrivenGrowth,
     k: int,
     bias: GoalBiasRecord,
@@ -75,7 +75,7 @@ def drive_from_nearest(
 
 
 def kinodynamic_prm(
-    problem: Any,
+    problem: ProblemRecord | Recorder,
     *,
     n: int = 350,
     k: int = 2,

@@ -21,7 +21,8 @@ import numpy as np
 from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import extract_path
-from ...problems import Plan
+from ...problems import Plan, ProblemRecord, Recorder
+from ...problems.protocols import DrivingProblem
 from ..problem_input import count_checks
 from ..tuning import integer
 from .common import (
@@ -51,7 +52,7 @@ from .parameters import (
 
 @algorithm
 def grow_by_driving(
-    problem: Any,
+    problem: DrivingProblem,
     growth: DrivenGrowth,
     bias: GoalBiasRecord,
     drives: DrivesRecord,
@@ -80,7 +81,7 @@ def grow_by_driving(
 
 
 def kinodynamic_rrt(
-    problem: Any,
+    problem: ProblemRecord | Recorder,
     *,
     drives: Drives = Drives(),
     goal_bias: GoalBias = GoalBias(),

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
-from ...problems import Plan
+from ...problems import Plan, ProblemRecord, Recorder
+from ...problems.protocols import DrivingProblem
 from ..problem_input import count_checks
 from ..tuning import integer, positive
 from .common import (
@@ -60,7 +61,7 @@ class Sparse(NamedTuple):
 
 @algorithm
 def grow_sparsely(
-    problem: Any,
+    problem: DrivingProblem,
     growth: DrivenGrowth,
     sparse: Sparse,
     bias: GoalBiasRecord,
@@ -107,7 +108,7 @@ def add_witness(sparse: Sparse, q: Array, node: int) -> None:
 
 
 @callable_from_compiled
-def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
+def cheapest_near(problem: DrivingProblem, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
     """The cheapest node within reach of q among those of the witnesses, or else the nearest."""
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
     for witness in range(sparse.size[0]):
@@ -121,7 +122,7 @@ def cheapest_near(problem: Any, growth: DrivenGrowth, sparse: Sparse, q: Array) 
 
 
 @callable_from_compiled
-def nearest_witness(problem: Any, sparse: Sparse, q: Array) -> int:
+def nearest_witness(problem: DrivingProblem, sparse: Sparse, q: Array) -> int:
     """The nearest witness within whose radius q lies, or -1."""
     best, least = -1, sparse.radius
     for witness in range(sparse.size[0]):
@@ -132,7 +133,7 @@ def nearest_witness(problem: Any, sparse: Sparse, q: Array) -> int:
 
 
 def sst(
-    problem: Any,
+    problem: ProblemRecord | Recorder,
     *,
     duration: float | None = None,
     radius: float | None = None,

@@ -4,8 +4,6 @@ The planner is exact and complete: it finds a path whenever there is one, and re
 time that there is none. Bullo & Smith, chapter 2.
 """
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,12 +11,12 @@ from ...compiled import algorithm
 from ...decomposition import decomposition_roadmap, trapezoidation
 from ...geometry.checks import Array
 from ...graphs import Graph, astar, dijkstra
-from ...problems import Plan, Roadmap
+from ...problems import Plan, ProblemRecord, Recorder, Roadmap
 from ..answers import plan_along
 from ..problem_input import check_exact, count_checks
 
 
-def plan_by_decomposition(problem: Any) -> Plan:
+def plan_by_decomposition(problem: ProblemRecord | Recorder) -> Plan:
     """Plan through the cells of a decomposition and the midpoints of the walls between them.
 
     The nodes of the roadmap are the centres of the cells, the midpoints of the walls between cells,
@@ -76,7 +74,10 @@ def plan_by_decomposition(problem: Any) -> Plan:
 
 
 def add_ends(
-    roadmap: Roadmap, problem: Any, at_start: NDArray[np.int64], at_goal: NDArray[np.int64]
+    roadmap: Roadmap,
+    problem: ProblemRecord | Recorder,
+    at_start: NDArray[np.int64],
+    at_goal: NDArray[np.int64],
 ) -> Roadmap:
     """The roadmap with start and goal as its last nodes.
 
@@ -92,7 +93,7 @@ def add_ends(
 
 @algorithm
 def check_edges(
-    problem: Any, nodes: Array, edges: NDArray[np.int64]
+    problem: ProblemRecord | Recorder, nodes: Array, edges: NDArray[np.int64]
 ) -> tuple[NDArray[np.bool_], Array]:
     """Whether each edge (m, 2) is free, and its length, both (m,)."""
     free, lengths = np.empty(len(edges), np.bool_), np.empty(len(edges))

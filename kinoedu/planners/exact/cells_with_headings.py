@@ -40,7 +40,7 @@ class CellsWithHeadings(NamedTuple):
 
 
 def cells_with_headings(
-    problem: Any, *, headings: int = 1, neighbours: Any = None
+    problem: ProblemRecord | Recorder, *, headings: int = 1, neighbours: Any = None
 ) -> CellsWithHeadings:
     """A roadmap of configurations at the centres of vertical cells and midpoints of their walls.
 
@@ -87,7 +87,11 @@ def cells_with_headings(
 
 
 def plan_by_cells_with_headings(
-    problem: Any, *, headings: int = 1, neighbours: Any = None, search: Search = dijkstra_path
+    problem: ProblemRecord | Recorder,
+    *,
+    headings: int = 1,
+    neighbours: Any = None,
+    search: Search = dijkstra_path,
 ) -> Plan:
     """The path that a graph search finds in the roadmap of `cells_with_headings`.
 
@@ -123,7 +127,9 @@ def plan_by_cells_with_headings(
     return plan
 
 
-def turning_polygon(problem: Any) -> tuple[RigidPolygonRobot, PolygonWorldRecord]:
+def turning_polygon(
+    problem: ProblemRecord | Recorder,
+) -> tuple[RigidPolygonRobot, PolygonWorldRecord]:
     """The robot and the world of a problem in which a polygon turns among polygons.
 
     Raises

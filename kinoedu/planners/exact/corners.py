@@ -6,7 +6,7 @@ neighbouring edges meet, so its edges have an order along every ray, which a swe
 (rotating_sweep.py). Every decision is exact, and no new point is computed.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from ...geometry.checks import Array
 from ...geometry.exact import orientation_sign
 from ...geometry.polygons import locate_points
 from ...geometry.segments import between, segments_meet
+from ...worlds.checks import World
 from ...worlds.polygon_world import rings_of
 
 
@@ -35,7 +36,7 @@ class Corners(NamedTuple):
     after: NDArray[np.int64]
 
 
-def corners_of(world: Any, *further_places: Array) -> tuple[Corners, list[int]]:
+def corners_of(world: World, *further_places: Array) -> tuple[Corners, list[int]]:
     """The corners of a PolygonWorld, and the numbers of further places, which become nodes too.
 
     O(n^2) for n corners.

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...compiled import algorithm
 from ...geometry.checks import Array
 from ...graphs import astar, flat_graph
-from ...problems import Plan, Roadmap
+from ...problems import Plan, ProblemRecord, Recorder, Roadmap
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..answers import plan_along
 from ..problem_input import check_exact
@@ -40,7 +40,7 @@ def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
     return pairs[:size].copy()
 
 
-def visibility_roadmap(world: Any) -> Roadmap:
+def visibility_roadmap(world: PolygonWorldRecord | ProblemRecord | Recorder) -> Roadmap:
     """The corners round which shortest paths turn, and the semi-free straight motions between them.
 
     Nodes are the corners where more than half a turn is free: convex ones of obstacles, reflex ones
@@ -78,7 +78,7 @@ def visibility_roadmap(world: Any) -> Roadmap:
     return roadmap_of(corners, pairs_in_sight(corners))
 
 
-def plan_by_visibility(problem: Any) -> Plan:
+def plan_by_visibility(problem: ProblemRecord | Recorder) -> Plan:
     """The shortest semi-free path of a point among polygons, by A* on the visibility roadmap.
 
     The path touches the corners at which it turns. No path that keeps off them is as short, but

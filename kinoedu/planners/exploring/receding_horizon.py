@@ -94,7 +94,7 @@ class Look(NamedTuple):
 
 
 def receding_horizon(
-    problem: Any,
+    problem: ProblemRecord | Recorder,
     *,
     reach: float | None = None,
     horizon: float | None = None,
@@ -150,7 +150,7 @@ def receding_horizon(
 
 
 def receding_horizon_looks(
-    problem: Any,
+    problem: ProblemRecord | Recorder,
     *,
     reach: float | None = None,
     horizon: float | None = None,
@@ -200,7 +200,7 @@ def receding_horizon_looks(
         q, moves = followed[-1] if followed else q, moves + 1
 
 
-def plan_from_looks(problem: Any, looks: list[Look]) -> Plan:
+def plan_from_looks(problem: ProblemRecord | Recorder, looks: list[Look]) -> Plan:
     """The plan that results from all looks: the path followed, or why it ends elsewhere."""
     path = np.concatenate([[problem.start], *(look.followed for look in looks)])
     reason = ""
@@ -250,7 +250,7 @@ def plan_in_map(
     return plan
 
 
-def follow(problem: Any, path: Array, ahead: float) -> list[Array]:
+def follow(problem: ProblemRecord | Recorder, path: Array, ahead: float) -> list[Array]:
     """The points of a path up to the horizon, or to the first motion that is not free.
 
     That motion is halved up to four times, to come nearer.

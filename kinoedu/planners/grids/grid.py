@@ -34,7 +34,7 @@ class Grid(NamedTuple):
     the eight moves. The border is the outermost rows and columns.
     """
 
-    moves: Any
+    moves: object
     x: float
     y: float
     side: float
@@ -50,13 +50,13 @@ class Grid(NamedTuple):
 class Motions(NamedTuple):
     """Moves of any problem in the plane: a free motion costs its length."""
 
-    problem: Any
+    problem: ProblemRecord
 
 
 class CostedMotions(NamedTuple):
     """Moves on a terrain with costs: a free motion costs its integral."""
 
-    problem: Any
+    problem: ProblemRecord
 
 
 class Cells(NamedTuple):
@@ -123,7 +123,7 @@ def cost_by_costed_motions(moves: CostedMotions, grid: Grid, u: int, k: int) -> 
 
 
 @inlined
-def is_free_move(problem: Any, grid: Grid, u: int, k: int) -> bool:
+def is_free_move(problem: ProblemRecord, grid: Grid, u: int, k: int) -> bool:
     """Whether move k from node u stays off the border and its motion is free."""
     i, j = u % grid.columns + COLUMN_STEP[k], u // grid.columns + ROW_STEP[k]
     inside = 0 < i < grid.columns - 1 and 0 < j < grid.rows - 1

@@ -34,7 +34,7 @@ from ..tuning import integer
 
 @algorithm
 def search_intervals(
-    problem: Any,
+    problem: TimedProblemRecord,
     graph: GraphRecord,
     nodes: Array,
     safe: Array,
@@ -102,7 +102,7 @@ def may_gain(arrival: Array, safe: Array, here: int, begin: int, end: int, durat
 
 @inlined
 def is_free_ride(
-    problem: Any, a: Array, b: Array, arrived: float, left: float, arrives: float
+    problem: TimedProblemRecord, a: Array, b: Array, arrived: float, left: float, arrives: float
 ) -> bool:
     """Whether the robot can wait at a, and then go to b, without contact."""
     came, leaves = np.array([a[0], a[1], arrived]), np.array([a[0], a[1], left])
@@ -240,7 +240,7 @@ def timed_path(
     return np.array(rows[::-1])
 
 
-def as_timed(problem: Any) -> TimedProblemRecord:
+def as_timed(problem: TimedProblemRecord) -> TimedProblemRecord:
     """A timed problem; raises InvalidParameter for any other."""
     if not isinstance(problem, TimedProblemRecord):
         raise InvalidParameter(

@@ -7,7 +7,7 @@ After P. Leven, S. Hutchinson, "A framework for real-time path planning in chang
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_generator, as_point
-from ...problems import ProblemRecord, Roadmap
+from ...problems import ProblemRecord, Recorder, Roadmap
+from ...problems.protocols import PlanningProblem
 from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ...worlds.terrain import TerrainRecord
@@ -43,7 +44,9 @@ class ChangingRoadmap(NamedTuple):
 
 
 @algorithm
-def free_pairs(problem: Any, nodes: Array, pairs: NDArray[np.int64]) -> NDArray[np.bool_]:
+def free_pairs(
+    problem: PlanningProblem, nodes: Array, pairs: NDArray[np.int64]
+) -> NDArray[np.bool_]:
     """Whether the motion of each pair (m, 2) is free, (m,)."""
     free = np.empty(len(pairs), np.bool_)
     for i in range(len(pairs)):
@@ -52,7 +55,7 @@ def free_pairs(problem: Any, nodes: Array, pairs: NDArray[np.int64]) -> NDArray[
 
 
 def changing_roadmap(
-    problem: Any, *, n: int = 500, k: int = 10, rng: int | np.random.Generator
+    problem: ProblemRecord | Recorder, *, n: int = 500, k: int = 10, rng: int | np.random.Generator
 ) -> ChangingRoadmap:
     """A probabilistic roadmap for a changing world: n configurations, each with its k closest.
 
@@ -95,7 +98,7 @@ def changing_roadmap(
 
 
 def after_change(
-    problem: Any, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike
+    problem: ProblemRecord | Recorder, roadmap: ChangingRoadmap, lo: ArrayLike, hi: ArrayLike
 ) -> ChangingRoadmap:
     """The roadmap after the world has changed inside the box from lo to hi and nowhere else.
 
@@ -152,7 +155,7 @@ def changed_box(before: TerrainRecord, after: TerrainRecord) -> tuple[Array, Arr
     return low, high
 
 
-def check_round(problem: Any) -> float:
+def check_round(problem: PlanningProblem) -> float:
     """The radius of a round robot and its clearance together.
 
     Raises

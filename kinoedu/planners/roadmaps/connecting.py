@@ -6,7 +6,7 @@ register a function for its type.
 
 from functools import singledispatch
 from heapq import heapify, heappop
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
+from ...problems.protocols import PlanningProblem
+from ...spaces.buckets import GrowingTree
 from ...spaces.closest import add_nodes
 from ...support.text import shortened
 from ..problem_input import new_tree
@@ -85,7 +87,7 @@ def ComponentKClosest(k: int = 1) -> ComponentRule:
 
 
 @singledispatch
-def connect_nodes(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
+def connect_nodes(rule: object, problem: PlanningProblem, nodes: Array) -> tuple[Numbers, Array]:
     """Find the edges of a roadmap among nodes (n, d) by a rule.
 
     Returns
@@ -104,7 +106,7 @@ def connect_nodes(rule: Any, problem: Any, nodes: Array) -> tuple[Numbers, Array
 
 
 @connect_nodes.register
-def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
+def _(rule: ClosestRule, problem: PlanningProblem, nodes: Array) -> tuple[Numbers, Array]:
     n, k = len(nodes), min(rule.k, max(len(nodes) - 1, 0))
     if n * k > MOST_PAIRS:
         raise InvalidParameter(
@@ -117,7 +119,7 @@ def _(rule: ClosestRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
 
 
 @connect_nodes.register
-def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
+def _(rule: RadiusRule, problem: PlanningProblem, nodes: Array) -> tuple[Numbers, Array]:
     tree = new_tree(problem, max(len(nodes), 1))
     add_nodes(tree, nodes)
     first, to = find_within(problem, tree, rule.r, MOST_PAIRS)
@@ -130,12 +132,14 @@ def _(rule: RadiusRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
 
 
 @connect_nodes.register
-def _(rule: ComponentRule, problem: Any, nodes: Array) -> tuple[Numbers, Array]:
+def _(rule: ComponentRule, problem: PlanningProblem, nodes: Array) -> tuple[Numbers, Array]:
     return join_components(problem, nodes, rule.k)
 
 
 @algorithm
-def join_pairs(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple[Numbers, Array]:
+def join_pairs(
+    problem: PlanningProblem, nodes: Array, first: Numbers, to: Numbers
+) -> tuple[Numbers, Array]:
     """Join each node i to those of to[first[i]:first[i + 1]] that a free motion leads to.
 
     Each pair is checked once. Returns the edges (m, 2) and their costs (m,).
@@ -152,7 +156,9 @@ def join_pairs(problem: Any, nodes: Array, first: Numbers, to: Numbers) -> tuple
 
 
 @algorithm
-def find_within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numbers, Numbers]:
+def find_within(
+    problem: PlanningProblem, tree: GrowingTree, radius: float, most: int
+) -> tuple[Numbers, Numbers]:
     """For each node of a tree the other nodes within a radius, in increasing order, as flat rows.
 
     The search stops after `most` pairs.
@@ -170,7 +176,7 @@ def find_within(problem: Any, tree: Any, radius: float, most: int) -> tuple[Numb
 
 
 @algorithm
-def join_components(problem: Any, nodes: Array, k: int) -> tuple[Numbers, Array]:
+def join_components(problem: PlanningProblem, nodes: Array, k: int) -> tuple[Numbers, Array]:
     """Join each node to the components of the nodes before it, with up to k tries for each.
 
     O(n^2) where few tries fail, O(n^2 log n) at most. Returns the edges (m, 2) and their costs

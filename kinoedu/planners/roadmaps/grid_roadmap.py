@@ -4,7 +4,6 @@ Bullo & Smith, chapter 5; LaValle, section 5.4.2.
 """
 
 from itertools import product
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...problems import ProblemRecord, Recorder, Roadmap
+from ...problems.protocols import ProblemLike
 from ..exact.by_decomposition import check_edges
 from ..problem_input import as_two_way_problem
 from ..tuning import integer, positive
@@ -21,7 +21,7 @@ MOST = 5_000_000  # pairs of neighbours at once
 
 
 def grid_roadmap(
-    problem: Any, *, spacing: float | None = None, neighbours: int | None = None
+    problem: ProblemLike, *, spacing: float | None = None, neighbours: int | None = None
 ) -> Roadmap:
     """A roadmap on a grid: its free nodes, and an edge for each free motion between neighbours.
 

@@ -14,6 +14,7 @@ from ...compiled import algorithm
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_array
 from ...problems import Plan, Problem, ProblemRecord, Recorder, Roadmap
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ...support.text import shortened
 from ..problem_input import as_two_way_problem, count_checks
 from ..tuning import integer
@@ -22,7 +23,7 @@ from .prm import Sampler, free_configurations, plan_by_astar
 
 
 @algorithm
-def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
+def join_ends(problem: PlanningProblem, nodes: Array, k: int) -> tuple[NDArray[np.int64], Array]:
     """Join nodes 0 and 1 to the k closest other nodes that a free motion leads to.
 
     Returns the edges (m, 2) and their costs (m,).
@@ -44,7 +45,7 @@ def join_ends(problem: Any, nodes: Array, k: int) -> tuple[NDArray[np.int64], Ar
 
 
 @algorithm
-def motion_costs(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
+def motion_costs(problem: PlanningProblem, nodes: Array, edges: NDArray[np.int64]) -> Array:
     """The cost of each edge (m, 2), shape (m,)."""
     costs = np.empty(len(edges))
     for i in range(len(edges)):
@@ -53,7 +54,7 @@ def motion_costs(problem: Any, nodes: Array, edges: NDArray[np.int64]) -> Array:
 
 
 def build_roadmap(
-    problem: Any,
+    problem: ProblemLike,
     *,
     n: int = 1000,
     k: int = 10,
@@ -89,7 +90,7 @@ def build_roadmap(
 
 
 def query(
-    problem: Any,
+    problem: ProblemLike,
     roadmap: Roadmap,
     start: ArrayLike | None = None,
     goal: ArrayLike | None = None,
@@ -145,7 +146,7 @@ def query(
     )
 
 
-def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:
+def as_free(problem: PlanningProblem, value: ArrayLike | None, name: str) -> Array:
     """A free configuration, shape (d,), by default that of the problem.
 
     Raises
@@ -157,7 +158,7 @@ def as_free(problem: Any, value: ArrayLike | None, name: str) -> Array:
     error = InvalidStart if name == "start" else InvalidGoal
     if q.shape != problem.start.shape:
         raise error(f"the {name} must have shape {problem.start.shape}, got {q.shape}")
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner: PlanningProblem = problem.problem if isinstance(problem, Recorder) else problem
     if not inner.is_free(q):
         raise error(f"the {name} {tuple(q.tolist())} is not free; move it into the open")
     return q

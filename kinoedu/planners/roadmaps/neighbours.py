@@ -1,17 +1,16 @@
 """The nodes closest to each node of a roadmap."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array
+from ...problems.protocols import PlanningProblem
 from ...spaces import RealSpace, WrappingSpace
 from ...spaces.buckets import empty_tree
 from ...spaces.closest import add_nodes, k_closest_in_buckets
 
 
-def k_closest(problem: Any, nodes: Array, k: int) -> NDArray[np.int64]:
+def k_closest(problem: PlanningProblem, nodes: Array, k: int) -> NDArray[np.int64]:
     """The k nodes closest to each of the nodes (n, d), nearest first, without the node itself.
 
     On the line, in the plane and where angles wrap, the nodes are kept in buckets: O(n) in the

@@ -27,6 +27,7 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
 from ...graphs import GraphRecord, astar, flat_graph
 from ...problems import Plan, Roadmap
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import as_problem, as_two_way_problem, count_checks
@@ -37,7 +38,7 @@ Sampler = Callable[[int, int], ArrayLike]
 
 
 @algorithm
-def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> Array:
+def sample_free(problem: PlanningProblem, n: int, tries: int, rng: np.random.Generator) -> Array:
     """Up to n free configurations, (m, d), found in at most `tries` samples."""
     nodes, size = np.empty((n, len(problem.start))), 0
     for _ in range(tries):
@@ -51,7 +52,7 @@ def sample_free(problem: Any, n: int, tries: int, rng: np.random.Generator) -> A
 
 
 @algorithm
-def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
+def free_among(problem: PlanningProblem, places: Array) -> NDArray[np.bool_]:
     """Whether each configuration (n, d) is free, (n,)."""
     free = np.empty(len(places), np.bool_)
     for i in range(len(places)):
@@ -60,7 +61,7 @@ def free_among(problem: Any, places: Array) -> NDArray[np.bool_]:
 
 
 @algorithm
-def distances_to(problem: Any, nodes: Array, q: Array) -> Array:
+def distances_to(problem: PlanningProblem, nodes: Array, q: Array) -> Array:
     """The distance from each node to q, (n,): the heuristic of A*."""
     left = np.empty(len(nodes))
     for i in range(len(nodes)):
@@ -69,7 +70,7 @@ def distances_to(problem: Any, nodes: Array, q: Array) -> Array:
 
 
 def prm(
-    problem: Any,
+    problem: ProblemLike,
     *,
     n: int = 1000,
     k: int = 10,
@@ -122,7 +123,7 @@ def prm(
 
 
 def prm_star(
-    problem: Any,
+    problem: ProblemLike,
     *,
     n: int = 1000,
     sampler: Sampler | None = None,
@@ -150,7 +151,7 @@ def prm_star(
 
 
 def free_configurations(
-    problem: Any, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None
+    problem: PlanningProblem, n: int, sampler: Sampler | None, rng: int | np.random.Generator | None
 ) -> Array:
     """Free configurations, (m, d): the free ones of n points of a sampler, or n at random.
 
@@ -184,7 +185,12 @@ def free_configurations(
 
 
 def plan_by_astar(
-    planner: str, problem: Any, nodes: Array, edges: NDArray[np.int64], costs: Array, before: int
+    planner: str,
+    problem: PlanningProblem,
+    nodes: Array,
+    edges: NDArray[np.int64],
+    costs: Array,
+    before: int,
 ) -> Plan:
     """The plan along the shortest path in a roadmap whose nodes 0 and 1 are start and goal.
 

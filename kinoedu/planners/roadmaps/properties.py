@@ -6,7 +6,7 @@ Bullo & Smith, chapter 5.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from ...geometry.checks import Array, as_generator
 from ...graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
 from ...graphs.components import label_components
 from ...problems import ProblemRecord, Recorder, Roadmap
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ..problem_input import as_problem
@@ -74,7 +75,7 @@ class RoadmapSurvey(NamedTuple):
 
 
 @algorithm
-def find_reached(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+def find_reached(problem: PlanningProblem, nodes: Array, places: Array) -> NDArray[np.bool_]:
     """Whether each place (n, d) can reach some node by a free motion, and some node it, (n, 2)."""
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
@@ -85,7 +86,9 @@ def find_reached(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]
 
 
 @algorithm
-def find_reached_sliding(problem: Any, nodes: Array, places: Array) -> NDArray[np.bool_]:
+def find_reached_sliding(
+    problem: ProblemRecord | Recorder, nodes: Array, places: Array
+) -> NDArray[np.bool_]:
     """As `find_reached`, by semi-free motions: the nodes of a visibility roadmap are in contact."""
     reached = np.zeros((len(places), 2), np.bool_)
     for i in range(len(places)):
@@ -96,7 +99,7 @@ def find_reached_sliding(problem: Any, nodes: Array, places: Array) -> NDArray[n
 
 
 def roadmap_properties(
-    problem: Any,
+    problem: ProblemLike,
     roadmap: Roadmap,
     *,
     n: int = 200,
@@ -135,7 +138,7 @@ def roadmap_properties(
 
 
 def survey_roadmap(
-    problem: Any,
+    problem: ProblemLike,
     roadmap: Roadmap,
     *,
     n: int = 200,

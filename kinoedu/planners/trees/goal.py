@@ -1,8 +1,7 @@
 """The last edge of a tree: from a node near the goal to the goal."""
 
-from typing import Any
-
 from ...compiled import callable_from_compiled
+from ...problems.protocols import PlanningProblem
 from ...spaces.buckets import GrowingTree, add
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...compiled import generic
 from ...geometry.checks import Array
+from ...problems.protocols import PlanningProblem
 
 TRIES = 1000  # draws until one falls where it may help; the last is taken as it is
 
@@ -27,14 +28,16 @@ class Informed(NamedTuple):
 
 
 @generic(1)
-def draw(sampler: Any, problem: Any, shortest: float, rng: np.random.Generator) -> Array:
+def draw(
+    sampler: Any, problem: PlanningProblem, shortest: float, rng: np.random.Generator
+) -> Array:
     """A sample, given the length of the shortest path so far, which is infinite without one."""
     raise TypeError("this is no way to draw samples")
 
 
 @draw.register(Everywhere)
 def draw_everywhere(
-    sampler: Everywhere, problem: Any, shortest: float, rng: np.random.Generator
+    sampler: Everywhere, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
     """A uniform sample of the space."""
     if shortest == np.inf and rng.random() < sampler.goal_bias:
@@ -44,7 +47,7 @@ def draw_everywhere(
 
 @draw.register(Informed)
 def draw_informed(
-    sampler: Informed, problem: Any, shortest: float, rng: np.random.Generator
+    sampler: Informed, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
     """A uniform sample of the q with |start - q| + |q - goal| < shortest, in the plane an ellipse.
 

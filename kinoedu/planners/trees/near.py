@@ -1,19 +1,20 @@
 """The nodes of a growing tree near a configuration, for any problem with a distance."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...compiled import generic
 from ...geometry.checks import Array
 from ...problems import ProblemRecord, Recorder
+from ...problems.protocols import PlanningProblem
 from ...spaces import near
 from ...spaces.buckets import GrowingTree
 
 
 @generic(1)
-def near_nodes(problem: Any, tree: GrowingTree, q: Array, radius: float) -> NDArray[np.int64]:
+def near_nodes(
+    problem: PlanningProblem, tree: GrowingTree, q: Array, radius: float
+) -> NDArray[np.int64]:
     """The nodes within a radius of q, shape (k,); by a reader's own distance, in O(n)."""
     return np.flatnonzero(
         np.array([problem.distance(node, q) for node in tree.nodes[: tree.size[0]]]) <= radius

@@ -1,13 +1,14 @@
 """The history of an RRT*: every edge that its tree ever had, and when."""
 
 from copy import deepcopy
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan
+from ...problems.protocols import PlanningProblem
 from ..tuning import fraction, integer
 from .informed import Everywhere
 from .rrt_star import grow_rrt_star, plan_from_growth
@@ -38,7 +39,7 @@ class Rewirings(NamedTuple):
 
 
 def rrt_star_rewirings(
-    problem: Any,
+    problem: PlanningProblem,
     *,
     step_size: float | None = None,
     goal_bias: float = 0.05,

@@ -17,14 +17,13 @@ Algorithms, section 5.5; Bullo & Smith, chapter 5.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import as_generator
 from ...problems import Plan
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
 from ..answers import plan_from_tree
 from ..problem_input import as_problem, as_step_size, count_checks, new_tree
@@ -35,7 +34,7 @@ from .spaced import grow_spaced
 
 @algorithm
 def grow(
-    problem: Any,
+    problem: PlanningProblem,
     tree: GrowingTree,
     step_size: float,
     goal_bias: float,
@@ -64,7 +63,7 @@ def grow(
 
 
 def rrt(
-    problem: Any,
+    problem: ProblemLike,
     *,
     step_size: float | None = None,
     goal_bias: float = 0.05,

@@ -20,8 +20,6 @@ J. J. Kuffner, S. M. LaValle, "RRT-Connect: an efficient approach to single-quer
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,6 +27,7 @@ from ...compiled import algorithm, callable_from_compiled, compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
 from ...problems import Plan, Tree
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
 from ..answers import plan_along
 from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
@@ -41,7 +40,7 @@ TYPICAL_NODES = 500  # nodes of a tree when it meets the other
 
 @algorithm
 def grow_both(
-    problem: Any,
+    problem: PlanningProblem,
     from_start: GrowingTree,
     from_goal: GrowingTree,
     owner: Numbers,
@@ -114,7 +113,7 @@ def connect(
 
 
 def rrt_connect(
-    problem: Any,
+    problem: ProblemLike,
     *,
     step_size: float | None = None,
     max_nodes: int = 10_000,
@@ -186,7 +185,7 @@ def rrt_connect(
     )
 
 
-def roomy_tree(problem: Any, capacity: int) -> GrowingTree:
+def roomy_tree(problem: PlanningProblem, capacity: int) -> GrowingTree:
     """An empty tree whose buckets are made for fewer nodes than it has room for.
 
     Trees that meet early would leave most buckets empty, and a search among empty buckets is slow.

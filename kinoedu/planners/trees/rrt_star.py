@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ..answers import plan_from_tree
 from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
 from ..tuning import fraction, integer, iteration_limit, positive
@@ -45,7 +46,7 @@ class Growth(NamedTuple):
     checks : how many motions were checked.
     """
 
-    problem: Any
+    problem: PlanningProblem
     costs: CostTree
     radii: Array
     at_goal: int
@@ -55,7 +56,7 @@ class Growth(NamedTuple):
 
 @algorithm
 def grow_shortest(
-    problem: Any,
+    problem: PlanningProblem,
     costs: CostTree,
     sampler: Any,
     step_size: float,
@@ -102,7 +103,7 @@ def grow_shortest(
 
 @callable_from_compiled
 def cheapest_parent(
-    problem: Any, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array
+    problem: PlanningProblem, costs: CostTree, near: NDArray[np.int64], nearest: int, q: Array
 ) -> tuple[int, float]:
     """Line 8: the node through which q costs least, and the cost of the motion from it.
 
@@ -127,7 +128,7 @@ def reach_goal(problem: Any, costs: CostTree, node: int, step_size: float) -> in
 
 
 def rrt_star(
-    problem: Any,
+    problem: ProblemLike,
     *,
     step_size: float | None = None,
     goal_bias: float = 0.05,
@@ -182,7 +183,7 @@ def rrt_star(
 
 
 def informed_rrt_star(
-    problem: Any,
+    problem: ProblemLike,
     *,
     step_size: float | None = None,
     goal_bias: float = 0.05,
@@ -206,7 +207,7 @@ def informed_rrt_star(
 
 def grow_rrt_star(
     planner: str,
-    problem: Any,
+    problem: ProblemLike,
     sampler: Everywhere | Informed,
     step_size: float | None,
     gamma: float | None,
@@ -251,7 +252,7 @@ def plan_from_growth(planner: str, growth: Growth) -> Plan:
     )
 
 
-def sufficient_gamma(problem: Any) -> float:
+def sufficient_gamma(problem: PlanningProblem) -> float:
     """2 (1 + 1/d)^(1/d) (volume / ball)^(1/d): a gamma that is large enough for convergence.
 
     The volume is that of the whole space, which is at least that of the free space; the ball has

@@ -3,19 +3,18 @@
 Both serve large terrains, where a tree would otherwise fill every open place with nodes.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array
+from ...problems.protocols import PlanningProblem
 from ...spaces.buckets import GrowingTree, add
 from .goal import join_goal
 
 
 @algorithm
 def grow_spaced(
-    problem: Any,
+    problem: PlanningProblem,
     tree: GrowingTree,
     step_size: float,
     goal_bias: float,
@@ -52,6 +51,6 @@ def grow_spaced(
 
 
 @callable_from_compiled
-def is_apart(problem: Any, tree: GrowingTree, q: Array, spacing: float) -> bool:
+def is_apart(problem: PlanningProblem, tree: GrowingTree, q: Array, spacing: float) -> bool:
     """Whether a configuration is at least `spacing` away from every node."""
     return spacing <= 0.0 or problem.distance(tree.nodes[problem.nearest(tree, q)], q) >= spacing

@@ -20,6 +20,7 @@ import numpy as np
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
 from ...problems import Plan
+from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..answers import plan_from_tree
@@ -31,7 +32,7 @@ Expansion = Callable[[Any, GrowingTree, np.random.Generator], tuple[int, Array]]
 
 
 def tree_roadmap(
-    problem: Any,
+    problem: ProblemLike,
     expand: Expansion | None = None,
     *,
     reach: float | None = None,
@@ -114,7 +115,9 @@ def rrt_expansion(step_size: float | None = None, goal_bias: float = 0.05) -> Ex
     bias = fraction(goal_bias, "goal_bias")
     delta = None if step_size is None else positive(step_size, "step_size")
 
-    def expand(problem: Any, tree: GrowingTree, rng: np.random.Generator) -> tuple[int, Array]:
+    def expand(
+        problem: PlanningProblem, tree: GrowingTree, rng: np.random.Generator
+    ) -> tuple[int, Array]:
         q_rand = problem.goal if rng.random() < bias else problem.sample(rng)
         node = problem.nearest(tree, q_rand)
         longest = world_size(problem) / 20.0 if delta is None else delta
@@ -123,7 +126,7 @@ def rrt_expansion(step_size: float | None = None, goal_bias: float = 0.05) -> Ex
     return expand
 
 
-def as_expansion(answer: Any, tree: GrowingTree) -> tuple[int, Array]:
+def as_expansion(answer: object, tree: GrowingTree) -> tuple[int, Array]:
     """The answer of an expansion as a node's number and a configuration.
 
     Raises

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator
 from itertools import product
-from typing import Any
 
 import numpy as np
 
 from ....geometry import point_polygon_distance
 from ....planners import bug1
 from ....problems import Plan
-from ...exercise import Case
+from ...exercise import Case, Given
 from .walking import BOX, ME145, TURNS, BugExercise, is_clear, walk_of, world
 from .walks import length_of
 
@@ -34,19 +33,19 @@ class Bug1(BugExercise):
             yield self.random_case(rng, "one", 1)
             yield self.random_case(rng, "many", n)
 
-    def plans(self, given: dict[str, Any]) -> list[Plan]:
+    def plans(self, given: Given) -> list[Plan]:
         """Plans for both turns, and for both ways back: the shorter, or the same direction."""
         return [
             bug1(*given.values(), turn=turn, way_back=back)
             for turn, back in product(self.turns, ("shorter", "same"))
         ]
 
-    def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
+    def leaves_no_doubt(self, given: Given, plan: Plan) -> bool:
         """Whether the walk is clear, and it is also clear which way back is shorter."""
         return is_clear(given, plan) and not is_tied(given, plan)
 
 
-def is_tied(given: dict[str, Any], plan: Plan) -> bool:
+def is_tied(given: Given, plan: Plan) -> bool:
     """Whether the two ways back around an obstacle are nearly equally long.
 
     A walk of Bug 1 in steps could then take either.

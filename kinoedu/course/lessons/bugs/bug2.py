@@ -1,14 +1,13 @@
 """The exercise `bug2`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....planners import bug2
 from ....problems import Plan
-from ...exercise import Case
+from ...exercise import Case, Given
 from .walking import BOX, ME145, TURNS, BugExercise, world
 
 SPIRAL = np.array(
@@ -42,7 +41,7 @@ class Bug2(BugExercise):
             yield self.random_case(rng, "one", 1)
             yield self.random_case(rng, "many", n)
 
-    def plans(self, given: dict[str, Any]) -> list[Plan]:
+    def plans(self, given: Given) -> list[Plan]:
         """Plans for both turns."""
         return [bug2(*given.values(), turn=turn) for turn in self.turns]
 

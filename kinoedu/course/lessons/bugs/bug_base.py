@@ -1,7 +1,6 @@
 """The exercise `bug_base`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -9,7 +8,7 @@ from ....geometry import point_polygon_distance
 from ....geometry.checks import Array
 from ....planners import bug_base
 from ....problems import Plan
-from ...exercise import Case
+from ...exercise import Case, Given
 from .walking import BOX, ME145, BugExercise, random_world, world
 from .walks import Violation
 
@@ -37,11 +36,11 @@ class BugBase(BugExercise):
             yield Case("free", {**given, "obstacles": []})
             yield Case("passes", {**given, "obstacles": moved_aside(given)})
 
-    def plans(self, given: dict[str, Any]) -> list[Plan]:
+    def plans(self, given: Given) -> list[Plan]:
         """The plan of the straight walk."""
         return [bug_base(*given.values())]
 
-    def end(self, given: dict[str, Any], path: Array) -> Violation | None:
+    def end(self, given: Given, path: Array) -> Violation | None:
         """Violation where a path ends neither at the goal nor within a step of an obstacle."""
         near = 1.001 * given["step"]
         at_goal = np.linalg.norm(path[-1] - given["goal"]) <= near
@@ -51,7 +50,7 @@ class BugBase(BugExercise):
         return None if at_goal or at_wall else Violation("end", len(path) - 1)
 
 
-def moved_aside(given: dict[str, Any]) -> list[Array]:
+def moved_aside(given: Given) -> list[Array]:
     """Obstacles moved off the straight way, alternately to the left and to the right."""
     x, y = (given["goal"] - given["start"]) / np.linalg.norm(given["goal"] - given["start"])
     return [

@@ -15,9 +15,9 @@ from ....planners import bug2
 from ....planners.bugs import BugRobot
 from ....planners.bugs.walk import plan_walk
 from ....problems import Plan
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Record, Together
+from ...shapes import Listed, Record, Together, Value
 from .walks import POINT, POLYGON
 
 FEWEST, MOST = 4, 100  # vertices; convex obstacles never lead the bug back, so 3 are too few
@@ -37,7 +37,7 @@ class ExposeMendedBug(Exercise):
         """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that the goal is reachable, that the program fails, and the number of vertices."""
         start, goal, obstacles = value
         rule = world_fault(start, goal, obstacles)
@@ -53,7 +53,7 @@ class ExposeMendedBug(Exercise):
         """Description of what the case asks for."""
         return get_message(f"exposing_problem.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the world, and the walk of the program in it."""
         from ....figures import palette, plane
 

@@ -6,15 +6,15 @@ small errors, follows the exact walk.
 """
 
 from abc import abstractmethod
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry import convex_hull, point_polygon_distance
 from ....geometry.checks import Array
 from ....geometry.polygons import locate_point
 from ....problems import Plan, Walk
-from ...exercise import CONTRACT, Case
+from ...exercise import CONTRACT, Case, Given
 from .walks import Violation, WalkExercise
 
 ME145 = [np.array([(1, 2), (1, 0), (3, 0)], float), np.array([(2, 3), (4, 1), (5, 2)], float)]
@@ -26,7 +26,7 @@ CLEAR = 8.0  # steps; obstacles that are not hit stay this far away
 SHORT = 2.5
 
 
-def world(start: Any, goal: Any, obstacles: list[Array], step: float = STEP) -> dict[str, Any]:
+def world(start: ArrayLike, goal: ArrayLike, obstacles: list[Array], step: float = STEP) -> Given:
     """Arguments of a case."""
     return {
         "start": np.array(start, float),
@@ -45,14 +45,14 @@ class BugExercise(WalkExercise):
         return (self.variant,) if self.variant else TURNS
 
     @abstractmethod
-    def plans(self, given: dict[str, Any]) -> list[Plan]:
+    def plans(self, given: Given) -> list[Plan]:
         """Plan of each variant that is right."""
 
-    def exact_walks(self, given: dict[str, Any]) -> list[Array]:
+    def exact_walks(self, given: Given) -> list[Array]:
         """Walks of these plans."""
         return [walk_of(plan).points for plan in self.plans(given)]
 
-    def find_violation(self, given: dict[str, Any], path: Array) -> Violation | None:
+    def find_violation(self, given: Given, path: Array) -> Violation | None:
         """First rule that a path breaks, and where.
 
         Where the path is right except for the direction of its turn, the broken rule is the
@@ -77,7 +77,7 @@ class BugExercise(WalkExercise):
             ):
                 return Case(kind, given)
 
-    def leaves_no_doubt(self, given: dict[str, Any], plan: Plan) -> bool:
+    def leaves_no_doubt(self, given: Given, plan: Plan) -> bool:
         """Whether a walk with small errors follows the exact walk."""
         return is_clear(given, plan)
 
@@ -88,7 +88,7 @@ def walk_of(plan: Plan) -> Walk:
     return plan.walk
 
 
-def random_world(rng: np.random.Generator, n: int) -> dict[str, Any]:
+def random_world(rng: np.random.Generator, n: int) -> Given:
     """n convex obstacles in a row, far apart, roughly on the way from start to goal."""
     angle = rng.uniform(0.0, 2.0 * np.pi)
     along = np.array([np.cos(angle), np.sin(angle)])
@@ -104,7 +104,7 @@ def random_world(rng: np.random.Generator, n: int) -> dict[str, Any]:
     return world((0, 0), goal, obstacles)
 
 
-def is_clear(given: dict[str, Any], plan: Plan) -> bool:
+def is_clear(given: Given, plan: Plan) -> bool:
     """Whether every straight move hits its wall squarely and keeps away from everything else."""
     walk, room = walk_of(plan), CLEAR * given["step"]
     begins = [0, *walk.leave]

@@ -1,7 +1,7 @@
 """Exercises whose answer is a walk. A walk is right if it stays near an exact one throughout."""
 
 from abc import abstractmethod
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -10,9 +10,9 @@ from ....geometry.checks import Array
 from ....geometry.leash import count_followed_points, densify_path
 from ....geometry.polygons import locate_points
 from ....messages import get_message
-from ...exercise import MAX_POINTS_SHOWN, RIGHT, Case, Exercise, Verdict, format_value
+from ...exercise import MAX_POINTS_SHOWN, RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Number, Numbers, Record
+from ...shapes import Listed, Number, Numbers, Record, Value
 
 POINT, POLYGON = Numbers((2,)), Numbers(("n", 2))
 
@@ -41,10 +41,10 @@ class WalkExercise(Exercise):
     leash: ClassVar[float] = 5.0
 
     @abstractmethod
-    def exact_walks(self, given: dict[str, Any]) -> list[Array]:
+    def exact_walks(self, given: Given) -> list[Array]:
         """Every walk that is right, as the vertices of a path (n, 2)."""
 
-    def right_answer(self, *given: Any) -> Array:
+    def right_answer(self, *given: Value) -> Array:
         """One exact walk."""
         return self.exact_walks(dict(zip(self.given.fields, given)))[0]
 
@@ -57,7 +57,7 @@ class WalkExercise(Exercise):
             else Verdict(0.0, violation.rule, self.describe_expected(case))
         )
 
-    def find_violation(self, given: dict[str, Any], path: Array) -> Violation | None:
+    def find_violation(self, given: Given, path: Array) -> Violation | None:
         """First rule that a path breaks, and where; None where it breaks none."""
         step = given["step"]
         if len(path) == 0 or not np.isfinite(path).all():
@@ -79,12 +79,12 @@ class WalkExercise(Exercise):
             return Violation("unfinished" if reach == len(path) - 1 else "walk", reach)
         return self.end(given, path)
 
-    def end(self, given: dict[str, Any], path: Array) -> Violation | None:
+    def end(self, given: Given, path: Array) -> Violation | None:
         """Violation where a path does not end within a step of the goal."""
         at_goal = np.linalg.norm(path[-1] - given["goal"]) <= 1.001 * given["step"]
         return None if at_goal else Violation("goal", len(path) - 1)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the world, an exact walk, the student's walk, and where they separate."""
         from ....figures import palette, plane
 
@@ -102,10 +102,20 @@ class WalkExercise(Exercise):
         )
         for obstacle in given["obstacles"]:
             plane.polygon(obstacle, ax, numbers=False)
-        broad = {"color": palette.START, "linewidth": 5.0, "alpha": 0.35, "zorder": 3}
+        broad: palette.Style = {
+            "color": palette.START,
+            "linewidth": 5.0,
+            "alpha": 0.35,
+            "zorder": 3,
+        }
         ax.plot(*walk.T, "-", label=get_message("picture.true"), **broad)
         if len(seen):
-            dotted = {"color": palette.GOAL, "linewidth": 1.8, "markersize": 4, "zorder": 4}
+            dotted: palette.Style = {
+                "color": palette.GOAL,
+                "linewidth": 1.8,
+                "markersize": 4,
+                "zorder": 4,
+            }
             ax.plot(*seen.T, ".--", label=get_message("picture.yours_short"), **dotted)
         violation = self.find_violation(given, path)
         if violation is not None and violation.at < len(seen):

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....curves.dubins import all_dubins_curves, shortest_forward
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.car_pictures import draw_tangents
@@ -21,7 +22,7 @@ WORDS = {"LSL": (1, 1), "RSR": (-1, -1), "LSR": (1, -1), "RSL": (-1, 1)}
 
 def words_to(
     a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FULL, *, crossing: bool = False
-) -> dict[str, Any]:
+) -> Given:
     """First turn, straight length and last turn of each word, computed from its circles.
 
     Parameters
@@ -116,12 +117,12 @@ class CscLength(ValueExercise):
             x, y, far = (int(number) for number in rng.integers(1, 40, 3))
             yield pair_case("straight", (x, -y, 0), (x + far, -y, 0), int(rng.integers(1, 9)))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the shortest curve with its circles, and both lengths."""
         draw_tangents(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
+def as_left_turns(a: Array, b: Array, r: float) -> Given:
     """Right turns measured as left turns: the remainder of a whole turn."""
     right = {word: (first < 0, last < 0) for word, (first, last) in WORDS.items()}
     words = words_to(a, b, r).items()
@@ -131,7 +132,7 @@ def as_left_turns(a: Array, b: Array, r: float) -> dict[str, Any]:
     }
 
 
-def without_root(a: Array, b: Array, r: float) -> dict[str, Any]:
+def without_root(a: Array, b: Array, r: float) -> Given:
     """Words with the inner tangent taken to be as long as the distance of the centres."""
     words = words_to(a, b, r)
     inner = {
@@ -164,6 +165,6 @@ def random_direction(rng: np.random.Generator) -> Array:
     return np.array([math.cos(angle), math.sin(angle)])
 
 
-def pair_case(kind: str, a: Any, b: Any, r: float) -> Case:
+def pair_case(kind: str, a: ArrayLike, b: ArrayLike, r: float) -> Case:
     """Case of two poses."""
     return Case(kind, {"a": np.array(a, float), "b": np.array(b, float), "r": float(r)})

@@ -8,7 +8,7 @@ import numpy as np
 
 from ....curves import integrators
 from ....geometry.checks import Array
-from ...exercise import Case, Slip
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...whole_shapes import Integer
@@ -97,7 +97,7 @@ class Euler(PoseExercise):
             yield steps_case("turns", n, pose, rng.choice([0.5, 1, 2]), phi, t, size)
             yield steps_case("back", n, pose, -rng.choice([0.5, 1, 2]), phi, t, size)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the arc, Euler's steps, and the student's steps."""
         draw_steps(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

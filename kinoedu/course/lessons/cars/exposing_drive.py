@@ -2,15 +2,14 @@
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record, Together
+from ...shapes import Number, Record, Together, Value
 from ..shared.car_pictures import draw_lost
 from ..shared.driving import pose_after
 
@@ -31,7 +30,7 @@ class ExposeSmallAngles(Exercise):
         """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that the drive is valid, that the program fails, and that the angle is small."""
         phi, t = value
         rule = "" if abs(phi) <= STEEPEST and 0.0 <= t <= LONGEST else "valid"
@@ -44,7 +43,7 @@ class ExposeSmallAngles(Exercise):
         """Description of what the case asks for."""
         return get_message(f"exposing_drive.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the car's path, and the path that the program computes."""
         value = outcome.value if isinstance(outcome, Answer) else None
         if value is not None and not self.value_verdict(Case("valid", {}), value).is_right:

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
-from ...exercise import Case, Slip
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.car_pictures import draw_moves
@@ -122,12 +123,14 @@ class Move(PoseExercise):
             tiny = side * 10.0 ** -int(rng.integers(11, 15))
             yield drive_case("nearly", pose, 1, tiny, np.round(rng.uniform(5, 30), 1), size)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the driven arc, and the student's final pose."""
         draw_moves(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def drive_case(kind: str, pose: Any, v: float, phi: float, t: float, wheelbase: float) -> Case:
+def drive_case(
+    kind: str, pose: ArrayLike, v: float, phi: float, t: float, wheelbase: float
+) -> Case:
     """Case of one control."""
     numbers = {"v": float(v), "phi": float(phi), "t": float(t), "L": float(wheelbase)}
     return Case(kind, {"pose": np.array(pose, float), **numbers})

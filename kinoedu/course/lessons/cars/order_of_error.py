@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ..shared.car_pictures import draw_orders
@@ -63,7 +63,7 @@ class OrderOfError(ValueExercise):
             yield order_case("rising", uneven[::-1], c * uneven[::-1] ** p * noise)
             yield order_case("floor", halves, 1e-12 * rng.uniform(1.1, 2.0, n) ** np.arange(n))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the errors against the step, both on logarithmic scales."""
         draw_orders(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
 from ....robots.trajectory import replay_controls
-from ...exercise import Case, Slip
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..shared.car_pictures import draw_drives
@@ -104,12 +105,14 @@ class Replay(PoseExercise):
             signs = np.where(np.arange(n)[:, None] % 2 == 1, (-1.0, 1.0), back)
             yield replay_case("back", a_pose(rng), controls * signs, durations, size)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the poses, and the student's poses."""
         draw_drives(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def replay_case(kind: str, start: Any, controls: Any, durations: Any, wheelbase: float) -> Case:
+def replay_case(
+    kind: str, start: ArrayLike, controls: ArrayLike, durations: ArrayLike, wheelbase: float
+) -> Case:
     """Case of a trajectory."""
     given = {
         "start": np.array(start, float),

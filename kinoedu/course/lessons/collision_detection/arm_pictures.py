@@ -1,12 +1,10 @@
 """Pictures of arms for exercises: truth solid green, student's answer dashed orange."""
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, Exercise
+from ...exercise import Axes, Case, Exercise
 
 LINKS = ("link 1", "link 2")
 JOINTS = "joints"
@@ -36,7 +34,7 @@ def bar(a: Array, b: Array, width: float, *, rounded: bool = True) -> Array:
 
 
 def draw_contact(
-    exercise: Exercise, case: Case, ends: Array, value: Any, truth: int, ax: Any
+    exercise: Exercise, case: Case, ends: Array, value: object, truth: int, ax: Axes
 ) -> None:
     """Draw the discs and the arm: the touching link green, the student's answer dashed."""
     from ....figures import palette, plane
@@ -70,7 +68,7 @@ def draw_contact(
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None, ax: Any) -> None:
+def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None, ax: Axes) -> None:
     """Draw the right drawing pale, and the student's shapes with the same labels dashed."""
     from ....figures import palette, plane
 
@@ -83,7 +81,7 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
         ("disc", palette.OBSTACLE),
     ):
         for ring in truth[label]:
-            edge = {"edgecolor": palette.START, "linewidth": 2.0}
+            edge: palette.Style = {"edgecolor": palette.START, "linewidth": 2.0}
             ax.fill(*ring.T, facecolor=colour, alpha=0.4, zorder=2, **edge)
         for ring in [] if value is None else value[label]:
             if len(ring) > 1:
@@ -101,7 +99,7 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
 
 
 def draw_samples(
-    exercise: Exercise, case: Case, truth: Array, value: Array | None, ax: Any
+    exercise: Exercise, case: Case, truth: Array, value: Array | None, ax: Axes
 ) -> None:
     """Draw the right samples of the configuration space, and the student's dots as crosses."""
     from ....figures import palette, plane
@@ -114,7 +112,11 @@ def draw_samples(
     ):
         for link, colour in zip((0, 1, 2, 9), (*palette.LINKS, palette.OUTSIDE)):
             places = rows[rows[:, 2] == link][:, :2] % full
-            fill = {"markerfacecolor": "none", "markeredgecolor": colour, "markeredgewidth": 2.2}
+            fill: palette.Style = {
+                "markerfacecolor": "none",
+                "markeredgecolor": colour,
+                "markeredgewidth": 2.2,
+            }
             ax.plot(
                 *places.T, marker[min(link, len(marker) - 1)], markersize=size, zorder=3, **fill
             )

@@ -1,16 +1,15 @@
 """The exercise on C-obstacles of a robot that does not turn. Bullo & Smith, chapter 4."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry import convex_hull, minkowski_difference, minkowski_sum
 from ....geometry.checks import Array
 from ....geometry.minkowski import corner_pairs
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Record
+from ...shapes import Record, Value
 from ..shared.random_shapes import convex_polygon, sizes
 from .convex import RING, edge_areas
 from .pictures import draw_grown_obstacle
@@ -70,7 +69,7 @@ class CObstacle(ValueExercise):
                 mover, solid = shapes_of(rng, 3 + number // 3, size, kind)
                 yield Case(kind, {"robot": mover, "obstacle": solid})
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Compare the polygons; an answer that is not a convex polygon breaks the rule "order"."""
         if self.same(value, self.truth(case)):
             return RIGHT
@@ -78,7 +77,7 @@ class CObstacle(ValueExercise):
             0.0, case.kind if is_convex(value) else "order", self.describe_expected(case)
         )
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Compare polygons up to the first vertex, the orientation, and vertices inside edges."""
         answer = np.asarray(value, float)
         if not is_convex(answer):
@@ -89,7 +88,7 @@ class CObstacle(ValueExercise):
             for points, ring in ((answer, truth), (truth, counter_clockwise_corners(answer)))
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the obstacle, the robot, the C-obstacle and the student's answer."""
         draw_grown_obstacle(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator
 from itertools import product
-from typing import Any
 
 import numpy as np
 
 from ....geometry import convex_polygons_intersect, point_in_convex_polygon, segments_intersect
 from ....geometry.checks import Array
 from ....geometry.convex import has_separating_edge
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
 from ..shared.random_shapes import convex_polygon, sizes
@@ -62,7 +61,7 @@ class ConvexPolygonsIntersect(ValueExercise):
                 P1, P2 = pair_of(rng, 3 + number // 3, size, kind)
                 yield Case(kind, {"P1": P1, "P2": P2})
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw both polygons, with a separating line where there is one."""
         draw_pair(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -1,12 +1,12 @@
 """Base class of the exercises that ask for a drawing."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from ...drawn import Drawn
-from ...exercise import ValueExercise
+from ...exercise import Given, ValueExercise
+from ...shapes import Value
 
 FULL = 2.0 * np.pi
 NEAR = 1e-5  # dots closer than this are equal
@@ -17,7 +17,7 @@ class DrawnExercise(ValueExercise):
 
     answer = Drawn()
 
-    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+    def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the function with new axes as its last argument, and return the axes."""
         from ....figures.plane import plane_figure
 
@@ -26,7 +26,7 @@ class DrawnExercise(ValueExercise):
         return ax
 
 
-def same_dots(found: Any, wanted: Any, *, modulo: bool = False) -> bool:
+def same_dots(found: object, wanted: object, *, modulo: bool = False) -> bool:
     """Whether rows are equal up to rounding and order.
 
     With `modulo`, the first two columns count modulo 2 pi.

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...whole_shapes import Integer
@@ -98,7 +99,7 @@ class LinkInContact(ValueExercise):
             for kind in self.kinds:
                 yield random_case(rng, kind, 1 + number // 3)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the discs and the arm with numbered links."""
         ends, value = (
             ends_of_links(case.given["q"], case.given["lengths"]),
@@ -107,7 +108,7 @@ class LinkInContact(ValueExercise):
         draw_contact(self, case, ends, value, self.truth(case), ax)
 
 
-def case_of(kind: str, q: Any, lengths: Any, width: float, discs: Any) -> Case:
+def case_of(kind: str, q: ArrayLike, lengths: ArrayLike, width: float, discs: ArrayLike) -> Case:
     """Case of an arm and discs with rows x, y, r."""
     rows = np.array(discs, float).reshape(-1, 3)
     arm = {"q": np.array(q, float), "lengths": np.array(lengths, float), "width": float(width)}

@@ -1,7 +1,6 @@
 """The "break it" exercise of lesson 7: find two polygons whose gap a program overlooks."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -10,9 +9,9 @@ from ....geometry import convex_polygons_intersect
 from ....geometry.checks import Array
 from ....geometry.rings import as_convex_ring
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Record, Together
+from ...shapes import Record, Together, Value
 from .convex import RING
 from .pictures import draw_gap
 
@@ -30,7 +29,7 @@ class OverlookedGap(Exercise):
         """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that both polygons are convex, the program is wrong, and both are triangles."""
         rule = polygon_fault(*value)
         if not rule and case.kind != "valid":
@@ -45,7 +44,7 @@ class OverlookedGap(Exercise):
         """Description of what the case asks for."""
         return get_message(f"overlooked_gap.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw both polygons, with a separating line where there is one."""
         good = isinstance(outcome, Answer) and not polygon_fault(*outcome.value)
         rings = (

@@ -6,12 +6,12 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, ValueExercise
+from ...exercise import Axes, Case, ValueExercise
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
-def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def draw_membership(exercise: ValueExercise, case: Case, value: object, ax: Axes) -> None:
     """Draw the polygon, q, and dashed lines through the edges that have q on their right."""
     from ....figures import palette, plane
 
@@ -27,7 +27,7 @@ def draw_membership(exercise: ValueExercise, case: Case, value: Any, ax: Any) ->
     write_answer_and_title(exercise, case, value, ax)
 
 
-def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw both segments, their common points, and the student's points."""
     from ....figures import palette, plane
 
@@ -55,13 +55,13 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_pair(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def draw_pair(exercise: ValueExercise, case: Case, value: object, ax: Axes) -> None:
     """Draw both polygons, and a separating edge with its line where there is one."""
     draw_polygons(case.given["P1"], case.given["P2"], ax)
     write_answer_and_title(exercise, case, value, ax)
 
 
-def draw_polygons(P: Array, Q: Array, ax: Any) -> None:
+def draw_polygons(P: Array, Q: Array, ax: Axes) -> None:
     """Draw two polygons, and a separating line where there is one."""
     from ....figures import palette, plane
 
@@ -78,7 +78,7 @@ def draw_polygons(P: Array, Q: Array, ax: Any) -> None:
                 return
 
 
-def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the obstacle, the robot at its reference point, and both C-obstacles."""
     from ....figures import palette, plane
 
@@ -94,14 +94,15 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
     ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
     plane.dot((0, 0), get_message("collision_picture.reference"), ax)
     if len(shown):
-        closed, dashed = np.vstack([shown, shown[:1]]), {"color": palette.GOAL, "linewidth": 2.2}
+        closed = np.vstack([shown, shown[:1]])
+        dashed: palette.Style = {"color": palette.GOAL, "linewidth": 2.2}
         ax.plot(*closed.T, "--o", zorder=5, scalex=False, scaley=False, **dashed)
     if value is None:
         plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
+def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Axes) -> None:
     """Draw the two polygons that a student returned."""
     from ....figures import palette, plane
 
@@ -113,7 +114,7 @@ def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Any) -> None:
     plane.title(exercise.message("picture"), ax)
 
 
-def write_answer_and_title(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def write_answer_and_title(exercise: ValueExercise, case: Case, value: object, ax: Axes) -> None:
     """Write the student's answer into the corner, and the title."""
     from ....figures import palette, plane
 

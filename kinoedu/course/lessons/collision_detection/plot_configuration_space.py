@@ -8,9 +8,9 @@ import numpy as np
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....sampling import halton, sukharev_grid, uniform_random
-from ...exercise import RIGHT, Case, Slip, Verdict
+from ...exercise import RIGHT, Axes, Case, Given, Slip, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from ..geometry.lines import POINT
 from .arm_pictures import draw_samples
 from .drawn_exercise import FULL, DrawnExercise, same_dots
@@ -48,7 +48,7 @@ class PlotConfigurationSpace(DrawnExercise):
     )
 
     @staticmethod
-    def reference(*given: Any) -> Any:
+    def reference(*given: Value) -> Value:
         """Rows of both angles and the link."""
         return right_dots(*given)
 
@@ -58,11 +58,11 @@ class PlotConfigurationSpace(DrawnExercise):
             for kind in self.kinds:
                 yield Case(kind, sampled_arm(rng, kind, 2 + number))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Compare dots with their colours, up to order and whole turns."""
         return same_dots(dots_of(value), truth, modulo=True)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Check the number of dots, their places, that colours are known, then the colours."""
         truth, found = self.truth(case), dots_of(value)
         if same_dots(found, truth, modulo=True):
@@ -78,7 +78,7 @@ class PlotConfigurationSpace(DrawnExercise):
             self.describe_expected(case),
         )
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: object) -> str:
         """Number of dots of each colour."""
         return describe_counts(dots_of(value))
 
@@ -86,7 +86,7 @@ class PlotConfigurationSpace(DrawnExercise):
         """Number of dots of each colour."""
         return describe_counts(self.truth(case))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right dots as rings, and the student's dots inside them."""
         dots = dots_of(outcome.value) if isinstance(outcome, Answer) else None
         draw_samples(self, case, self.truth(case), dots, ax)
@@ -138,7 +138,7 @@ def describe_counts(dots: Array) -> str:
     return get_message("plot_configuration_space.counted", **counts)
 
 
-def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> dict[str, Any]:
+def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> Given:
     """Random arm and discs with k * k samples; where there are many, of all three colours."""
     while True:
         arm = random_case(rng, "both", 1 + k // 5).given

@@ -7,9 +7,9 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Slip, Verdict
+from ...exercise import RIGHT, Axes, Case, Slip, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record
+from ...shapes import Number, Record, Value
 from ..geometry.lines import POINT
 from .arm_pictures import JOINTS, LINKS, Scene, bar, circle, draw_scene
 from .drawn_exercise import DrawnExercise, same_dots
@@ -33,7 +33,7 @@ class PlotEnvironment(DrawnExercise):
     )
 
     @staticmethod
-    def reference(*given: Any) -> Any:
+    def reference(*given: Value) -> Value:
         """Outlines by their labels."""
         return scene_of(*given)
 
@@ -51,11 +51,11 @@ class PlotEnvironment(DrawnExercise):
                 given = random_case(rng, "free", 1 + (kind == "several") * (1 + number // 4)).given
                 yield Case(kind, {**given, "q": given["q"] * (1, kind != "straight")})
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Whether every label has the same region."""
         return self.fault(value, truth) == ""
 
-    def fault(self, value: Any, truth: Any) -> str:
+    def fault(self, value: Value, truth: Value) -> str:
         """First rule that a drawing breaks, or ""."""
         found, wanted = (drawn_scene(one) if "dots" in one else one for one in (value, truth))
         rules = dict(zip((*LINKS, "disc"), ("first", "second", "discs")))
@@ -69,12 +69,12 @@ class PlotEnvironment(DrawnExercise):
         ]
         return wrong[0] if wrong else "" if same_dots(found[JOINTS], wanted[JOINTS]) else JOINTS
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Check labels, links, discs and joints."""
         rule = self.fault(value, self.truth(case))
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: object) -> str:
         """Number of shapes or dots of each label."""
         counts = ", ".join(
             f"{label!r}: {len(shapes)}" for label, shapes in drawn_scene(value).items()
@@ -91,7 +91,7 @@ class PlotEnvironment(DrawnExercise):
             discs=len(case.given["discs"]),
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right drawing pale, and the student's dashed."""
         drawn = drawn_scene(outcome.value) if isinstance(outcome, Answer) else None
         draw_scene(self, case, self.truth(case), drawn, ax)

@@ -1,14 +1,13 @@
 """The exercise `point_in_convex_polygon`."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry import point_in_convex_polygon
 from ....geometry.checks import Array
 from ....geometry.convex import in_convex
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
 from ..geometry.lines import POINT
@@ -62,7 +61,7 @@ class PointInConvexPolygon(ValueExercise):
             for kind in self.kinds:
                 yield Case(kind, point_and_polygon(rng, 4 + number // 2, size, kind))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the polygon, q, and dashed lines through the edges that have q on their right."""
         draw_membership(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -4,11 +4,12 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry import segment_intersection
 from ....geometry.checks import Array
 from ....geometry.segments import shared_points
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ..geometry.lines import POINT
@@ -74,16 +75,16 @@ class SegmentIntersection(ValueExercise):
                 random_ends = on_one_line if kind in ("overlap", "end_to_end") else ends_of
                 yield case_of(kind, random_ends(rng, size, kind))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Compare points in either order."""
         return super().same(value, truth) or super().same(np.asarray(value)[::-1], truth)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw both segments, their common points and the student's points."""
         draw_segments(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def case_of(kind: str, ends: Any) -> Case:
+def case_of(kind: str, ends: ArrayLike) -> Case:
     """Case of four ends."""
     return Case(kind, dict(zip(("p1", "p2", "p3", "p4"), np.array(ends, float) + 0.0)))
 

@@ -1,9 +1,8 @@
 """Shared parts of the exercises on distances between angles. Bullo & Smith, chapter 3."""
 
 from math import pi
-from typing import Any
 
-from ...exercise import Case, ValueExercise
+from ...exercise import Axes, Case, ValueExercise
 from ...outcomes import Answer, Outcome
 from .pictures import draw_shorter_arcs
 
@@ -15,6 +14,6 @@ class BetweenAngles(ValueExercise):
 
     lesson = "05_configuration_spaces"
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw a circle with the shorter arc for each angle, and both distances."""
         draw_shorter_arcs(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

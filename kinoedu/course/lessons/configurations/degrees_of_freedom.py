@@ -1,11 +1,10 @@
 """The exercise on degrees of freedom of planar bodies with pins. Bullo & Smith, chapter 3."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Record
 from ...whole_shapes import Integer
@@ -76,7 +75,7 @@ class DegreesOfFreedom(ValueExercise):
                     kind, {"bodies": bodies + 1, "joints": random_joints(rng, kind, bodies + 1)}
                 )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw bodies, pins and the ground, and both numbers."""
         draw_mechanism(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator
 from math import pi, radians
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....geometry.displacements import displacement
 from ...exercise import Case, Slip, Verdict
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from .matrices import MatrixExercise
 
 
@@ -52,7 +51,7 @@ class Displacement(MatrixExercise):
                 yield displacement_case(0.0, 0.0, theta)
                 yield displacement_case(x, y, theta)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check the last row first, which has its own rule."""
         verdict = super().value_verdict(case, value)
         if not verdict.is_right and not self.same(value[2], (0.0, 0.0, 1.0)):

@@ -2,16 +2,15 @@
 
 from collections.abc import Iterator
 from math import acos, asin, atan2, hypot, sin
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....robots import TwoLinkArm
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record, Together
+from ...shapes import Number, Numbers, Record, Together, Value
 from .pictures import draw_missed
 
 NEARLY = 1.1  # the largest l2 / l1 for the last case
@@ -30,7 +29,7 @@ class ExposeReach(Exercise):
         """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that the target is reachable, that the program misses it, and the link lengths."""
         l1, l2, p = value
         rule = arm_fault(l1, l2, p)
@@ -43,7 +42,7 @@ class ExposeReach(Exercise):
         """Description of what the case asks for."""
         return get_message(f"exposing_reach.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the arm's reach, the target, and the arms at the program's angles."""
         value = (
             outcome.value if isinstance(outcome, Answer) and not arm_fault(*outcome.value) else None

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from math import pi
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +9,7 @@ from numpy.typing import ArrayLike
 from ....geometry.checks import Array
 from ....robots import TwoLinkArm
 from ....robots.arm import joints_at
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from .arm_cases import PAIR, arm_case
@@ -72,6 +71,6 @@ class ForwardKinematics(ValueExercise):
                 q = np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2)
                 yield arm_case("turns", l1, l2, q=q)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the arm and the student's arm."""
         draw_joints(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

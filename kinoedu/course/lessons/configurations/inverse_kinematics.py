@@ -3,16 +3,15 @@
 from collections.abc import Iterator
 from functools import partial
 from math import acos, atan, atan2, cos, hypot, pi, sin
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....robots import TwoLinkArm
 from ....robots.arm import ArmRobot
-from ...exercise import Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome, Raised
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from .arm_cases import PAIR, arm_case
 from .exposing_reach import inverse_by_sines
 from .pictures import draw_solutions
@@ -102,7 +101,7 @@ class InverseKinematics(ValueExercise):
         for number in range(25):
             yield from random_targets(rng, (1.0, 3.0, 10.0, 100.0, 1000.0)[number // 5])
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Compare sets of configurations, up to order, repetition and whole turns."""
         found, wanted = (
             np.asarray(value, float).reshape(-1, 2),
@@ -130,14 +129,14 @@ class InverseKinematics(ValueExercise):
             return verdict._replace(rule="refused" if case.kind == "two" else case.kind)
         return verdict
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that every listed configuration is right, then that none is missing."""
         verdict, truth = super().value_verdict(case, value), self.truth(case)
         if verdict.is_right or len(truth) == 0 or self.are_among(value, truth):
             return verdict
         return verdict._replace(rule="reaches")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the arm's reach, the target, and the arms with their tip there."""
         draw_solutions(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

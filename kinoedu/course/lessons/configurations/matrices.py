@@ -1,8 +1,6 @@
 """Shared parts of the exercises on rotation and displacement. Bullo & Smith, chapters 3 and 6."""
 
-from typing import Any
-
-from ...exercise import Case, ValueExercise
+from ...exercise import Axes, Case, ValueExercise
 from ...outcomes import Answer, Outcome
 from .pictures import draw_moved
 
@@ -12,6 +10,6 @@ class MatrixExercise(ValueExercise):
 
     lesson = "05_configuration_spaces"
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw a flag, its right image, and its image under the student's matrix."""
         draw_moved(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)

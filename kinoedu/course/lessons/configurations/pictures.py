@@ -8,7 +8,8 @@ from ....geometry.checks import Array
 from ....messages import get_message
 from ....robots import TwoLinkArm
 from ....spaces.angles import angle_difference, wrap_angle
-from ...exercise import Case, ValueExercise
+from ...exercise import Axes, Case, ValueExercise
+from ...shapes import Value
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
@@ -16,7 +17,7 @@ FLAG = np.array([(0, 0), (2, 0), (2, 0.6), (0.6, 0.6), (0.6, 1.2), (0, 1.2)])
 APART = 3.4  # distance between the centres of two circles
 
 
-def write_both(truth: Any, value: Any, ax: Any) -> None:
+def write_both(truth: Value, value: object, ax: Axes) -> None:
     """Write both numbers into the lower left corner."""
     from ....figures import palette, plane
 
@@ -56,7 +57,7 @@ def draw_shorter_arcs(exercise: ValueExercise, case: Case, value: float | None, 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw a flag before, after, and as the student's matrix moves it."""
     from ....figures import palette, plane
 
@@ -86,7 +87,7 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_outline(ring: Any, words: str, ax: Any, *, colour: str, style: str) -> None:
+def draw_outline(ring: Any, words: str, ax: Axes, *, colour: str, style: str) -> None:
     """Draw a closed outline with an entry in the legend."""
     points = np.vstack([ring, ring[:1]])
     ax.plot(*points.T, style, color=colour, linewidth=2.6, label=words, zorder=4)
@@ -98,7 +99,7 @@ def transform_points(matrix: Array, points: Array) -> Array:
     return moved + matrix[:2, 2] if len(matrix) == 3 else moved
 
 
-def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw base, elbow and tip of the arm and of the student's arm."""
     from ....figures import configurations, palette, plane
 
@@ -118,7 +119,7 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: An
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the arm's reach, the target, the right arms and the student's arms."""
     from ....figures import configurations, palette, plane
 
@@ -141,7 +142,7 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any) -> None:
+def draw_missed(value: tuple[float, float, Array] | None, answers: Value, ax: Axes) -> None:
     """Draw the arm's reach, the target, and the arms at the program's angles."""
     from ....figures import palette, plane
 
@@ -156,7 +157,7 @@ def draw_missed(value: tuple[float, float, Array] | None, answers: Any, ax: Any)
     plane.title(get_message("exposing_reach.picture"), ax)
 
 
-def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
+def draw_students(l1: float, l2: float, answers: Value, ax: Axes) -> None:
     """Draw arms at the configurations of an answer."""
     from ....figures import configurations, palette
 
@@ -164,7 +165,7 @@ def draw_students(l1: float, l2: float, answers: Any, ax: Any) -> None:
         configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
 
 
-def draw_reach(l1: float, l2: float, p: Array, ax: Any) -> None:
+def draw_reach(l1: float, l2: float, p: Array, ax: Axes) -> None:
     """Draw the ring that an arm's tip reaches, in axes that also show the target."""
     from ....figures import configurations
 
@@ -172,7 +173,7 @@ def draw_reach(l1: float, l2: float, p: Array, ax: Any) -> None:
     configurations.draw_reach(TwoLinkArm(l1, l2, 0.0), ax)
 
 
-def frame_arm(reach: float, ax: Any) -> None:
+def frame_arm(reach: float, ax: Axes) -> None:
     """Set the axes to show the whole reach of an arm at the origin."""
     from ....figures import plane
 
@@ -184,7 +185,7 @@ def arm_points(l1: float, l2: float, q: Array) -> Array:
     return np.vstack([(0.0, 0.0), *TwoLinkArm(l1, l2, 0.0).joints(q)])
 
 
-def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax: Axes) -> None:
     """Draw bodies in a ring, pins joined to their bodies, the ground as a square; both numbers."""
     from ....figures import palette, plane
 
@@ -197,12 +198,16 @@ def draw_mechanism(exercise: ValueExercise, case: Case, value: float | None, ax:
         pin = 0.82 * at[held].mean(axis=0) + 0.02 * number
         for body in held:
             plane.segment(pin, at[body], "", ax, colour=palette.OBSTACLE, width=3.0)
-        white = {"color": "white", "markeredgecolor": palette.INK, "markeredgewidth": 2.0}
+        white: palette.Style = {
+            "color": "white",
+            "markeredgecolor": palette.INK,
+            "markeredgewidth": 2.0,
+        }
         ax.plot(*pin, "o", markersize=13, zorder=7, **white)
     for body, place in enumerate(at):
         marker, colour = ("s", palette.INK) if body == 0 else ("o", palette.TREE)
         ax.plot(*place, marker, color=colour, markersize=26, zorder=7)
-        centred = {"ha": "center", "va": "center", "fontsize": palette.TEXT_SIZE}
-        ax.text(*place, str(body), color="white", zorder=8, **centred)
+        centred: palette.Style = {"ha": "center", "va": "center", "fontsize": palette.TEXT_SIZE}
+        ax.text(place[0], place[1], str(body), color="white", zorder=8, **centred)
     write_both(exercise.truth(case), value, ax)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)

@@ -1,13 +1,12 @@
 """The exercise `crossings`. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...whole_shapes import Integers
@@ -68,7 +67,7 @@ class Crossings(ValueExercise):
                 "many", {"x": x, "edges": np.vstack([edges, edges + np.array([0, 3, 0, 3]) * size])}
             )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the line and the edges; the crossed ones with their places in both orders."""
         draw_crossed(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax

@@ -1,7 +1,6 @@
 """The "break it" exercise of lesson 3: find a world in which a rule for common walls is wrong."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +10,9 @@ from ....errors import InvalidPoint, InvalidPolygon, InvalidWorld
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....worlds import PolygonWorld
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Record
+from ...shapes import Record, Value
 from .free_intervals import RING
 from .pictures import draw_middles, draw_outline
 from .plan_by_decomposition import shared_wall
@@ -35,7 +34,7 @@ class ExposeShorterWalls(Exercise):
         """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that the polygon is simple, that the rule is wrong, and the number of vertices."""
         if not np.isfinite(value).all() or np.abs(value).max(initial=0.0) > 1e4:
             return Verdict(0.0, "range", self.describe_expected(case))
@@ -53,7 +52,7 @@ class ExposeShorterWalls(Exercise):
         """Description of what the case asks for."""
         return get_message(f"exposing_world.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the cells, their common walls, and the middles that are not on them."""
         from ....figures import plane
 

@@ -1,12 +1,11 @@
 """The exercise `free_intervals`. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 from ..shared.random_shapes import sizes
@@ -64,7 +63,7 @@ class FreeIntervals(ValueExercise):
                 world = general_world(rng, number, size, convex=kind == "convex")
                 yield Case(kind, {"x": between_vertices(rng, edges_round(**world)), **world})
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the world, the line, its free intervals, and the student's beside them."""
         draw_intervals(
             case, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax

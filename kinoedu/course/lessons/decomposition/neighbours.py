@@ -1,14 +1,13 @@
 """The exercise `neighbours`. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....decomposition.cells import share_walls
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record
 from ...whole_shapes import Integers
@@ -102,7 +101,7 @@ class Neighbours(ValueExercise):
                 )
             yield Case("world", {"trapezoids": rng.permutation(box_world(rng, size))})
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Compare pairs in any order, each once."""
         found, wanted = (
             sorted(map(tuple, np.asarray(array, float).reshape(-1, 2).tolist()))
@@ -110,7 +109,7 @@ class Neighbours(ValueExercise):
         )
         return found == wanted
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Check that they are pairs i < j, each once; then that they are the right ones."""
         if self.same(value, self.truth(case)):
             return RIGHT
@@ -122,7 +121,7 @@ class Neighbours(ValueExercise):
         )
         return Verdict(0.0, case.kind if proper else "pairs", self.describe_expected(case))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the numbered trapezoids, the common walls, and the student's pairs."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_pairs(case.given["trapezoids"], self.truth(case), value, ax)

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from ....decomposition.trapezoidation import corners_of
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, Exercise
+from ...exercise import Axes, Case, Exercise, Given
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_crossed(
-    case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
+    case: Case, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Axes
 ) -> None:
     """Draw the numbered edges; each crossed one with its place in both orders."""
     from ....figures import palette, plane
@@ -39,7 +39,7 @@ def draw_crossed(
         plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
 
 
-def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> None:
+def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Axes) -> None:
     """Draw the world, the line with its free intervals, and the student's beside it."""
     from ....figures import palette, plane
 
@@ -53,7 +53,7 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
         plane.segment(
             (aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0
         )
-        ticks = {"color": palette.GOAL, "markersize": 12, "markeredgewidth": 3}
+        ticks: palette.Style = {"color": palette.GOAL, "markersize": 12, "markeredgewidth": 3}
         ax.plot([aside, aside], [low, high], "_", zorder=5, **ticks)
     note = (
         get_message("picture.no_answer")
@@ -63,7 +63,7 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Any) -> No
     plane.corner_note(note, ax, colour=palette.GOAL)
 
 
-def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any) -> None:
+def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Axes) -> None:
     """Draw the world, the true cells pale, the student's dashed, and wrong ones filled orange."""
     from ....figures import palette, plane
 
@@ -84,7 +84,7 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
     for outline, good in zip(corners_of(shown), right):
         if good:
             closed = np.vstack([outline, outline[:1]])
-            dashed = {"color": palette.GOAL, "linewidth": 2.0, "zorder": 4}
+            dashed: palette.Style = {"color": palette.GOAL, "linewidth": 2.0, "zorder": 4}
             ax.plot(*closed.T, "--", scalex=False, scaley=False, **dashed)
         else:
             face = (*bytes.fromhex(palette.GOAL[1:]), 40)
@@ -105,7 +105,7 @@ def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Any
 
 
 def draw_pairs(
-    cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Any
+    cells: Array, truth: NDArray[np.int64], value: NDArray[np.int64] | None, ax: Axes
 ) -> None:
     """Draw the numbered cells, true pairs joined by solid lines, the student's by dashed ones."""
     from ....figures import palette, plane
@@ -124,10 +124,10 @@ def draw_pairs(
 
 
 def draw_cell_path(
-    given: dict[str, Any],
+    given: Given,
     truth: Array | None,
     value: Array | None,
-    ax: Any,
+    ax: Axes,
     is_free: Callable[..., bool],
 ) -> None:
     """Draw the cells, a right path, the student's path, and its first motion that is not free."""
@@ -164,7 +164,11 @@ def draw_cell_path(
 
 
 def draw_middles(
-    cells: Array, pairs: Any, shared: Callable[..., Any], found: Callable[..., Array], ax: Any
+    cells: Array,
+    pairs: Any,
+    shared: Callable[..., Any],
+    found: Callable[..., Array],
+    ax: Axes,
 ) -> None:
     """Draw the cells, their common walls, and crosses for middles that are not on them."""
     from ....figures import palette, plane
@@ -178,7 +182,7 @@ def draw_middles(
         plane.dot((x, y), "", ax, colour=colour, marker=marker)
 
 
-def draw_outline(boundary: Array, ax: Any) -> None:
+def draw_outline(boundary: Array, ax: Axes) -> None:
     """Draw the vertices of an invalid world in their order, as far as there are any."""
     from ....figures import palette, plane
 
@@ -189,26 +193,26 @@ def draw_outline(boundary: Array, ax: Any) -> None:
         plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
 
 
-def set_title(exercise: Exercise, case: Case, ax: Any) -> None:
+def set_title(exercise: Exercise, case: Case, ax: Axes) -> None:
     """Set the title for this kind of input."""
     from ....figures import plane
 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_ground(world: dict[str, Any], ax: Any) -> None:
+def draw_ground(world: dict[str, Any], ax: Axes) -> None:
     """Draw the outside grey, the inside white and obstacles solid."""
     from ....figures import palette, plane
 
     plane.frame(world["boundary"], ax, margin=0.2)
     ax.set_facecolor("#E5E7EB")
-    look = {"facecolor": palette.FREE, "edgecolor": palette.OBSTACLE, "linewidth": 2}
+    look: palette.Style = {"facecolor": palette.FREE, "edgecolor": palette.OBSTACLE, "linewidth": 2}
     ax.fill(*np.asarray(world["boundary"]).T, zorder=1, **look)
     for obstacle in world["obstacles"]:
         plane.polygon(obstacle, ax, numbers=False)
 
 
-def number_cells(cells: Array, ax: Any) -> Array:
+def number_cells(cells: Array, ax: Axes) -> Array:
     """Draw numbered cells on solid ground, and return their centres, (n, 2)."""
     from ....figures import palette, plane
 
@@ -223,7 +227,7 @@ def number_cells(cells: Array, ax: Any) -> Array:
     return centres
 
 
-def draw_sweep_line(x: float, ax: Any) -> None:
+def draw_sweep_line(x: float, ax: Axes) -> None:
     """Draw the sweep line."""
     from ....figures import palette
 

@@ -11,9 +11,9 @@ from ....geometry.checks import Array
 from ....graphs import Graph, bfs, bfs_path
 from ....messages import get_message
 from ....worlds import PolygonWorld
-from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Maybe, Numbers, Record
+from ...shapes import Maybe, Numbers, Record, Value
 from ...whole_shapes import Integers
 from ..geometry.lines import POINT
 from ..shared.random_shapes import sizes
@@ -149,7 +149,7 @@ class PlanByDecomposition(Exercise):
             ends = apart_cells(cells, pairs)
             yield case(inside(rng, cells[ends[0]]), inside(rng, cells[ends[1]]), cells, pairs)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that None is answered exactly where there is no way; else that the path is free."""
         given, wanted = case.given, self.describe_expected(case)
         if value is None:
@@ -179,7 +179,7 @@ class PlanByDecomposition(Exercise):
             else "None"
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the cells, a right path, and the student's path with its motion that is not free."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_cell_path(case.given, through_cells(*case.given.values()), value, ax, is_free)

@@ -1,16 +1,15 @@
 """The exercise `trapezoidation`. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....decomposition.cells import replace_cells
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Given, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Record
+from ...shapes import Listed, Record, Value
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world
 from .cells import CELLS, cells_of
@@ -63,14 +62,14 @@ class TrapezoidsOfWorld(ValueExercise):
             ):
                 yield Case(kind, general_world(rng, number, size, convex=kind == "convex"))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Compare rows up to order and rounding."""
         found, wanted = (np.asarray(array, float).reshape(-1, 6) for array in (value, truth))
         return len(found) == len(wanted) and bool(
             (matches(found, wanted, self.tolerance).sum(axis=0) == 1).all()
         )
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Compare the rows; otherwise find whether a row is not a trapezoid at all."""
         if self.same(value, self.truth(case)):
             return RIGHT
@@ -80,7 +79,7 @@ class TrapezoidsOfWorld(ValueExercise):
             return Verdict(0.0, "row", self.describe_expected(case))
         return Verdict(0.0, case.kind, self.describe_expected(case))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the true cells pale, the student's dashed."""
         draw_cells(
             case.given, self.truth(case), outcome.value if isinstance(outcome, Answer) else None, ax
@@ -102,7 +101,7 @@ def matches(found: Array, wanted: Array, tolerance: float) -> NDArray[np.bool_]:
     return np.all(near, axis=2)
 
 
-def mirrored(world: dict[str, Any]) -> dict[str, Any]:
+def mirrored(world: Given) -> Given:
     """Reflect a world left to right, and keep it counter-clockwise."""
     boundary, *obstacles = [
         (ring * [-1, 1])[::-1] + 0.0 for ring in (world["boundary"], *world["obstacles"])

@@ -1,7 +1,6 @@
 """The "break it" exercise of lesson 1: find an input on which a plausible program is wrong."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -9,9 +8,9 @@ from ....errors import InvalidPoint, InvalidPolygon
 from ....geometry import point_polygon_distance, point_segment_distance
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record, Together
+from ...shapes import Numbers, Record, Together, Value
 from ..shared.pictures import draw_crossings
 
 
@@ -28,7 +27,7 @@ class ExposeRayCounting(Exercise):
         """The same question three times; each case demands more of the answer."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that the polygon is simple, the program is wrong, and the number of vertices."""
         q, polygon = value
         if (
@@ -53,7 +52,7 @@ class ExposeRayCounting(Exercise):
         """Description of what the case asks for."""
         return get_message(f"exposing_case.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the polygon, the point and the crossings of its ray."""
         draw_crossings(outcome.value if isinstance(outcome, Answer) else None, ax)
 

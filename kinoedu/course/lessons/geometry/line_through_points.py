@@ -1,15 +1,14 @@
 """The exercise `line_through_points`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry import line_through_points
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ..shared.pictures import draw_line
 from ..shared.random_shapes import points, sizes
 from .lines import LEVEL, POINT, UPRIGHT
@@ -65,7 +64,7 @@ class LineThroughPoints(ValueExercise):
             )
             yield Case("coincident", {"p1": p2, "p2": p2})
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check a^2 + b^2 = 1, then that both points are on the line."""
         if self.same(value, self.truth(case)):
             return RIGHT
@@ -74,11 +73,11 @@ class LineThroughPoints(ValueExercise):
             return Verdict(0.0, "unit", self.describe_expected(case))
         return Verdict(0.0, "through", self.describe_expected(case))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Compare lines up to the sign of (a, b, c)."""
         return super().same(value, truth) or super().same(np.negative(value), truth)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the points, the line through them and the student's line."""
         draw_line(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

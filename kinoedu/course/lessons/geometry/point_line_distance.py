@@ -1,13 +1,13 @@
 """The exercise `point_line_distance`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
@@ -80,12 +80,12 @@ class PointLineDistance(ValueExercise):
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
             yield Case("coincident", arguments(q, p1, p1))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the line, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def arguments(q: Any, p1: Any, p2: Any) -> dict[str, Array]:
+def arguments(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> dict[str, Array]:
     """Arguments of a case."""
     return {"q": np.array(q, float), "p1": np.array(p1, float), "p2": np.array(p2, float)}
 

@@ -1,14 +1,13 @@
 """The exercise `point_polygon_distance`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry import point_polygon_distance
 from ....geometry.checks import Array
 from ....geometry.polygons import distances_to_ring, locate_point
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
@@ -96,7 +95,7 @@ class PointPolygonDistance(ValueExercise):
         """Case of a point and a polygon, with its kind."""
         return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the polygon, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -1,14 +1,13 @@
 """The exercise `point_segment_distance`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
 from ....geometry.segments import closest_on_segment
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
@@ -76,7 +75,7 @@ class PointSegmentDistance(ValueExercise):
             yield Case("on", arguments(p1 + rng.choice([0.25, 0.5, 0.75]) * (p2 - p1), p1, p2))
             yield Case("point", arguments(p2, p1, p1))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the segment, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -1,16 +1,15 @@
 """The exercise `polygon_tangent`. Bullo & Smith, chapter 1."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry import polygon_tangent
 from ....geometry.checks import Array
 from ....geometry.polygons import nearest_on_ring
-from ...exercise import Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ..shared.pictures import draw_tangent
 from ..shared.random_shapes import sizes
 from .lines import POINT
@@ -55,14 +54,14 @@ class PolygonTangent(ValueExercise):
         """Case of a point and a polygon, with its kind."""
         return Case(kind_of(q, polygon), {"q": q, "polygon": polygon})
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check the length, then the direction."""
         verdict = super().value_verdict(case, value)
         if not verdict.is_right and not abs(float(np.dot(value, value)) - 1.0) <= self.tolerance:
             return Verdict(0.0, "unit", self.describe_expected(case))
         return verdict
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the polygon, the nearest point, and both vectors."""
         draw_tangent(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -1,16 +1,15 @@
 """The exercise `bfs_tree`. Bullo & Smith, chapter 2."""
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
 from .... import graphs
 from ....graphs.bfs import breadth_first
 from ....messages import get_message
-from ...exercise import CONTRACT, RIGHT, Case, Slip, Verdict, format_value
+from ...exercise import CONTRACT, RIGHT, Axes, Case, Slip, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Record
+from ...shapes import Listed, Record, Value
 from ...whole_shapes import Integer
 from ..shared.graph_slips import (
     depths,
@@ -96,7 +95,7 @@ class BfsTree(GraphExercise):
                 kind, {"neighbours": neighbours, "start": int(rng.integers(len(neighbours)))}
             )
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that each parent has an edge to its child and is one edge nearer to the start.
 
         With a variant, each parent must also be the one that the contract names.
@@ -106,7 +105,7 @@ class BfsTree(GraphExercise):
             rule = CONTRACT
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
-    def truth(self, case: Case) -> Any:
+    def truth(self, case: Case) -> Value:
         """Return one right tree: the library's, or the one that the contract names."""
         if not self.variant:
             return super().truth(case)
@@ -119,7 +118,7 @@ class BfsTree(GraphExercise):
             return format_value(self.truth(case))
         return get_message("bfs_tree.wanted", value=format_value(self.truth(case)))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph, each node's distance from the start, and the student's tree."""
         from ....figures import plane
 

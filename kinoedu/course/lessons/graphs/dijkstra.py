@@ -1,13 +1,12 @@
 """The exercise `dijkstra`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from .... import graphs
 from ....graphs.search import expand
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import Integer
@@ -128,7 +127,7 @@ class Dijkstra(ValueExercise):
                     "negative", {"neighbours": neighbours, "weights": spoilt, "start": start}
                 )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph with its weights, and the true and the student's cost of every node."""
         draw_costs(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax

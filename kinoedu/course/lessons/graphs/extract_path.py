@@ -1,13 +1,12 @@
 """The exercise `extract_path`. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from .... import graphs
 from ....errors import InvalidGraph
-from ...exercise import Case, Slip
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record
 from ...whole_shapes import Integer
@@ -65,7 +64,7 @@ class ExtractPath(GraphExercise):
                     kind, {"parent": (found := draw_parents(kind, n, rng))[0], "goal": found[1]}
                 )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw an arrow from each parent to its child, the right path and the student's."""
         draw_pointers(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax

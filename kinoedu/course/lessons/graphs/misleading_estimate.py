@@ -7,9 +7,9 @@ import numpy as np
 
 from .... import graphs
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Number, Record, Together
+from ...shapes import Listed, Number, Record, Together, Value
 from ...whole_shapes import Integer
 from ..shared.random_graphs import as_graph
 from .bfs_tree import NEIGHBOURS
@@ -33,7 +33,7 @@ class MisleadingEstimate(Exercise):
         """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the graph is valid, that it misleads A*, and that it has three nodes."""
         rule = find_graph_fault(*value)
         if not rule and case.kind != "valid":
@@ -50,7 +50,7 @@ class MisleadingEstimate(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"misleading_estimate.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph, the path that A* returns, and a shortest path."""
         value = (
             outcome.value

@@ -1,9 +1,7 @@
 """The base class of the exercises on graphs. Bullo & Smith, chapter 2."""
 
-from typing import Any
-
 from ...exercise import ValueExercise
-from ...shapes import Listed
+from ...shapes import Listed, Value
 from ...whole_shapes import Integer
 
 NODES = Listed(Integer())
@@ -14,6 +12,6 @@ class GraphExercise(ValueExercise):
 
     lesson = "04_graph_search"
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether both hold the same nodes in the same order, or both are None."""
         return (None if value is None else list(value)) == (None if truth is None else list(truth))

@@ -9,9 +9,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from .... import graphs
-from ...exercise import RIGHT, Case, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Maybe, Record
+from ...shapes import Maybe, Record, Value
 from ...whole_shapes import Integer
 from ..shared.random_graphs import (
     Neighbours,
@@ -75,7 +75,7 @@ class PathExercise(GraphExercise):
         """The case of a question."""
         yield Case(kind, {"neighbours": neighbours, "start": start, "goal": goal})
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that every step is an edge, and then what this exercise demands besides."""
         rule = find_path_fault(case, value, self.truth(case)) or (
             self.last_rule if value and not self.is_good(case, value) else ""
@@ -95,7 +95,7 @@ class PathExercise(GraphExercise):
             else self.message("wanted", value=format_value(truth))
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph, a right path and the student's."""
         draw_path_answer(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ....messages import get_message
-from ...exercise import Case, Exercise, format_value
+from ...exercise import Axes, Case, Exercise, Given, format_value
+from ...shapes import Value
 from ..shared.random_graphs import as_graph, symmetric
 
 MOST_LABELS = 30  # nodes that get labels
@@ -21,7 +22,7 @@ def draw_tree_answer(
     case: Case,
     value: list[int] | None,
     far: Any,
-    ax: Any,
+    ax: Axes,
     wanted: list[int] | None = None,
 ) -> None:
     """Draw a graph, each node's distance from the start, and the student's tree.
@@ -59,7 +60,7 @@ def draw_tree_answer(
 
 
 def draw_pointers(
-    exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
+    exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Axes
 ) -> None:
     """Draw the arrow from each parent to its child, the path from the root, and the student's."""
     from ....figures import palette
@@ -76,14 +77,14 @@ def draw_pointers(
 
 
 def draw_path_answer(
-    exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Any
+    exercise: Exercise, case: Case, value: list[int] | None, truth: list[int] | None, ax: Axes
 ) -> None:
     """Draw a graph with its weights and estimates, a right path and the student's."""
     draw_question(case.given, value, truth, ax)
     finish_picture(exercise, case, ax)
 
 
-def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any) -> None:
+def draw_misled(exercise: Exercise, value: Value, paths: tuple[Any, Any], ax: Axes) -> None:
     """Draw a graph with an estimate, the path that A* returns, and a shortest path."""
     from ....figures import palette, plane
 
@@ -98,7 +99,7 @@ def draw_misled(exercise: Exercise, value: Any, paths: tuple[Any, Any], ax: Any)
     plane.title(exercise.message("picture"), ax)
 
 
-def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> None:
+def draw_question(given: Given, value: object, truth: object, ax: Axes) -> None:
     """Draw a graph with its start and goal, a right path and the student's."""
     from ....figures import palette
 
@@ -114,7 +115,7 @@ def draw_question(given: dict[str, Any], value: Any, truth: Any, ax: Any) -> Non
     draw_paths(places, truth, value, ax)
 
 
-def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) -> None:
+def draw_costs(exercise: Exercise, case: Case, value: Value, truth: Value, ax: Axes) -> None:
     """Draw a graph with its weights and costs, and the student's costs where they differ."""
     from ....figures import palette
 
@@ -139,7 +140,7 @@ def draw_costs(exercise: Exercise, case: Case, value: Any, truth: Any, ax: Any) 
     finish_picture(exercise, case, ax)
 
 
-def draw_grey_graph(case: Case, ax: Any, *, highlight: list[int]) -> Any:
+def draw_grey_graph(case: Case, ax: Axes, *, highlight: list[int]) -> Any:
     """Draw the graph in grey on a circle; an edge in both directions is one line.
 
     Returns
@@ -166,7 +167,7 @@ def draw_grey_graph(case: Case, ax: Any, *, highlight: list[int]) -> Any:
     return places
 
 
-def draw_paths(places: Any, truth: Any, value: Any, ax: Any) -> None:
+def draw_paths(places: Any, truth: Value, value: Value, ax: Axes) -> None:
     """Draw a right path, wide and green, and over it the student's, dashed and orange."""
     from ....figures import graphs, palette
 
@@ -184,7 +185,7 @@ def draw_paths(places: Any, truth: Any, value: Any, ax: Any) -> None:
 
 
 def draw_pointer(
-    places: Any, p: int, u: int, ax: Any, colour: str, style: str, *, width: float = 2.8
+    places: Any, p: int, u: int, ax: Axes, colour: str, style: str, *, width: float = 2.8
 ) -> None:
     """Draw an arrow from a parent to its child."""
     from ....figures import graphs
@@ -195,7 +196,7 @@ def draw_pointer(
         artist.set(linestyle=style, zorder=4)
 
 
-def draw_label(places: Any, u: int, text: str, ax: Any, colour: str) -> None:
+def draw_label(places: Any, u: int, text: str, ax: Axes, colour: str) -> None:
     """Write a label outside the circle of nodes, unless there are too many nodes for labels."""
     from ....figures import graphs
 
@@ -206,7 +207,7 @@ def draw_label(places: Any, u: int, text: str, ax: Any, colour: str) -> None:
     graphs.write_beside(places[u], text, ax, (18 * x, 24 * y - 5), colour, side)
 
 
-def draw_answer_note(value: Any, ax: Any) -> None:
+def draw_answer_note(value: object, ax: Axes) -> None:
     """Write the student's answer in the corner, shortened to 60 characters."""
     from ....figures import palette, plane
 
@@ -218,7 +219,7 @@ def draw_answer_note(value: Any, ax: Any) -> None:
     plane.corner_note(text if len(text) <= 60 else text[:57] + "...", ax, colour=palette.GOAL)
 
 
-def finish_picture(exercise: Exercise, case: Case, ax: Any) -> None:
+def finish_picture(exercise: Exercise, case: Case, ax: Axes) -> None:
     """Hide the axes, since positions mean nothing here, and set the title."""
     from ....figures import plane
 

@@ -5,14 +5,16 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
 from ....planners.driving.common import free_drive
+from ....problems.protocols import PlanningProblem, ProblemLike
 from ....spaces.angles import wrap_angle
 from ...drivable import DrivenProblemShape, distance_of_poses
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Maybe, Number, Numbers, Record
+from ...shapes import Maybe, Number, Numbers, Record, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.small_problems import box
 from .garages import POSTS, make_garage
@@ -52,7 +54,7 @@ def make_chooser(
     return choose
 
 
-def measure_distance(problem: Any, a: Array, b: Array) -> float:
+def measure_distance(problem: ProblemLike, a: Array, b: Array) -> float:
     """Return the distance of the problem."""
     return float(problem.distance(a, b))
 
@@ -81,20 +83,20 @@ choose_best_control = make_chooser(measure_distance, is_free_to_cut)
 
 
 def compare_ends(
-    problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
+    problem: PlanningProblem, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
     """Compare the ends of the drives and cut none."""
     choice = make_chooser(measure_distance, is_free_to_cut)(problem, q, target, controls, t, 1)
     return choice and (choice[0], n)
 
 
-def pick_then_check(*given: Any) -> Choice:
+def pick_then_check(*given: Value) -> Choice:
     """Take the best control of all, and return None where it is not free."""
     best = make_chooser(measure_distance, accept_any)(*given)
     return best if best == choose_best_control(*given) else None
 
 
-def count_from_zero(*given: Any) -> Choice:
+def count_from_zero(*given: Value) -> Choice:
     """Return a step that is one too low."""
     choice = choose_best_control(*given)
     return choice and (choice[0], choice[1] - 1)
@@ -134,7 +136,7 @@ def demand_closer(
     )
 
 
-def choose_farthest(*given: Any) -> Choice:
+def choose_farthest(*given: Value) -> Choice:
     """Take the farthest control instead of the closest."""
     return make_chooser(lambda problem, a, b: -problem.distance(a, b), is_free_to_cut)(*given)
 
@@ -242,11 +244,11 @@ class BestControl(ValueExercise):
         kind = classify(arguments)
         return Case(kind, arguments) if kind else None
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether both are the same control and step, or both None."""
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw all drives, the right one and the student's."""
         from .pictures import draw_choice
 
@@ -254,14 +256,14 @@ class BestControl(ValueExercise):
 
 
 def make_arguments(
-    room: Any, q: Any, target: Any, controls: Any, t: float, n: int
-) -> dict[str, Any]:
+    room: Any, q: ArrayLike, target: ArrayLike, controls: ArrayLike, t: float, n: int
+) -> Given:
     """Return the arguments of a case."""
     poses = {"q": np.array(q, float), "target": np.array(target, float)}
     return {"problem": room, **poses, "controls": np.array(controls, float), "t": t, "n": n}
 
 
-def classify(arguments: dict[str, Any]) -> str:
+def classify(arguments: Given) -> str:
     """Return the kind of a case; "" where two answers are nearly equally good."""
     room, q, target, controls, t, n = arguments.values()
     poses = room.poses_after(q, controls, t * np.arange(1, n + 1) / n)

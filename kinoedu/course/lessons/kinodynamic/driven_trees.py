@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....problems import Tree
+from ....problems.protocols import PlanningProblem, ProblemLike
 from ....robots.trajectory import DrivenTree
 from ....spaces.angles import angle_difference, wrap_angle
 from ...drivable import REGION
-from ...exercise import Case
+from ...exercise import Axes, Case
 from ...outcomes import Answer, Outcome
+from ...shapes import Value
 from ..shared.planned import Fault, PlannerExercise
 
 GOAL_EVERY, REGION_EVERY = 4, 7
@@ -62,7 +64,7 @@ def find_near_goal(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np
     return np.flatnonzero(np.array(off) & np.array(askew))
 
 
-def measure_distances(problem: Any, nodes: Array, q: Array) -> Array:
+def measure_distances(problem: ProblemLike, nodes: Array, q: Array) -> Array:
     """Return the distance from each node to q."""
     return np.array([problem.distance(node, q) for node in nodes])
 
@@ -79,7 +81,7 @@ def find_path_fault(parent: NDArray[np.int64], path: Path, nodes: Array) -> Faul
     return None
 
 
-def find_end_fault(problem: Any, nodes: Array, path: Path) -> Fault | None:
+def find_end_fault(problem: PlanningProblem, nodes: Array, path: Path) -> Fault | None:
     """Return the fault of a path that does not end at the node nearest to the goal.
 
     For trees without a node near enough to the goal.
@@ -117,7 +119,7 @@ def find_bias_fault(
 
 
 def judge_turns(
-    problem: Any, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
+    problem: PlanningProblem, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
 ) -> Fault | None:
     """Judge each iteration of a tree for which every drive is free.
 
@@ -146,11 +148,11 @@ class DrivingPlanner(PlannerExercise):
         """Whether another seed gives another answer: always, unless start is goal."""
         return case.kind != "same"
 
-    def tree_of(self, case: Case, answer: Any) -> DrivenTree:
+    def tree_of(self, case: Case, answer: object) -> DrivenTree:
         """Return the tree in an answer, without its nodes."""
         raise NotImplementedError
 
-    def nodes_of(self, case: Case, answer: Any) -> tuple[DrivenTree, Array]:
+    def nodes_of(self, case: Case, answer: Value) -> tuple[DrivenTree, Array]:
         """Return the valid part of the tree, and the known poses along the path."""
         tree = self.tree_of(case, answer)
         _, nodes = find_drive_fault(case.given["problem"], tree)
@@ -164,7 +166,7 @@ class DrivingPlanner(PlannerExercise):
         """Return nothing to draw: `describe_answer` describes the answer."""
         return [], None
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the size of the answer, where its path ends, and where its fault is."""
         tree, poses = self.nodes_of(case, value[0])
         if not len(poses):
@@ -177,7 +179,7 @@ class DrivingPlanner(PlannerExercise):
         where = np.round(fault.marked, 2).tolist() if fault is not None else []
         return f"{text}; {self.message('answers.at', marked=where)}" if where else text
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the problem, the tree, the path, and a cross at the fault."""
         from .pictures import draw_driven_answer
 

@@ -1,7 +1,7 @@
 """The exercise on the fastest path through a roadmap of directed drives. LaValle, section 2.2.2."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +11,9 @@ from ....geometry.checks import Array
 from ....planners import dijkstra_path
 from ....planners.driving.kinodynamic_prm import find_shortest_drive
 from ....planners.roadmaps.search import Search
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Maybe, Numbers, Record
+from ...shapes import Maybe, Numbers, Record, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import SIZES, random_rows
@@ -129,7 +129,7 @@ class FastestDrive(ValueExercise):
     answer = Maybe(Integers(("j",)))
     source = staticmethod(find_fastest)
     shown = staticmethod(find_shortest_drive)
-    reference: ClassVar[Callable[..., Any]] = staticmethod(find_fastest)
+    reference: ClassVar[Callable[..., object]] = staticmethod(find_fastest)
     slips = (
         Slip("undirected", make_search(weigh_by_time, directed=False)),
         Slip("length", make_search(lambda controls, durations: np.abs(controls[:, 0]) * durations)),
@@ -200,11 +200,11 @@ class FastestDrive(ValueExercise):
             ends.append(0)
         return make_case(kind, n, rows, ends)
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether both hold the same nodes, or both are None."""
         return value is None if truth is None else value is not None and list(value) == list(truth)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the path starts at node 0, follows edges to an end, and is fastest.
 
         Where no end can be reached, None is right.
@@ -240,7 +240,7 @@ class FastestDrive(ValueExercise):
             time=measure_duration(truth, case.given["edges"], case.given["durations"]),
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the roadmap, a fastest path and the student's."""
         from .pictures import draw_fastest
 

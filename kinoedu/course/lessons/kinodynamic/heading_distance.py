@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +9,7 @@ from numpy.typing import ArrayLike
 from ....geometry.checks import Array
 from ....spaces.angles import angle_difference, wrap_angle
 from ....spaces.wrapping import weighted_distance
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..shared.driving import a_pose
@@ -101,7 +100,7 @@ class HeadingDistance(ValueExercise):
             more = TURN * rng.integers(1, 4) * rng.choice([-1, 1])
             yield make_case("turns", p, (*q[:2], np.round(q[2] + more, 2)), radian)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw both poses, the right distance and the student's."""
         from .pictures import draw_two_poses
 

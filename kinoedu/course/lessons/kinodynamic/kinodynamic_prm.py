@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.driving.kinodynamic_prm import drive_from_nearest
+from ....problems.protocols import PlanningProblem
 from ....robots.trajectory import DrivenTree
 from ...drivable import DrivenProblemShape
 from ...exercise import Case
-from ...shapes import Record, Together
+from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import Fault, three_times
 from .driven_trees import (
@@ -80,7 +81,7 @@ class KinodynamicPrm(DrivingPlanner):
         """Another seed always gives another answer: the roadmap does not stop at the goal."""
         return True
 
-    def tree_of(self, case: Case, answer: Any) -> DrivenTree:
+    def tree_of(self, case: Case, answer: Value) -> DrivenTree:
         """Return the roadmap as a tree: each edge leads to a new node."""
         edges, controls, durations, _ = answer
         return DrivenTree(
@@ -90,7 +91,7 @@ class KinodynamicPrm(DrivingPlanner):
             np.append(0.0, durations),
         )
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge the edges, the drives, the path and its end.
 
         Where every drive is free, also judge from which nodes each iteration drove.
@@ -116,7 +117,7 @@ class KinodynamicPrm(DrivingPlanner):
 
 
 def find_slower_end(
-    problem: Any, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
+    problem: PlanningProblem, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
 ) -> Fault | None:
     """Return a fault where another node near the goal is reached sooner than the path's end."""
     surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
@@ -135,7 +136,7 @@ def find_slower_end(
 
 
 def find_group_fault(
-    problem: Any, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
+    problem: PlanningProblem, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
 ) -> Fault | None:
     """Judge that each iteration drove from the right k nodes.
 

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.driving.kinodynamic_rrt import grow_by_driving
+from ....problems.protocols import PlanningProblem
 from ....robots.trajectory import DrivenTree
 from ...drivable import DrivenProblemShape
 from ...exercise import Case
-from ...shapes import Record, Together
+from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import Fault, three_times
 from .driven_trees import (
@@ -75,11 +76,11 @@ class KinodynamicRrt(DrivingPlanner):
                 question = {"problem": GARAGES[kind], "iterations": ITERATIONS[kind], "rng": seed}
                 yield Case(kind, question)
 
-    def tree_of(self, case: Case, answer: Any) -> DrivenTree:
+    def tree_of(self, case: Case, answer: Value) -> DrivenTree:
         """Return the tree in an answer."""
         return DrivenTree(NOWHERE, *answer[:3])
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge the drives, the path and its end.
 
         Where every drive is free, also judge from which node each iteration drove.
@@ -101,7 +102,9 @@ class KinodynamicRrt(DrivingPlanner):
         return fault
 
 
-def find_goal_fault(problem: Any, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
+def find_goal_fault(
+    problem: PlanningProblem, nodes: Array, path: NDArray[np.int64]
+) -> Fault | None:
     """Return a fault where growth went on after the goal was reached or the path ends elsewhere."""
     surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
     if len(surely) and surely[0] < len(nodes) - 1:

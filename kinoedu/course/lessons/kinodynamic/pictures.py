@@ -11,13 +11,14 @@ import numpy as np
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....robots.trajectory import TrajectoryRecord
-from ...exercise import Case, ValueExercise, format_value
+from ...exercise import Axes, Case, ValueExercise, format_value
+from ...shapes import Value
 from ..shared.car_pictures import arc, set_axes
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
-def draw_driven_answer(problem: Any, built: Any, fault: Any, text: str, ax: Any) -> None:
+def draw_driven_answer(problem: Any, built: Value, fault: Any, text: str, ax: Axes) -> None:
     """Draw the problem, the tree in blue, the path in yellow, and the fault in orange."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
@@ -41,14 +42,19 @@ def draw_driven_answer(problem: Any, built: Any, fault: Any, text: str, ax: Any)
             ax,
         )
     if fault is not None and len(fault.marked):
-        look = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        look: palette.Style = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
         ax.plot(*fault.marked[:, :2].T, "--", **look, scalex=False, scaley=False)
-        look = {"color": palette.GOAL, "markersize": 13, "markeredgecolor": "white", "zorder": 9}
+        look = {
+            "color": palette.GOAL,
+            "markersize": 13,
+            "markeredgecolor": "white",
+            "zorder": 9,
+        }
         ax.plot(*fault.marked[-1, :2], "X", **look)
     plane.title(text, ax)
 
 
-def zoom_in(places: Array, least: float, ax: Any) -> None:
+def zoom_in(places: Array, least: float, ax: Axes) -> None:
     """Zoom in on the positions, with at least `least` units around them, in a large world."""
     middle, reach = (
         (places.min(axis=0) + places.max(axis=0)) / 2.0,
@@ -60,7 +66,7 @@ def zoom_in(places: Array, least: float, ax: Any) -> None:
         )
 
 
-def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def draw_two_poses(exercise: ValueExercise, case: Case, value: object, ax: Axes) -> None:
     """Draw both poses as arrows, the angle between them, and both distances."""
     from ....figures import cars, palette, plane
 
@@ -81,7 +87,7 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> 
     )
 
 
-def draw_choice(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def draw_choice(exercise: ValueExercise, case: Case, value: Value, ax: Axes) -> None:
     """Draw the drives by all controls, the right one up to its cut, and the student's.
 
     Where there is an obstacle, the car's outline is drawn too.
@@ -134,7 +140,7 @@ def find_swept_poses(case: Case, bends: Array, i: int, k: int) -> Array:
     return way[np.unique(np.linspace(0, len(way) - 1, 4).astype(int))]
 
 
-def draw_fastest(exercise: ValueExercise, case: Case, value: Any, ax: Any) -> None:
+def draw_fastest(exercise: ValueExercise, case: Case, value: Value, ax: Axes) -> None:
     """Draw the roadmap with its durations, a fastest path and the student's."""
     from ....figures import palette, plane
     from ....figures.graphs import draw_graph, layout

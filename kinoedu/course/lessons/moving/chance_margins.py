@@ -6,13 +6,12 @@ It uses the union bound and the quantile of the chi-square distribution.
 import math
 from collections.abc import Callable, Iterator
 from statistics import NormalDist
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....worlds.uncertain import chance_margins
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from .pictures import draw_margins
@@ -76,11 +75,11 @@ class ChanceMargins(ValueExercise):
             yield make_case("unequal", s[:m], delta)
             yield make_case("seldom", s[:m], 10.0 ** -int(rng.integers(4, 10)))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw each margin and the student's."""
         draw_margins(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def make_case(kind: str, sigma: Any, delta: float) -> Case:
+def make_case(kind: str, sigma: object, delta: float) -> Case:
     """Return a case of some obstacles."""
     return Case(kind, {"sigma": np.array(sigma, float), "delta": float(delta)})

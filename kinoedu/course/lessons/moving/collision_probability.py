@@ -11,9 +11,9 @@ import numpy as np
 from ....chances import wilson_interval
 from ....collision import probability
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from .pictures import draw_scenarios
 from .scenarios import Hits, find_contacts, measure_gaps
 
@@ -169,7 +169,7 @@ class CollisionProbability(ValueExercise):
                 wanted[kind] -= 1
                 yield case
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the fraction and the interval.
 
         A right fraction with a wrong interval breaks a rule of its own, except where no
@@ -182,7 +182,7 @@ class CollisionProbability(ValueExercise):
         )
         return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the path, the discs at their centres and in scenarios, and both answers."""
         draw_scenarios(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ....planners.moving.safe_intervals import search_intervals
-from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record
 from ...whole_shapes import Integer
@@ -138,7 +138,7 @@ class EarliestArrival(Exercise):
                 wanted[kind] -= 1
                 yield make_case(kind, safe, moves, start, goal)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Judge that the schedule keeps every rule and arrives as early as possible."""
         safe, moves, start, goal = case.given.values()
         best, rows = find_schedule(safe, moves, start, goal), np.asarray(value).tolist()
@@ -159,7 +159,7 @@ class EarliestArrival(Exercise):
         rows = format_value([tuple(row) for row in best])
         return self.message("wanted", time=format_value(best[-1][1]), rows=rows)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the safe intervals of each place, a right path and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_schedule(self, case, find_schedule(*case.given.values()), value, ax)

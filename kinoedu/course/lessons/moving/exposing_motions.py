@@ -1,15 +1,14 @@
 """The exercise "break it" of lesson 14: motions that touch between sampled moments."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record, Together
+from ...shapes import Numbers, Record, Together, Value
 from .first_contact import find_contact, find_relative_motion
 from .pictures import draw_missed
 
@@ -29,7 +28,7 @@ class ExposeMoments(Exercise):
         """Yield the same question four times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the motions are valid and that their contact is not seen.
 
         Later cases also demand that the point passes the disc's centre, and that the point
@@ -51,7 +50,7 @@ class ExposeMoments(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"exposing_motions.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the point's motion seen from the disc, with the moments that the program samples."""
         fits = isinstance(outcome, Answer) and is_valid(outcome.value)
         draw_missed(
@@ -59,13 +58,13 @@ class ExposeMoments(Exercise):
         )
 
 
-def is_valid(value: Any) -> bool:
+def is_valid(value: Value) -> bool:
     """Whether the coordinates are in range and point and disc do not touch at the beginning."""
     p0, p1, c0, c1 = value
     return is_in_range(value) and find_contact(p0, p1, c0, c1, RADIUS) > 0.0
 
 
-def is_in_range(value: Any) -> bool:
+def is_in_range(value: object) -> bool:
     """Whether all coordinates are in range."""
     return bool((np.abs(np.array(value)) <= FARTHEST).all())
 

@@ -5,14 +5,13 @@ It is solved by the motion of one seen from the other.
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from .pictures import draw_contact
 
 PLACE = Numbers((2,))
@@ -163,14 +162,14 @@ class FirstContact(ValueExercise):
                 wanted[kind] -= 1
                 yield make_case(kind, p0, p1, c0, c1, r)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the time; an answer outside of 0 to 1 breaks a rule of its own."""
         if self.same(value, self.truth(case)):
             return RIGHT
         never = math.isinf(self.truth(case)) and not 0.0 <= value <= 1.0
         return Verdict(0.0, "outside" if never else case.kind, self.describe_expected(case))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw both motions, and point and disc at the right and at the student's time."""
         draw_contact(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
@@ -200,7 +199,7 @@ def do_paths_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool
     return bool(segments_intersect(p0, p1, c0, c1))
 
 
-def make_case(kind: str, p0: Any, p1: Any, c0: Any, c1: Any, r: float) -> Case:
+def make_case(kind: str, p0: object, p1: object, c0: object, c1: object, r: float) -> Case:
     """Return a case of two motions."""
     places = {
         name: np.array(place, float)

@@ -10,7 +10,8 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, Exercise, ValueExercise, format_value
+from ...exercise import Axes, Case, Exercise, ValueExercise, format_value
+from ...shapes import Value
 from .scenarios import find_contacts
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
@@ -24,7 +25,7 @@ def format_answer(value: float | None) -> str:
     return get_message("timed_picture.none") if value is None else format_value(value)
 
 
-def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: Axes) -> None:
     """Draw both motions, and point and disc at the right and at the student's time."""
     from ....figures import palette, plane
 
@@ -50,13 +51,13 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None, ax: Any) -> None:
+def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None, ax: Axes) -> None:
     """Draw a line for each place, thick where safe, with the right path and the student's."""
     from ....figures import palette, plane
 
     safe, moves, start, goal = case.given.values()
     durations = {frozenset((int(u), int(v))): d for u, v, d in moves}
-    thick: Any = {"linewidth": 9, "alpha": 0.45, "solid_capstyle": "butt", "zorder": 2}
+    thick: palette.Style = {"linewidth": 9, "alpha": 0.45, "solid_capstyle": "butt", "zorder": 2}
     for place, own in enumerate(safe):
         ax.axhline(place, color=palette.OUTSIDE, linewidth=1.0, zorder=1)
         for begin, end in own:
@@ -81,7 +82,7 @@ def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the margin of each obstacle, and the student's."""
     from ....figures import palette, plane
 
@@ -89,7 +90,7 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     number = np.arange(len(truth))
     ax.bar(number - 0.2, truth, 0.38, color=palette.START, zorder=3)
     yours = np.nan_to_num(value) if value is not None and len(value) == len(truth) else np.empty(0)
-    striped = {"hatch": "//", "edgecolor": "white", "zorder": 3}
+    striped: palette.Style = {"hatch": "//", "edgecolor": "white", "zorder": 3}
     ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.GOAL, **striped)
     ax.set(xticks=number)
     ax.set_xlabel(get_message("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
@@ -104,7 +105,7 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the path, the discs at their centres, and the discs in some scenarios.
 
     Discs that hit the path are red and solid.
@@ -140,7 +141,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_missed(value: Any, radius: float, moments: int, ax: Any) -> None:
+def draw_missed(value: Value, radius: float, moments: int, ax: Axes) -> None:
     """Draw the point's motion seen from the disc, with the moments that the program samples."""
     from ....figures import palette, plane
 

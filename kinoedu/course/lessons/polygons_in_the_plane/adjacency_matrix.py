@@ -1,17 +1,17 @@
 """The exercise `adjacency_matrix`. Bullo & Smith, chapters 2 and 5."""
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
+from ....problems.protocols import PlanningProblem
 from ....robots import Disk, RigidPolygon
 from ....worlds import PolygonWorld, scattered
-from ...exercise import Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ...tasks import ProblemShape
 from ..shared.small_problems import SQUARE, box
 from .matrices import LESSON, MATRIX, draw_case, make_problem
@@ -25,7 +25,7 @@ STICK = RigidPolygon([(-0.8, -0.2), (0.8, -0.2), (0.8, 0.2), (-0.8, 0.2)])
 CORRIDOR = PolygonWorld([(0, 0), (10, 0), (10, 1.4), (0, 1.4)], [box(4.9, 0, 5.1, 0.8)])
 
 
-def relate_pairs(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Matrix:
+def relate_pairs(problem: PlanningProblem, nodes: Array, joined: Callable[..., bool]) -> Matrix:
     """Return a symmetric relation between configurations as a matrix, zero on the diagonal."""
     matrix = np.zeros((len(nodes), len(nodes)), np.int64)
     for i, j in zip(*np.triu_indices(len(nodes), 1)):
@@ -33,18 +33,18 @@ def relate_pairs(problem: Any, nodes: Array, joined: Callable[..., bool]) -> Mat
     return matrix
 
 
-def find_free_motions(problem: Any, nodes: Array) -> Matrix:
+def find_free_motions(problem: PlanningProblem, nodes: Array) -> Matrix:
     """Return a matrix with 1 where the motion between two configurations is free."""
     return relate_pairs(problem, nodes, lambda problem, a, b: problem.is_free_path(a, b))
 
 
-def is_free_at_middle(problem: Any, a: Array, b: Array) -> bool:
+def is_free_at_middle(problem: PlanningProblem, a: Array, b: Array) -> bool:
     """Whether a motion is free at its middle and at its ends."""
     middle = problem.steer(a, b, problem.distance(a, b) / 2)
     return bool(problem.is_free(a) and problem.is_free(b) and problem.is_free(middle))
 
 
-def chain_nodes(problem: Any, nodes: Array) -> Matrix:
+def chain_nodes(problem: PlanningProblem, nodes: Array) -> Matrix:
     """Return a matrix that joins each node only to the next."""
     matrix = find_free_motions(problem, nodes)
     return np.triu(np.tril(matrix, 1), -1)
@@ -85,7 +85,7 @@ class AdjacencyMatrix(ValueExercise):
     )
 
     @staticmethod
-    def reference(problem: Any, nodes: Array) -> Matrix:
+    def reference(problem: PlanningProblem, nodes: Array) -> Matrix:
         """Return the matrix by the course's own collision check of motions."""
         return find_free_motions(problem, nodes)
 
@@ -114,7 +114,7 @@ class AdjacencyMatrix(ValueExercise):
             robot = (STICK, Disk(0.4))[int(rng.integers(2))]
             yield draw_case("many", robot, world, rng, int(rng.integers(6, 13)))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether the entries are the same."""
         return np.array_equal(value, truth)
 
@@ -122,16 +122,16 @@ class AdjacencyMatrix(ValueExercise):
         """Describe the right matrix, row by row."""
         return str(self.truth(case).tolist())
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the student's matrix, row by row."""
         return str(value.tolist())
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the entries; a matrix of the wrong size breaks a rule of its own."""
         verdict = super().value_verdict(case, value)
         return verdict._replace(rule="size") if len(value) != len(case.given["nodes"]) else verdict
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the configurations, the free motions, and the entries that are wrong."""
         value = outcome.value if isinstance(outcome, Answer) else None
         text = self.message(f"pictures.{case.kind}")

@@ -1,7 +1,6 @@
 """The exercise "break it" of lesson 11: four chords and the centre line stand for a swept disk."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -14,9 +13,9 @@ from ....geometry.rings import as_ring
 from ....messages import get_message
 from ....robots import Disk
 from ....worlds import PolygonWorld
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record, Together
+from ...shapes import Numbers, Record, Together, Value
 from ..geometry.lines import POINT
 from .pictures import draw_swept
 
@@ -37,7 +36,7 @@ class ExposeFourChords(Exercise):
         """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the answer is valid, that the program is wrong, and the thickness."""
         rule = find_triangle_fault(*value)
         if not rule and case.kind != "valid":
@@ -52,7 +51,7 @@ class ExposeFourChords(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"exposing_obstacle.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw what the disk sweeps, the chords and the triangle."""
         value = (
             outcome.value

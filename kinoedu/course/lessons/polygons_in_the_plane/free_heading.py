@@ -15,9 +15,9 @@ from ....messages import get_message
 from ....problems import Problem
 from ....robots import RigidPolygon
 from ....worlds import PolygonWorld, scattered
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Maybe, Number, Record
+from ...shapes import Maybe, Number, Record, Value
 from ...tasks import ProblemShape, StudentProblem
 from ..shared.small_problems import SQUARE
 from .pictures import draw_heading
@@ -61,7 +61,7 @@ class FreeHeading(Exercise):
                 if not len(widths) or widths.max() > LEAST:
                     yield make_case(robot, world, place)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that None is returned exactly where no heading is free.
 
         Any other answer must be free by the course's own collision check.
@@ -95,7 +95,7 @@ class FreeHeading(Exercise):
         problem = case.given["problem"].problem
         return free_headings(problem.robot, problem.world, (case.given["x"], case.given["y"]))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the robot at the student's heading and at a free one."""
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())

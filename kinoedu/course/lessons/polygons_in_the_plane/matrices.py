@@ -8,9 +8,9 @@ import numpy as np
 from ....collision import free_configurations
 from ....problems import Problem
 from ....robots import Disk
-from ...exercise import Case, Verdict
+from ...exercise import Axes, Case, Verdict
 from ...outcomes import Outcome
-from ...shapes import Record
+from ...shapes import Record, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
 from ..graphs.paths import PathExercise
@@ -51,7 +51,7 @@ def convert_case(case: Case) -> Case:
     )
 
 
-def search_matrix_by(search: Callable[..., Any]) -> Callable[..., Any]:
+def search_matrix_by(search: Callable[..., object]) -> Callable[..., Any]:
     """Convert a search on adjacency lists to a search on an adjacency matrix."""
     return lambda matrix, start, goal: search(list_neighbours(matrix), start, goal)
 
@@ -81,14 +81,14 @@ class MatrixExercise(PathExercise):
         yield Case("unreachable", {"matrix": CROWD, "start": 0, "goal": len(CROWD) - 1})
         yield from found[at:]
 
-    def truth(self, case: Case) -> Any:
+    def truth(self, case: Case) -> Value:
         """Return the right answer on the adjacency lists."""
         return super().truth(convert_case(case))
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Judge the path on the adjacency lists."""
         return super().value_verdict(convert_case(case), value)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph, a right path and the student's."""
         super().draw(convert_case(case), outcome, ax)

@@ -9,12 +9,19 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
+from ...exercise import Axes
+from ...shapes import Value
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_heading(
-    problem: Any, place: Any, value: float | None, right: float | None, text: str, ax: Any
+    problem: Any,
+    place: Any,
+    value: float | None,
+    right: float | None,
+    text: str,
+    ax: Axes,
 ) -> None:
     """Draw the world, the robot at a free heading and at the student's."""
     from ....figures import palette, plane
@@ -35,7 +42,9 @@ def draw_heading(
     plane.title(text, ax)
 
 
-def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, text: str, ax: Any) -> None:
+def draw_matrix(
+    problem: Any, nodes: Array, truth: Value, value: Value, text: str, ax: Axes
+) -> None:
     """Draw the numbered configurations, the free motions, and the student's wrong entries."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
@@ -56,7 +65,7 @@ def draw_matrix(problem: Any, nodes: Array, truth: Any, value: Any, text: str, a
     plane.title(text, ax)
 
 
-def draw_swept(value: Any, chords: Any, text: str, ax: Any) -> None:
+def draw_swept(value: Value, chords: Any, text: str, ax: Axes) -> None:
     """Draw what a disk of radius 1 sweeps, its chords, and an obstacle.
 
     Parameters

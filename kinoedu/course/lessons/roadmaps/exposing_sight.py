@@ -14,9 +14,9 @@ from ....geometry.polygons import locate_point
 from ....messages import get_message
 from ....robots import Point
 from ....worlds import PolygonWorld
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Record
+from ...shapes import Listed, Record, Value
 from ..decomposition.free_intervals import RING
 from ..shared.random_worlds import edges_round
 from .halls import measure_turns
@@ -39,7 +39,7 @@ class ExposeSight(Exercise):
         """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the polygons are valid, that `sees` is wrong, and the vertex count."""
         rule = world_fault(value)
         if not rule and case.kind != "valid":
@@ -53,7 +53,7 @@ class ExposeSight(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"exposing_sight.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the obstacles and the pairs about which the program is wrong."""
         from ....figures import palette, plane
 

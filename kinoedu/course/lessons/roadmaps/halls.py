@@ -3,9 +3,11 @@
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
 from ....problems import Problem
+from ....problems.protocols import PlanningProblem, ProblemLike
 from ....robots import Point, TwoLinkArm
 from ....robots.arm import ArmRobot
 from ....worlds import PolygonWorld
@@ -26,7 +28,7 @@ START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
 def make_hall(
-    *obstacles: Any, start: Any = START, goal: Any = GOAL, room: Array = HALL
+    *obstacles: Any, start: ArrayLike = START, goal: ArrayLike = GOAL, room: Array = HALL
 ) -> StudentProblem:
     """Return a problem in the hall, or in another room, with the given obstacles."""
     return StudentProblem(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
@@ -75,7 +77,7 @@ def measure_turns(ring: Array) -> Array:
     return turned
 
 
-def draw_free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
+def draw_free_nodes(rng: np.random.Generator, problem: PlanningProblem, n: int) -> Array:
     """Draw n free configurations with two decimals, shape (n, 2).
 
     All distances between them are different.
@@ -91,7 +93,7 @@ def draw_free_nodes(rng: np.random.Generator, problem: Any, n: int) -> Array:
             return np.array(nodes)
 
 
-def measure_distances(problem: Any, nodes: Array) -> Array:
+def measure_distances(problem: ProblemLike, nodes: Array) -> Array:
     """Return the distance between any two of n nodes, (n, n)."""
     apart = np.zeros((len(nodes), len(nodes)))
     for j in range(len(nodes)):

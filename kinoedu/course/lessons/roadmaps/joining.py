@@ -7,13 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
+from ....problems.protocols import PlanningProblem, ProblemLike
 from .halls import is_arm, measure_distances
 
 Pairs = NDArray[np.int64]
 SAMPLES = 50  # points of a motion that a mistaken program checks
 
 
-def keep_free(problem: Any, nodes: Array, pairs: Pairs) -> Pairs:
+def keep_free(problem: ProblemLike, nodes: Array, pairs: Pairs) -> Pairs:
     """Return the pairs whose motion is free, (m, 2)."""
     return pairs[[bool(problem.is_free_path(nodes[i], nodes[j])) for i, j in pairs]].reshape(-1, 2)
 
@@ -138,7 +139,7 @@ class MistakenProblem(NamedTuple):
     is_free_path: Callable[[Array, Array], bool]
 
 
-def ignore_wrap(problem: Any) -> Any:
+def ignore_wrap(problem: PlanningProblem) -> Any:
     """Return the arm's problem with angles that do not wrap; other problems unchanged."""
     return (
         MistakenProblem(lambda a, b: float(np.hypot(*(a - b))), problem.is_free_path)

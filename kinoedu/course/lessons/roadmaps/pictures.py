@@ -9,13 +9,16 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
+from ....problems.protocols import ProblemLike
+from ...exercise import Axes
+from ...shapes import Value
 from .halls import FULL, is_arm
 
 MOST_NUMBERS = 25  # nodes that get numbers
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
-def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> None:
+def draw_joined(problem: ProblemLike, nodes: Array, truth: Value, value: Value, ax: Axes) -> None:
     """Draw the world, the numbered nodes, the right edges and the student's."""
     from ....figures import palette, plane
 
@@ -39,7 +42,7 @@ def draw_joined(problem: Any, nodes: Array, truth: Any, value: Any, ax: Any) -> 
     plane.corner_note(note, ax, colour=palette.GOAL)
 
 
-def draw_problem_ground(problem: Any, ax: Any) -> None:
+def draw_problem_ground(problem: Any, ax: Axes) -> None:
     """Draw the world of a problem; for the arm, the square of its angles."""
     from ....figures import plane
     from ....figures.drawing import draw_world
@@ -54,7 +57,7 @@ def draw_problem_ground(problem: Any, ax: Any) -> None:
         draw_world(problem.world, ax)
 
 
-def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
+def draw_edge(a: Array, b: Array, ax: Axes, wraps: bool, **look: Any) -> None:
     """Draw a straight motion.
 
     Where angles wrap, it is the shorter way, in two pieces if it leaves the square.
@@ -67,7 +70,7 @@ def draw_edge(a: Array, b: Array, ax: Any, wraps: bool, **look: Any) -> None:
         ax.plot(*np.array([b, b - way]).T, zorder=4, scalex=False, scaley=False, **look)
 
 
-def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
+def number_nodes(nodes: Array, ax: Axes, *, first: int = 0) -> None:
     """Draw the nodes, with their numbers from `first` on unless there are too many."""
     from ....figures import palette, plane
 
@@ -78,7 +81,7 @@ def number_nodes(nodes: Array, ax: Any, *, first: int = 0) -> None:
             plane.label(node, str(number), ax, offset=(5, 5))
 
 
-def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
+def draw_roadmap_answer(problem: ProblemLike, truth: Value, value: Value, ax: Axes) -> None:
     """Draw the world, the right roadmap if it is unique, and the student's.
 
     Parameters
@@ -108,7 +111,7 @@ def draw_roadmap_answer(problem: Any, truth: Any, value: Any, ax: Any) -> None:
     plane.dot(problem.goal, "goal", ax, colour=palette.GOAL, marker="*")
 
 
-def draw_shortest_path(nodes: Array, edges: Any, truth: Any, value: Any, ax: Any) -> None:
+def draw_shortest_path(nodes: Array, edges: Any, truth: Value, value: Value, ax: Axes) -> None:
     """Draw a roadmap, a shortest path along it and the student's path."""
     from ....figures import palette, plane
 

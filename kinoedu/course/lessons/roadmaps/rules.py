@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Case, ValueExercise, Verdict
+from ....problems.protocols import ProblemLike
+from ...exercise import RIGHT, Axes, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers
+from ...shapes import Numbers, Value
 from ...whole_shapes import Integers
 from .halls import ASTRIDE, GRAZING, SHEET, WALL, draw_obstacles, make_arm, make_hall
 from .joining import are_pairs, find_closest, keep_free, remove_duplicates
@@ -41,14 +42,14 @@ class RuleExercise(ValueExercise):
     seconds = 10.0
     answer = PAIRS
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: object, truth: object) -> bool:
         """Whether both hold the same pairs, equally often, in any order."""
         return bool(
             sorted(map(tuple, np.asarray(value).tolist()))
             == sorted(map(tuple, np.asarray(truth).tolist()))
         )
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the rows are pairs, that their motions are free, and that they are right."""
         problem, nodes, _ = case.given.values()
         wanted = self.describe_expected(case)
@@ -58,21 +59,21 @@ class RuleExercise(ValueExercise):
             return Verdict(0.0, "motion", wanted)
         return RIGHT if self.same(value, self.truth(case)) else Verdict(0.0, case.kind, wanted)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the numbered nodes, the right edges and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_joined(case.given["problem"], case.given["nodes"], self.truth(case), value, ax)
         set_title(self, case, ax)
 
 
-def set_title(exercise: Any, case: Case, ax: Any) -> None:
+def set_title(exercise: Any, case: Case, ax: Axes) -> None:
     """Set the title of the picture of this kind of input."""
     from ....figures import plane
 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def make_case(kind: str, problem: Any, nodes: Any, number: float) -> Case:
+def make_case(kind: str, problem: ProblemLike, nodes: object, number: float) -> Case:
     """Return a case; `number` is a radius or K."""
     name = "r" if isinstance(number, float) else "k"
     return Case(kind, {"problem": problem, "nodes": np.array(nodes, float), name: number})

@@ -10,9 +10,10 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case
+from ....problems.protocols import PlanningProblem
+from ...exercise import Axes, Case
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record, Together
+from ...shapes import Numbers, Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import Fault, PlannerExercise, ProblemShape, three_times
 from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
@@ -26,7 +27,7 @@ SIDE = 4  # boxes along each side of the hall
 EVEN, UNEVEN = 0.5, 90.0
 
 
-def build_roadmap(problem: Any, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
+def build_roadmap(problem: PlanningProblem, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
     """Return start, goal and n free samples, joined by the K-closest rule."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
@@ -53,7 +54,7 @@ class SampledRoadmap(PlannerExercise):
         With many samples the judge can test how evenly they are spread.
         """
 
-        def case(kind: str, problem: Any, n: int, k: int) -> Case:
+        def case(kind: str, problem: PlanningProblem, n: int, k: int) -> Case:
             return Case(kind, {"problem": problem, "n": n, "k": k, "rng": int(rng.integers(1000))})
 
         yield case("none", make_hall(), 0, 3)
@@ -73,7 +74,7 @@ class SampledRoadmap(PlannerExercise):
         """Whether another seed gives another answer: there is a sample."""
         return bool(case.given["n"] > 0)
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge start and goal, the free samples and their spread, and the edges."""
         (nodes, pairs), (problem, n, k, _) = answer, case.given.values()
         nowhere = np.empty((0, 2))
@@ -108,7 +109,7 @@ class SampledRoadmap(PlannerExercise):
                 return Fault(rule, nodes[list(min(wrong))])
         return None
 
-    def drawn(self, answer: Any) -> tuple[list[Any], Array | None]:
+    def drawn(self, answer: object) -> tuple[list[Any], Array | None]:
         """Return neither trees nor a path."""
         return [], None
 
@@ -117,7 +118,7 @@ class SampledRoadmap(PlannerExercise):
         _, n, k, _ = case.given.values()
         return get_message(f"{self.name}.wanted", n=n, nodes=n + 2, k=k)
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the size of the answer and where its fault is."""
         nodes, pairs = value[0]
         fault = self.fault_of_three(case, value)
@@ -129,7 +130,7 @@ class SampledRoadmap(PlannerExercise):
             marked=f": {marked}" if marked else "",
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the student's roadmap and a cross at the fault."""
         from ....figures import palette, plane
         from .pictures import draw_roadmap_answer
@@ -141,7 +142,7 @@ class SampledRoadmap(PlannerExercise):
         )
         fault = self.fault_of_three(case, value) if value is not None else None
         if fault is not None and len(fault.marked) and good:
-            look = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
+            look: palette.Style = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
             ax.plot(*fault.marked.T, "X", markersize=14, **look)
         rule = self.judge(case, outcome).rule
         plane.title(self.message(f"pictures.{rule}"), ax)

@@ -10,9 +10,9 @@ from .... import graphs
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....planners import dijkstra_path
-from ...exercise import RIGHT, Case, Slip, ValueExercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Maybe, Number, Numbers, Record, Together
+from ...shapes import Maybe, Number, Numbers, Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import random_rows
@@ -130,13 +130,13 @@ class ShortestPath(ValueExercise):
                 places = np.round(rng.uniform(-10, 10, (size, 3 if kind == "space" else 2)), 2)
                 yield make_case(kind, places, pairs, *draw_ends(rng, kind, size, pairs))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether the lengths are equal, and the paths too where both are given."""
         (path, far), (right, least) = value, truth
         both = (path is None) == (right is None)
         return both and self.near(far, least) and (path is None or list(path) == list(right))
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the path follows edges from start to goal, and its length.
 
         No other path may be shorter. Without a path, None and inf are right.
@@ -179,7 +179,7 @@ class ShortestPath(ValueExercise):
             else "(None, inf)"
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the roadmap, a shortest path and the student's."""
         from .pictures import draw_shortest_path
 

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....planners import visibility_roadmap
-from ...exercise import Case, Slip, ValueExercise, Verdict
+from ....problems.protocols import PlanningProblem
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Numbers, Record, Together
+from ...shapes import Listed, Numbers, Record, Together, Value
 from ...whole_shapes import Integers
 from ..decomposition.free_intervals import RING
 from ..shared.planned import ProblemShape
@@ -60,13 +61,13 @@ def join_visible(
     return nodes, join(problem, nodes, pairs)
 
 
-def leave_ends_alone(problem: Any, obstacles: list[Array]) -> Seen:
+def leave_ends_alone(problem: PlanningProblem, obstacles: list[Array]) -> Seen:
     """Return a roadmap whose start and goal have no edges."""
     nodes, pairs = join_visible(problem, obstacles)
     return nodes, pairs[(pairs > 1).all(axis=1)]
 
 
-def join_between_obstacles(problem: Any, obstacles: list[Array]) -> Seen:
+def join_between_obstacles(problem: PlanningProblem, obstacles: list[Array]) -> Seen:
     """Return a roadmap without edges between vertices of one obstacle."""
     nodes, pairs = join_visible(problem, obstacles)
     owner = np.concatenate(
@@ -129,7 +130,7 @@ class VisibleCorners(ValueExercise):
             yield make_case("straight", [np.roll(BENT_BOX + shift, turned, axis=0)])
             yield make_case("several", draw_obstacles_apart(rng, 2 + i // 4, convex=bool(i % 2)))
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether nodes and edges are the same; the order counts for start and goal alone."""
         (found, pairs), (nodes, edges) = value, truth
         if find_order(found, nodes) is None:
@@ -140,7 +141,7 @@ class VisibleCorners(ValueExercise):
             map(tuple, renamed.tolist())
         )
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the order of start and goal, the convex vertices, and the pairs."""
         if self.same(value, self.truth(case)):
             return Verdict(1.0)
@@ -159,11 +160,11 @@ class VisibleCorners(ValueExercise):
         nodes, edges = self.truth(case)
         return get_message("visibility_roadmap.wanted", nodes=len(nodes), edges=len(edges))
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Describe how many nodes and edges the student has."""
         return get_message("visibility_roadmap.wanted", nodes=len(value[0]), edges=len(value[1]))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right roadmap and the student's over it."""
         from .pictures import draw_roadmap_answer
 

@@ -5,16 +5,15 @@ Bullo & Smith, chapter 4; LaValle, section 5.2.3.
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....sampling import dispersion, halton, largest_empty_ball, sukharev_grid, uniform_random
 from ....sampling.dispersion import largest_empty_disc
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from .pictures import draw_holes
 
 APART = 0.02  # the greatest allowed difference of the bounds
@@ -32,7 +31,7 @@ class DispersionBounds(Exercise):
     source = staticmethod(dispersion)
     shown = staticmethod(largest_empty_disc)
 
-    def right_answer(self, *given: Any) -> Any:
+    def right_answer(self, *given: Value) -> Value:
         """Return the library's exact dispersion as both bounds."""
         return (dispersion(*given),) * 2
 
@@ -62,7 +61,7 @@ class DispersionBounds(Exercise):
                     case = make_case(draw_points_at_random(rng))
                 yield case
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that both bounds hold and that they are close to each other."""
         (low, high), points = value, case.given["points"]
         truth, sup = dispersion(points), dispersion(points, math.inf)
@@ -81,7 +80,7 @@ class DispersionBounds(Exercise):
         """Describe what the answer must be."""
         return self.message("wanted", truth=f"{dispersion(case.given['points']):.6f}", apart=APART)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the points, the largest hole, and both bounds around its centre."""
         draw_holes(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

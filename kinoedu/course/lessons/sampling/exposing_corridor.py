@@ -1,16 +1,15 @@
 """The exercise "break it" of lesson 6: a corridor that a sequence of grids never finds."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....sampling import sukharev_grid
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from .pictures import draw_corridor
 
 WIDE = 0.031  # the widest hidden corridor is 1/32 = 0.03125 wide
@@ -33,7 +32,7 @@ class ExposeGrids(Exercise):
         """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that it is a corridor, that no grid finds it, and its width."""
         rule = find_corridor_fault(value)
         if not rule and case.kind != "valid" and finds_corridor(value):
@@ -46,7 +45,7 @@ class ExposeGrids(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"exposing_corridor.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the points of all grids, the corridor, and the points inside it."""
         draw_corridor(outcome.value if isinstance(outcome, Answer) else None, ax)
         from ....figures import plane

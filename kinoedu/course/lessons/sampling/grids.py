@@ -7,9 +7,9 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....sampling.grids import integer_root, lattice, points_per_side
-from ...exercise import Case, ValueExercise, Verdict
+from ...exercise import Axes, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ...whole_shapes import Integer
 from .pictures import draw_points
 
@@ -62,7 +62,7 @@ class GridExercise(ValueExercise):
                 n = int(rng.integers(2, 200))
             yield make_case(n, d)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the number of points, whether they are in the cube, and where."""
         return self.fault_of_points(case, value) or super().value_verdict(case, value)
 
@@ -71,13 +71,13 @@ class GridExercise(ValueExercise):
         rule = find_points_fault(value, case.given["n"], case.given["d"])
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else None
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether both are the same set of points."""
         return np.shape(value) == np.shape(truth) and super().same(
             sort_points(value), sort_points(truth)
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right points and the student's."""
         found, truth = outcome.value if isinstance(outcome, Answer) else None, self.truth(case)
         no_grid, (n, d) = isinstance(truth, ValueError), case.given.values()
@@ -98,7 +98,7 @@ def find_points_fault(points: Array, n: int, d: int) -> str:
     return "" if ((points >= -TOLERANCE) & (points <= 1.0 + TOLERANCE)).all() else "outside"
 
 
-def sort_points(points: Any) -> Array:
+def sort_points(points: object) -> Array:
     """Return the points sorted by their rounded coordinates."""
     rows = np.asarray(points, float)
     return rows[np.lexsort(np.round(rows, 9).T[::-1])]

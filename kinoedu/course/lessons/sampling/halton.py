@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from ....sampling import halton, van_der_corput
-from ...exercise import Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Record
+from ...shapes import Listed, Record, Value
 from ...whole_shapes import Integer
 from .digits import keep_order
 from .grids import POINTS, TOLERANCE, find_points_fault, sort_points
@@ -80,7 +80,7 @@ class Halton(ValueExercise):
                 int(rng.integers(4, 60)), primes[::-1] if primes == sorted(primes) else primes
             )
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the number of points, whether they are in the cube, their order, and where."""
         rule = find_points_fault(value, case.given["n"], len(case.given["primes"]))
         if (
@@ -95,11 +95,11 @@ class Halton(ValueExercise):
             else super().value_verdict(case, value)
         )
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether shapes and points are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right points and the student's."""
         draw_points(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax

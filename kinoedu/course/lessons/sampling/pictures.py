@@ -4,14 +4,14 @@ The right answer is green, the student's is orange.
 """
 
 from textwrap import fill
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....sampling import largest_empty_ball, sukharev_grid, van_der_corput
-from ...exercise import Case, Exercise
+from ...exercise import Axes, Case, Exercise
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
@@ -25,7 +25,7 @@ def draw_points(
     case: Case,
     found: Array | None,
     truth: Array | None,
-    ax: Any,
+    ax: Axes,
     *,
     cells: int = 0,
 ) -> None:
@@ -47,7 +47,7 @@ def draw_points(
         plane.segment((share, 0), (share, 1), "", ax, colour=palette.OUTSIDE, width=0.9)
         plane.segment((0, share), (1, share), "", ax, colour=palette.OUTSIDE, width=0.9)
     if truth is not None:
-        ring: Any = {
+        ring: palette.Style = {
             "markerfacecolor": "none",
             "markeredgecolor": palette.START,
             "markeredgewidth": 2.2,
@@ -56,7 +56,7 @@ def draw_points(
         ax.plot(*project_points(truth).T, "o", label=get_message("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
-        look = {"color": palette.GOAL, "markeredgewidth": 2.2, "zorder": 6}
+        look: palette.Style = {"color": palette.GOAL, "markeredgewidth": 2.2, "zorder": 6}
         ax.plot(*near.T, "x", markersize=size, label=get_message("picture.yours_short"), **look)
     else:
         text = get_message("picture.no_answer" if found is None else "samples.elsewhere")
@@ -76,7 +76,7 @@ def project_points(points: Array) -> Array:
     return points[:, :2].reshape(-1, 2)
 
 
-def draw_square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
+def draw_square(ax: Axes, others: Array, outline: ArrayLike = CORNERS) -> None:
     """Draw the outline of the unit square, or a line, with room for outliers and labels."""
     from ....figures import palette, plane
 
@@ -84,16 +84,20 @@ def draw_square(ax: Any, others: Array, outline: Any = CORNERS) -> None:
     ax.plot(*np.transpose(outline), color=palette.INK, linewidth=1.8, zorder=2)
 
 
-def draw_label(text: str, y: float, ax: Any, *, colour: str) -> None:
+def draw_label(text: str, y: float, ax: Axes, *, colour: str) -> None:
     """Write a label to the right of the square."""
     from ....figures import palette
     from ....figures.drawing import HALO
 
-    look: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "path_effects": HALO}
+    look: palette.Style = {
+        "fontsize": palette.TEXT_SIZE,
+        "fontweight": "bold",
+        "path_effects": HALO,
+    }
     ax.text(BESIDE, y, fill(text, 16), color=colour, **look)
 
 
-def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) -> None:
+def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Axes) -> None:
     """Draw the interval from 0 to 1, the right and the student's number, and the digits."""
     from ....figures import palette, plane
     from ....figures.digits import digits_of, mirrored_digits
@@ -128,7 +132,7 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Any) 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> None:
+def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Axes) -> None:
     """Draw the points, the largest empty ball, and the student's bounds as circles."""
     from ....figures import palette, plane
 
@@ -159,7 +163,7 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Any) -> 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_corridor(corridor: Array | None, ax: Any) -> None:
+def draw_corridor(corridor: Array | None, ax: Axes) -> None:
     """Draw the points of all five grids, the corridor, and crosses on the points inside it."""
     from ....figures import palette
 
@@ -171,7 +175,12 @@ def draw_corridor(corridor: Array | None, ax: Any) -> None:
         draw_label(text, 0.05, ax, colour=palette.GOAL)
         return
     x0, y0, x1, y1 = corridor
-    look = {"facecolor": palette.PATH, "alpha": 0.4, "edgecolor": palette.GOAL, "linewidth": 1.5}
+    look: palette.Style = {
+        "facecolor": palette.PATH,
+        "alpha": 0.4,
+        "edgecolor": palette.GOAL,
+        "linewidth": 1.5,
+    }
     ax.fill([x0, x1, x1, x0], [y0, y0, y1, y1], **look, zorder=3)
     inside = points[((points > (x0, y0)) & (points < (x1, y1))).all(axis=1)]
     ax.plot(*inside.T, "x", color=palette.GOAL, markersize=10, markeredgewidth=2.5, zorder=6)

@@ -1,15 +1,14 @@
 """The exercise `radical_inverse`. Bullo & Smith, chapter 4; LaValle, section 5.2.4."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....sampling import van_der_corput
 from ....sampling.halton import reverse_digits
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record
+from ...shapes import Number, Record, Value
 from ...whole_shapes import Integer
 from .digits import find_digits, keep_order
 from .grids import TOLERANCE
@@ -72,7 +71,7 @@ class RadicalInverse(ValueExercise):
         """Return the number of van der Corput's sequence."""
         return find_inverse(i, base)
 
-    def right_answer(self, *given: Any) -> Any:
+    def right_answer(self, *given: Value) -> Value:
         """Return the library's answer, which is computed for many numbers at once."""
         return find_inverse(*given)
 
@@ -88,7 +87,7 @@ class RadicalInverse(ValueExercise):
             yield make_case(int(rng.integers(base, 1000)), base)
             yield make_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the digits, and the right and the student's number between 0 and 1."""
         draw_mirrored(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 

@@ -1,15 +1,14 @@
 """The exercise on random points. Bullo & Smith, chapter 4; LaValle, section 5.2.2."""
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....sampling import uniform_random
-from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Record, Together
+from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer
 from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
@@ -41,17 +40,17 @@ class UniformRandom(Exercise):
             for d in DIMENSIONS:
                 yield make_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
 
-    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+    def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the student's function three times: twice with rng, once with rng + 1."""
         n, d, rng = given.values()
         return function(n, d, rng), function(n, d, rng), function(n, d, rng + 1)
 
-    def right_answer(self, *given: Any) -> Any:
+    def right_answer(self, *given: Value) -> Value:
         """Return the library's points; the library takes rng by name only."""
         n, d, rng = given
         return uniform_random(n, d, rng=rng)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge number and range, repeatability, another seed, and the spread.
 
         It also judges whether two seeds share points.
@@ -73,7 +72,7 @@ class UniformRandom(Exercise):
         n, d, _ = case.given.values()
         return self.message("wanted", n=n, d=d)
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the first of the three answers, or the two that are compared."""
         first, again, other = value
         rule = self.value_verdict(case, value).rule
@@ -84,7 +83,7 @@ class UniformRandom(Exercise):
             f"answers.{rule}", first=format_value(first[:3]), second=format_value(second[:3])
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the student's points."""
         draw_points(self, case, outcome.value[0] if isinstance(outcome, Answer) else None, None, ax)
 

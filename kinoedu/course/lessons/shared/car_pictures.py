@@ -1,7 +1,6 @@
 """Pictures of failing cases of lesson 12: truth solid green, student's answer dashed orange."""
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -9,7 +8,7 @@ from ....curves import dubins
 from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, ValueExercise
+from ...exercise import Axes, Case, ValueExercise
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
@@ -21,7 +20,7 @@ def arc(pose: Array, distance: float, curvature: float) -> Array:
     return np.array([drive_arc(*pose, part * distance, curvature) for part in fractions])
 
 
-def set_axes(truth: Array, value: Array | None, words: str, ax: Any) -> tuple[float, Array | None]:
+def set_axes(truth: Array, value: Array | None, words: str, ax: Axes) -> tuple[float, Array | None]:
     """Set the axes around the true poses, and around the student's where they are near enough.
 
     Returns
@@ -46,7 +45,7 @@ def set_axes(truth: Array, value: Array | None, words: str, ax: Any) -> tuple[fl
     return 0.18 * size, shown
 
 
-def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the driven arc, the poses at its ends, and the student's pose."""
     from ....figures import cars, palette
 
@@ -64,7 +63,7 @@ def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
         )
 
 
-def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the trajectory of all controls, the poses between them, and the student's poses."""
     from ....figures import cars, palette
 
@@ -80,7 +79,7 @@ def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: An
         cars.draw_pose(pose, 0.7 * size, "", ax, colour=palette.GOAL)
 
 
-def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the arc, Euler's steps, and the student's steps."""
     from ....figures import cars, palette
 
@@ -89,16 +88,21 @@ def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Any
     size, shown = set_axes(truth, value, exercise.message(f"pictures.{case.kind}"), ax)
     exact = arc(pose, v * t, math.tan(phi) / wheelbase)
     ax.plot(*exact[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
-    solid = {"color": palette.START, "linewidth": 2.6, "markersize": 6, "zorder": 4}
+    solid: palette.Style = {"color": palette.START, "linewidth": 2.6, "markersize": 6, "zorder": 4}
     ax.plot(*truth[:, :2].T, "-o", label=get_message("picture.true"), **solid)
     if shown is not None:
-        dashed = {"color": palette.GOAL, "linewidth": 2.2, "markersize": 6, "zorder": 5}
+        dashed: palette.Style = {
+            "color": palette.GOAL,
+            "linewidth": 2.2,
+            "markersize": 6,
+            "zorder": 5,
+        }
         ax.plot(*shown[:, :2].T, "--s", label=get_message("picture.yours_short"), **dashed)
     cars.draw_pose(pose, size, "", ax, colour=palette.INK)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
 
 
-def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the errors against the step on logarithmic scales, with both orders at each slope."""
     from ....figures import palette, plane
 
@@ -121,7 +125,7 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: An
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: Axes) -> None:
     """Draw the shortest of the four curves, its circles, and both lengths."""
     from ....figures import cars, palette, plane
 
@@ -153,7 +157,7 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Any) -> None:
+def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Axes) -> None:
     """Draw the car's path, and the path of a program that uses phi for tan(phi)."""
     from ....figures import cars, palette, plane
 

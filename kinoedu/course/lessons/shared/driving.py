@@ -10,7 +10,7 @@ from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
 from ....spaces.angles import angle_difference, wrap_angle
 from ...exercise import ValueExercise
-from ...shapes import Numbers
+from ...shapes import Numbers, Value
 
 POSE = Numbers((3,))
 Mover = Callable[[Array, float, float, float, float], Any]
@@ -26,7 +26,7 @@ class PoseExercise(ValueExercise):
 
     lesson = "12_the_car"
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Compare positions as numbers and headings as directions."""
         found, wanted = np.reshape(value, (-1, 3)), np.reshape(truth, (-1, 3))
         if not np.isfinite(found).all() or not super().same(found[:, :2], wanted[:, :2]):

@@ -1,20 +1,18 @@
 """Pictures of failing cases: the truth solid green, the student's answer dashed orange."""
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry import closest_point_on_segment, line_through_points
 from ....geometry.checks import Array
 from ....geometry.polygons import nearest_on_ring
 from ....messages import get_message
-from ...exercise import Case, ValueExercise
+from ...exercise import Axes, Case, ValueExercise
 from ...outcomes import Answer
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
-def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw two points, the line through them, and the student's line."""
     from ....figures import palette, plane
 
@@ -44,7 +42,7 @@ def title_words(exercise: ValueExercise, case: Case, value: Array | None) -> str
     return exercise.message(f"pictures.{'unit' if wrong_length else case.kind}")
 
 
-def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: Axes) -> None:
     """Draw q, the object measured to, and a circle around q for each of the two distances."""
     from ....figures import palette, plane
 
@@ -72,7 +70,7 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_target(exercise: ValueExercise, target: Array, ax: Any) -> None:
+def draw_target(exercise: ValueExercise, target: Array, ax: Axes) -> None:
     """Draw the line, the segment or the polygon that the distance is measured to."""
     from ....figures import palette, plane
 
@@ -99,7 +97,7 @@ def nearest_point(exercise: ValueExercise, case: Case) -> Array:
     return q - (a * q[0] + b * q[1] + c) * np.array([a, b])
 
 
-def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: Any) -> None:
+def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
     """Draw the polygon, q, its nearest point, and both vectors at a visible length."""
     from ....figures import palette, plane
 
@@ -130,7 +128,7 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
     plane.title(title_words(exercise, case, value), ax)
 
 
-def draw_crossings(value: tuple[Array, Array] | None, ax: Any) -> None:
+def draw_crossings(value: tuple[Array, Array] | None, ax: Axes) -> None:
     """Draw a polygon, q, the ray from q to the right, and a cross where it meets an edge."""
     from ....figures import palette, plane
 

@@ -21,9 +21,10 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....problems import Tree
-from ...exercise import RIGHT, Case, Exercise, Verdict, format_value
+from ....problems.protocols import PlanningProblem, ProblemLike
+from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Shape, Together, Truth
+from ...shapes import Numbers, Shape, Together, Truth, Value
 from ...tasks import ProblemShape, StudentProblem, problem_of
 from .small_problems import TRAPS
 
@@ -78,7 +79,11 @@ def find_path_fault(problem: Any, path: Array) -> Fault | None:
 
 
 def find_tree_fault(
-    problem: Any, nodes: Array, parent: NDArray[np.int64], step: float, root: Array | None = None
+    problem: Any,
+    nodes: Array,
+    parent: NDArray[np.int64],
+    step: float,
+    root: Array | None = None,
 ) -> Fault | None:
     """First reason why nodes and parents are not a tree of free steps from its root.
 
@@ -111,7 +116,9 @@ def find_tree_fault(
     return first_not_free(problem, before, after)
 
 
-def find_node_off_nearest(problem: Any, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
+def find_node_off_nearest(
+    problem: PlanningProblem, nodes: Array, parent: NDArray[np.int64]
+) -> Fault | None:
     """First node that is not connected to its nearest earlier node, the goal excepted.
 
     A new node lies on the straight way from its nearest node to the sample. By the triangle
@@ -152,12 +159,12 @@ def not_configurations(problem: Any, q: Array) -> Fault | None:
     return None
 
 
-def same_configuration(problem: Any, a: Array, b: Array) -> bool:
+def same_configuration(problem: ProblemLike, a: Array, b: Array) -> bool:
     """Whether two configurations are equal up to rounding."""
     return bool(problem.distance(a, b) <= ROUNDING * (1.0 + np.abs(b).max()))
 
 
-def first_not_free(problem: Any, a: Array, b: Array) -> Fault | None:
+def first_not_free(problem: ProblemLike, a: Array, b: Array) -> Fault | None:
     """First of the motions from a[i] to b[i] that is in collision anywhere along it, or None."""
     record = getattr(problem, "problem", problem)
     for p, q in zip(a, b):
@@ -186,18 +193,18 @@ class PlannerExercise(Exercise):
     seconds = 20.0
 
     @abstractmethod
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: object) -> Fault | None:
         """What is wrong with one answer, or None."""
 
     @abstractmethod
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+    def drawn(self, answer: object) -> tuple[list[Tree], Array | None]:
         """Trees and path of one answer, for the picture."""
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed must give another answer."""
         return case.kind not in ("same", "trivial")
 
-    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+    def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the planner with the seeds rng, rng and rng + 1.
 
         Returns
@@ -214,12 +221,12 @@ class PlannerExercise(Exercise):
         np.random.set_state(before[1])
         return *answers, repr(before) == repr(after)
 
-    def right_answer(self, *given: Any) -> Any:
+    def right_answer(self, *given: Value) -> Value:
         """The library's own answer to one call."""
         assert self.source is not None
         return self.source(*given)
 
-    def fault_of_three(self, case: Case, value: Any) -> Fault | None:
+    def fault_of_three(self, case: Case, value: Value) -> Fault | None:
         """What is wrong with the answers or with their use of randomness, or None."""
         first, again, other, alone = value
         fault = self.fault(case, first)
@@ -234,7 +241,7 @@ class PlannerExercise(Exercise):
             return Fault("another", nowhere)
         return self.fault(case, other)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: object) -> Verdict:
         """Right where none of the three answers has a fault."""
         fault = self.fault_of_three(case, value)
         return RIGHT if fault is None else Verdict(0.0, fault.rule, self.describe_expected(case))
@@ -243,7 +250,7 @@ class PlannerExercise(Exercise):
         """Description of what the case asks for."""
         return self.message(f"wanted.{case.kind}")
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Description of what was built, and of the configurations at fault."""
         trees, path = self.drawn(value[0])
         parts = [self.message("answers.tree", nodes=len(tree.nodes)) for tree in trees]
@@ -256,7 +263,7 @@ class PlannerExercise(Exercise):
             parts.append(self.message("answers.at", marked=format_value(np.round(fault.marked, 3))))
         return "; ".join(parts)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the problem, the answer, and a cross on what is at fault."""
         from .planned_pictures import draw_answer
 

@@ -7,12 +7,18 @@ import numpy as np
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....problems import ProblemRecord, Tree
+from ...exercise import Axes
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
 
 def draw_answer(
-    problem: ProblemRecord, trees: list[Tree], path: Array | None, fault: Any, words: str, ax: Any
+    problem: ProblemRecord,
+    trees: list[Tree],
+    path: Array | None,
+    fault: Any,
+    words: str,
+    ax: Axes,
 ) -> None:
     """Draw the problem, the trees in blue, the path in yellow, and what is at fault in orange."""
     from ....figures import palette, plane
@@ -28,9 +34,14 @@ def draw_answer(
         draw_path(track_of(problem.robot, path[np.isfinite(path).all(axis=1)]), ax)
     if fault is not None and len(fault.marked):
         marks = np.array([place_of(problem.robot, q) for q in fault.marked])
-        line = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        line: palette.Style = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
         ax.plot(*marks.T, "--", scalex=False, scaley=False, **line)
-        cross = {"color": palette.GOAL, "markersize": 13, "markeredgecolor": "white", "zorder": 9}
+        cross: palette.Style = {
+            "color": palette.GOAL,
+            "markersize": 13,
+            "markeredgecolor": "white",
+            "zorder": 9,
+        }
         ax.plot(*marks[-1], "X", **cross)
     if not trees and path is None:
         plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)

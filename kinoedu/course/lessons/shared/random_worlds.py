@@ -3,17 +3,16 @@
 No two vertices have the same x, and no two polygons touch.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
+from ...exercise import Given
 from .random_shapes import star_polygon
 
 
 def general_world(
     rng: np.random.Generator, obstacles: int, size: float, *, convex: bool = False
-) -> dict[str, Any]:
+) -> Given:
     """Boundary and obstacles as arguments of an exercise, counter-clockwise, with two decimals."""
     while True:
         n = int(rng.integers(4, 9))

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Numbers, Record, Text
+from ...shapes import Listed, Numbers, Record, Text, Value
 from ...whole_shapes import Integer
 
 QUARTERS = (0.25, 0.5, 0.75)
@@ -59,7 +59,7 @@ class ComparePlanners(ValueExercise):
 
     source = reference
 
-    def call(self, function: Callable[..., Any], given: dict[str, Any]) -> Any:
+    def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the student's function with a runner for the given planners and seeds.
 
         The runner raises a ValueError for any other planner or seed.
@@ -118,7 +118,7 @@ class ComparePlanners(ValueExercise):
         names = ["RRT", "PRM", "A*"][: len(lengths)]
         return Case(kind, {"lengths": lengths, "planners": names, "seeds": seeds})
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw every run as a dot, the right quartiles and median, and the student's."""
         from .pictures import draw_runs
 

@@ -8,7 +8,7 @@ import numpy as np
 from ....collision.costs import cost_on_terrain, integral
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..geometry.lines import POINT
@@ -72,7 +72,7 @@ class CostAlong(ValueExercise):
             for kind in self.kinds:
                 yield Case(kind, draw_case(kind, 2 + number // 2, rng))
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the cells with their costs, and the motion cut where it enters another cell."""
         from .pictures import draw_costs
 

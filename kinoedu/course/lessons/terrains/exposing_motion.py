@@ -1,15 +1,14 @@
 """The exercise "break it" of lesson 10: a motion through a rock between two samples."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record, Together
+from ...shapes import Numbers, Record, Together, Value
 from ..geometry.lines import POINT
 from .motions import find_crossed_cells, find_cuts, find_motion_fault, measure_length, sample_motion
 
@@ -29,7 +28,7 @@ class ExposeSampling(Exercise):
         """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the motion is valid, is accepted, and how long it is in the rock."""
         rule = find_motion_fault(*value)
         if not rule and case.kind != "valid":
@@ -42,7 +41,7 @@ class ExposeSampling(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"exposing_motion.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the cells, the motion and its samples."""
         from .pictures import draw_samples_on
 

@@ -3,19 +3,18 @@
 The right answer is green, the student's is orange.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Case, Exercise, format_value
+from ...exercise import Axes, Case, Exercise, format_value
+from ...shapes import Value
 from .motions import find_cuts, find_motion_fault, sample_motion
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
-def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, ax: Any) -> None:
+def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, ax: Axes) -> None:
     """Draw the cells with their costs, and the motion cut where it enters another cell."""
     from ....figures import palette, plane
 
@@ -31,7 +30,7 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
         zorder=0,
     )
     for j, i in np.ndindex(rows, columns):
-        look = {"fontsize": palette.TEXT_SIZE, "color": palette.INK, "zorder": 3}
+        look: palette.Style = {"fontsize": palette.TEXT_SIZE, "color": palette.INK, "zorder": 3}
         ax.text(i + 0.08, j + 0.08, f"{cost[j, i]:g}", **look)
     places = a + find_cuts(a, b)[:, None] * (b - a)
     ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
@@ -47,7 +46,7 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
     plane.title(f"{exercise.message(f'pictures.{case.kind}')}\n{truth}; {yours}", ax)
 
 
-def set_cell_axes(ax: Any, columns: int, rows: int) -> None:
+def set_cell_axes(ax: Axes, columns: int, rows: int) -> None:
     """Set equal axes with a line at every side of a cell."""
     from ....figures import palette
 
@@ -60,7 +59,7 @@ def set_cell_axes(ax: Any, columns: int, rows: int) -> None:
     ax.grid(color=palette.OUTSIDE, linewidth=0.8, zorder=1)
 
 
-def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, ax: Any) -> None:
+def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Value, ax: Axes) -> None:
     """Draw the table with the repeats in green and the student's wrong entries in orange."""
     from ....figures import palette, plane
 
@@ -81,12 +80,12 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Any, 
     for row in range(n):
         ax.text(-0.5, row, f"{row}", fontsize=size, color=palette.OBSTACLE, va="center")
     for c in range(m):
-        look = {"fontsize": size, "color": palette.OBSTACLE, "va": "center"}
+        look: palette.Style = {"fontsize": size, "color": palette.OBSTACLE, "va": "center"}
         ax.text(c, -0.8, get_message("repeated_rows.column", number=c), **look)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Any) -> None:
+def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Axes) -> None:
     """Draw every run with a path as a dot, with quartiles and medians.
 
     The right ones are green, the student's are orange and below.
@@ -96,7 +95,7 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
     lengths, planners, _ = case.given.values()
     for i, (runs, row) in enumerate(zip(lengths, truth)):
         ends = np.isfinite(runs)
-        look = {"color": palette.TREE, "markersize": 6, "alpha": 0.6, "zorder": 3}
+        look: palette.Style = {"color": palette.TREE, "markersize": 6, "alpha": 0.6, "zorder": 3}
         ax.plot(runs[ends], np.full(ends.sum(), i), "o", **look)
         rows = [(row, 0.15, palette.START)]
         if found is not None and len(found) == len(truth):
@@ -112,7 +111,7 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_samples_on(value: Any, text: str, ax: Any) -> None:
+def draw_samples_on(value: Value, text: str, ax: Axes) -> None:
     """Draw a small terrain, a motion and its samples."""
     from ....figures import palette, plane
 
@@ -133,7 +132,7 @@ def draw_samples_on(value: Any, text: str, ax: Any) -> None:
             zorder=0,
         )
         ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
-        look = {"color": palette.TREE, "markeredgecolor": "white", "zorder": 5}
+        look: palette.Style = {"color": palette.TREE, "markeredgecolor": "white", "zorder": 5}
         ax.plot(*sample_motion(a, b).T, "o", markersize=8, **look)
         set_cell_axes(ax, columns, rows)
     plane.title(text, ax)

@@ -8,8 +8,9 @@ from ....geometry.checks import Array
 from ....graphs import Graph, astar
 from ....planners.roadmaps.prm import prm
 from ....problems import Tree
+from ....problems.protocols import PlanningProblem, ProblemLike
 from ...exercise import Case
-from ...shapes import Maybe, Record, Together
+from ...shapes import Maybe, Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import (
     NODES,
@@ -28,7 +29,7 @@ def find_bounds(problem: Any) -> tuple[Array, Array]:
     return problem.world.lo, problem.world.hi
 
 
-def build_roadmap(problem: Any, n: int, rng: int) -> Any:
+def build_roadmap(problem: PlanningProblem, n: int, rng: int) -> Any:
     """Build the PRM as the exercise demands, and return nodes, edges and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
@@ -45,7 +46,7 @@ def build_roadmap(problem: Any, n: int, rng: int) -> Any:
     return nodes, edges, None if numbers is None else np.array(nodes)[numbers]
 
 
-def find_shortest(problem: Any, nodes: Array, edges: Array) -> Any:
+def find_shortest(problem: ProblemLike, nodes: Array, edges: Array) -> Any:
     """Return the indices of the nodes on a shortest path from node 0 to node 1, or None."""
     lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
     return astar(
@@ -71,7 +72,7 @@ class PrmOnTerrain(TerrainPlanner):
         """Another seed always gives another answer."""
         return True
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge the nodes, the edges and the path.
 
         Each free pair must be there once; the path must follow edges and be shortest.
@@ -84,7 +85,7 @@ class PrmOnTerrain(TerrainPlanner):
             return fault if known else Fault("missed", nodes[:0])
         return self.fault_of_end(case, path) or find_path_fault(problem, nodes, edges, path)
 
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+    def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the nodes, as trees of one node each, and the path."""
         nodes, _, path = answer
         return [Tree(nodes, np.full(len(nodes), -1))], path

@@ -1,14 +1,13 @@
 """The exercise on repeated numbers in a table of measurements, which chance rarely makes."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ...whole_shapes import Integers
 
 # path length and seconds of RRT on six terrains, then of PRM on the same terrains: P. A. Maniar,
@@ -88,13 +87,13 @@ class RepeatedRows(ValueExercise):
             for kind in self.kinds:
                 yield Case(kind, {"table": draw_table_at_random(kind, 4 + number, rng)})
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether both hold the same triples, each once, in any order."""
         return sorted(map(tuple, np.reshape(value, (-1, 3)).tolist())) == sorted(
             map(tuple, np.reshape(truth, (-1, 3)).tolist())
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the table, the repeats in green and the student's wrong entries in orange."""
         from .pictures import draw_table
 

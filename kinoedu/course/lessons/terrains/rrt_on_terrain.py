@@ -4,15 +4,17 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.trees.spaced import grow_spaced
 from ....problems import Problem, Tree
+from ....problems.protocols import PlanningProblem
 from ....robots import Point
 from ....worlds import Terrain
 from ...exercise import Case
-from ...shapes import Maybe, Number, Record, Together
+from ...shapes import Maybe, Number, Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import (
     NODES,
@@ -34,7 +36,7 @@ LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 
 SMALL = 40  # cells along each side
 
 
-def make_terrain_problem(blocked: Any, start: Any, goal: Any) -> StudentProblem:
+def make_terrain_problem(blocked: Any, start: ArrayLike, goal: ArrayLike) -> StudentProblem:
     """Return a point's problem on 40 x 40 cells with blocked boxes (x0, y0, x1, y1)."""
     free = np.ones((SMALL, SMALL), np.bool_)
     for x0, y0, x1, y1 in blocked:
@@ -87,7 +89,7 @@ class TerrainPlanner(PlannerExercise):
 
 
 def grow_tree(
-    problem: Any, step: float, spacing: float, goal_bias: float, failures: int, rng: int
+    problem: PlanningProblem, step: float, spacing: float, goal_bias: float, failures: int, rng: int
 ) -> Any:
     """Grow the RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent, in_a_row = np.random.default_rng(rng), [problem.start], [-1], 0
@@ -145,7 +147,7 @@ class RrtOnTerrain(TerrainPlanner):
         """Whether another seed gives another answer: not with goal bias 1."""
         return super().uses_chance(case) and case.given["goal_bias"] < 1.0
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge the path, the tree and its rule, and where the search gave up.
 
         The path must also belong to the tree.
@@ -172,13 +174,13 @@ class RrtOnTerrain(TerrainPlanner):
             fault = Fault("gave_up", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+    def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
 
 
-def find_close_node(problem: Any, nodes: Array, spacing: float) -> Fault | None:
+def find_close_node(problem: PlanningProblem, nodes: Array, spacing: float) -> Fault | None:
     """Return the fault of a node nearer than the spacing to an earlier one, or None.
 
     The goal is excepted.
@@ -203,7 +205,7 @@ def find_missed_goal(problem: Any, nodes: Array, path: Array | None, step: float
     return None
 
 
-def find_stray_node(problem: Any, nodes: Array) -> Fault | None:
+def find_stray_node(problem: PlanningProblem, nodes: Array) -> Fault | None:
     """Return the fault of a node that is off the segment from start to goal, or None.
 
     With goal bias 1 on open ground every node lies on that segment.

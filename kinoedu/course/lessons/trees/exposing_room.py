@@ -1,16 +1,16 @@
 """The exercise "break it" of lesson 9: a room in which an RRT returns a path that is not free."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....errors import KinoeduError
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import RIGHT, Case, Exercise, Verdict
+from ....problems.protocols import PlanningProblem
+from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record, Together
+from ...shapes import Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ..shared.planned import find_path_fault
 from ..shared.planned_pictures import draw_answer
@@ -35,7 +35,7 @@ class ExposeHastyGoal(Exercise):
         """Yield the same question three times; each time the answer must fulfil more."""
         return (Case(kind, {}) for kind in self.kinds)
 
-    def value_verdict(self, case: Case, value: Any) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge that the problem is valid, that the path is not free, and that no path exists."""
         problem = make_problem(*value)
         rule = "valid" if problem is None else ""
@@ -53,7 +53,7 @@ class ExposeHastyGoal(Exercise):
         """Describe what the answer to a case must be."""
         return get_message(f"exposing_room.wanted.{case.kind}")
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the room and the path that the program returns."""
         problem = make_problem(*outcome.value) if isinstance(outcome, Answer) else None
         path = None if problem is None else hasty_rrt(problem, 1.0, 0.05, 500, 0)
@@ -87,7 +87,7 @@ def is_connected(start: Array, goal: Array, triangle: Array) -> bool:
 
 
 def hasty_rrt(
-    problem: Any, step: float, goal_bias: float, iterations: int, rng: int
+    problem: PlanningProblem, step: float, goal_bias: float, iterations: int, rng: int
 ) -> Array | None:
     """Find a path from start to goal by a rapidly-exploring random tree, or return None.
 

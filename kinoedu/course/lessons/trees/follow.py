@@ -4,22 +4,22 @@ Bullo & Smith, chapter 5.
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ....planners import receding_horizon
-from ...exercise import Case, Slip, ValueExercise
+from ....problems.protocols import PlanningProblem
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record
+from ...shapes import Number, Record, Value
 from ...tasks import StudentProblem
 from ..shared.planned import PATH, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 
 
-def follow_path(problem: Any, path: Array, horizon: float) -> Array:
+def follow_path(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Return the first part of a path, as long as the horizon, up to the first blocked motion."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
@@ -31,7 +31,7 @@ def follow_path(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def follow_to_next_corner(problem: Any, path: Array, horizon: float) -> Array:
+def follow_to_next_corner(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Go on to the end of the motion in which the horizon ends."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
@@ -42,7 +42,7 @@ def follow_to_next_corner(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def stop_at_last_corner(problem: Any, path: Array, horizon: float) -> Array:
+def stop_at_last_corner(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Stop at the last corner before the horizon."""
     followed = follow_path(problem, path, horizon)
     return (
@@ -52,7 +52,7 @@ def stop_at_last_corner(problem: Any, path: Array, horizon: float) -> Array:
     )
 
 
-def follow_unchecked(problem: Any, path: Array, horizon: float) -> Array:
+def follow_unchecked(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Check no motion."""
     gone, left = [path[0]], horizon
     for a, b in zip(path, path[1:]):
@@ -62,7 +62,7 @@ def follow_unchecked(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def restart_horizon(problem: Any, path: Array, horizon: float) -> Array:
+def restart_horizon(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Begin a new horizon at every corner."""
     gone = [path[0]]
     for a, b in zip(path, path[1:]):
@@ -75,7 +75,7 @@ def restart_horizon(problem: Any, path: Array, horizon: float) -> Array:
     return np.array(gone)
 
 
-def check_beyond(problem: Any, path: Array, horizon: float) -> Array:
+def check_beyond(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Check whole motions of the path, also beyond the horizon."""
     followed = follow_path(problem, path, horizon)
     for i, (a, b) in enumerate(zip(path[: len(followed) - 1], path[1:])):
@@ -103,7 +103,7 @@ class Follow(ValueExercise):
     )
 
     @staticmethod
-    def reference(*given: Any) -> Any:
+    def reference(*given: Value) -> Value:
         """Return the part that is followed."""
         return follow_path(*given)
 
@@ -151,11 +151,11 @@ class Follow(ValueExercise):
                 round(float(motions[:i].sum() + rng.uniform(0.1, 1.5) * motions[i]), 2),
             )
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether all rows are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the plan, the part that should be followed, and where the student's part ends."""
         from ....figures import palette
 
@@ -170,6 +170,6 @@ class Follow(ValueExercise):
         ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
 
 
-def make_case(kind: str, problem: StudentProblem, path: Any, horizon: float) -> Case:
+def make_case(kind: str, problem: StudentProblem, path: object, horizon: float) -> Case:
     """Return a case."""
     return Case(kind, {"problem": problem, "path": np.array(path, float), "horizon": horizon})

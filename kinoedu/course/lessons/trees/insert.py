@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....planners.trees.rrt_star import grow_shortest
 from ....problems import Tree
-from ...exercise import Case, Slip, ValueExercise
+from ....problems.protocols import PlanningProblem, ProblemLike
+from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record, Together
+from ...shapes import Number, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integers
 from ..shared.planned import NODES, Fault, ProblemShape
@@ -40,7 +41,12 @@ class WithoutObstacles(NamedTuple):
 
 
 def insert_node(
-    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+    problem: Any,
+    nodes: Array,
+    parent: Parents,
+    cost: Array,
+    q_new: Array,
+    radius: float,
 ) -> Insertion:
     """Insert a node into a tree as RRT* does.
 
@@ -54,7 +60,7 @@ def insert_node(
 
 
 def find_neighbours(
-    problem: Any, nodes: Array, q_new: Array, radius: float
+    problem: ProblemLike, nodes: Array, q_new: Array, radius: float
 ) -> tuple[list[int], list[float]]:
     """Return the nodes in the radius with a free motion, and the distance of every node."""
     apart = [problem.distance(q, q_new) for q in nodes]
@@ -96,7 +102,12 @@ def rewire(
 
 
 def insert_at_nearest(
-    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+    problem: PlanningProblem,
+    nodes: Array,
+    parent: Parents,
+    cost: Array,
+    q_new: Array,
+    radius: float,
 ) -> Insertion:
     """Take the nearest neighbour as the parent instead of the cheapest."""
     near, apart = find_neighbours(problem, nodes, q_new, radius)
@@ -105,7 +116,12 @@ def insert_at_nearest(
 
 
 def insert_without_rewiring(
-    problem: Any, nodes: Array, parent: Parents, cost: Array, q_new: Array, radius: float
+    problem: PlanningProblem,
+    nodes: Array,
+    parent: Parents,
+    cost: Array,
+    q_new: Array,
+    radius: float,
 ) -> Insertion:
     """Choose the parent of the new node, and change no other node."""
     near, apart = find_neighbours(problem, nodes, q_new, radius)
@@ -113,7 +129,7 @@ def insert_without_rewiring(
     return attach(parent, cost, best, apart[best])
 
 
-def insert_without_descendants(*given: Any) -> Insertion:
+def insert_without_descendants(*given: Value) -> Insertion:
     """Rewire neighbours, and leave the costs of their descendants as they were."""
     problem, nodes, _, _, q_new, radius = given
     near, apart = find_neighbours(problem, nodes, q_new, radius)
@@ -121,7 +137,7 @@ def insert_without_descendants(*given: Any) -> Insertion:
     return rewire(near, apart, *tree, lowered=lambda i, parents: [i])
 
 
-def insert_unchecked(problem: Any, *given: Any) -> Insertion:
+def insert_unchecked(problem: Any, *given: Value) -> Insertion:
     """Insert a node as if every motion were free."""
     return insert_node(WithoutObstacles(problem.distance), *given)
 
@@ -192,7 +208,7 @@ class Insert(ValueExercise):
                 left["grown"] -= 1
                 yield grow_case(rng, WALL)
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether the parents are the same, and the costs up to rounding."""
         return (
             len(value[0]) == len(truth[0])
@@ -200,7 +216,7 @@ class Insert(ValueExercise):
             and super().same(value[1], truth[1])
         )
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right tree, and a cross at the first node with a wrong parent or cost."""
         from ....figures import palette, plane
 
@@ -222,7 +238,7 @@ class Insert(ValueExercise):
                 plane.label(q, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=offset)
 
 
-def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
+def differs(value: Value, parent: list[int], cost: list[float], i: int) -> bool:
     """Whether an answer has another parent or another cost for node i."""
     parents, costs = value
     return (
@@ -233,7 +249,12 @@ def differs(value: Any, parent: list[int], cost: list[float], i: int) -> bool:
 
 
 def make_case(
-    kind: str, problem: StudentProblem, nodes: Any, parent: Any, q_new: Any, radius: float
+    kind: str,
+    problem: StudentProblem,
+    nodes: object,
+    parent: Any,
+    q_new: object,
+    radius: float,
 ) -> Case:
     """Return a case with the costs that belong to its tree."""
     places, above = np.array(nodes, float), np.array(parent)
@@ -276,7 +297,7 @@ def grow_case(rng: np.random.Generator, problem: StudentProblem) -> Case:
     return case
 
 
-def is_fair(given: dict[str, Any]) -> bool:
+def is_fair(given: Given) -> bool:
     """Whether the case is valid and no two costs that are compared are nearly equal.
 
     It is valid if the tree is free and the new node has a neighbour with a free motion.
@@ -298,7 +319,7 @@ def is_fair(given: dict[str, Any]) -> bool:
     return bool((np.diff(through) > 1e-3).all() and (np.abs(gains) > 1e-3).all())
 
 
-def classify(given: dict[str, Any]) -> str:
+def classify(given: Given) -> str:
     """Return which part of the insertion the case needs."""
     truth = insert_node(*given.values())
     if insert_unchecked(*given.values()) != truth:

@@ -9,8 +9,9 @@ from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.trees.rrt import grow
 from ....problems import Tree
+from ....problems.protocols import PlanningProblem
 from ...exercise import Case
-from ...shapes import Maybe, Number, Record, Together
+from ...shapes import Maybe, Number, Record, Together, Value
 from ...whole_shapes import Integer
 from ..shared.planned import (
     NODES,
@@ -32,7 +33,9 @@ from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 LEFT_OUT = 2
 
 
-def grow_tree(problem: Any, step: float, goal_bias: float, iterations: int, rng: int) -> Any:
+def grow_tree(
+    problem: PlanningProblem, step: float, goal_bias: float, iterations: int, rng: int
+) -> Any:
     """Grow an RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     if problem.distance(problem.start, problem.goal) <= step and problem.is_free_path(
@@ -101,7 +104,7 @@ class Rrt(TreeExercise):
             else self.message("wanted.straight")
         )
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge the path, the tree and its rule, and the spread of the samples.
 
         The path must also belong to the tree.
@@ -130,7 +133,7 @@ class Rrt(TreeExercise):
             fault = Fault("corner", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+    def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path

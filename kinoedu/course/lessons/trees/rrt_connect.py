@@ -8,8 +8,9 @@ from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.trees.rrt_connect import grow_both
 from ....problems import Tree
+from ....problems.protocols import PlanningProblem
 from ...exercise import Case
-from ...shapes import Maybe, Number, Record, Together
+from ...shapes import Maybe, Number, Record, Together, Value
 from ...whole_shapes import Integer
 from ..shared.planned import (
     NODES,
@@ -25,7 +26,7 @@ from ..shared.planned import (
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 
-def grow_two_trees(problem: Any, step: float, iterations: int, rng: int) -> Any:
+def grow_two_trees(problem: PlanningProblem, step: float, iterations: int, rng: int) -> Any:
     """Grow both trees as the exercise demands, and return them with the path."""
     chance, trees = np.random.default_rng(rng), [([problem.start], [-1]), ([problem.goal], [-1])]
 
@@ -70,7 +71,7 @@ class RrtConnect(TreeExercise):
         question = {"problem": problem, "step": STEP, "iterations": ENOUGH[kind]}
         return Case(kind, {**question, "rng": int(rng.integers(1000))})
 
-    def fault(self, case: Case, answer: Any) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """Judge the path, both trees and their rule, and that one tree connects greedily.
 
         The path must also belong to the trees.
@@ -90,12 +91,12 @@ class RrtConnect(TreeExercise):
             fault = Fault("greedy", both[0][:0])
         return fault or self.fault_of_end(case, path)
 
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+    def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return both trees and the path."""
         return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
 
 
-def is_greedy(problem: Any, nodes: Array, goal_nodes: Array, step: float) -> bool:
+def is_greedy(problem: PlanningProblem, nodes: Array, goal_nodes: Array, step: float) -> bool:
     """Whether one tree took a step and the other went to its end in the fewest steps."""
     for tree in (nodes, goal_nodes):
         if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 from .... import planners
 from ....geometry.checks import Array
 from ....problems import Tree
-from ...exercise import Case, Slip, ValueExercise
+from ....problems.protocols import PlanningProblem, ProblemLike
+from ...exercise import Axes, Case, Slip, ValueExercise
 from ...expansions import EXPANSIONS, Rule
 from ...outcomes import Answer, Outcome
-from ...shapes import Record, Together
+from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import NODES, TRAPS, Fault, ProblemShape, find_tree_fault
 from ..shared.planned_pictures import draw_answer
@@ -22,7 +23,12 @@ PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8,
 
 
 def grow_by(
-    problem: Any, expand: Any, iterations: int, rng: int, *, accepts: Callable[..., bool]
+    problem: PlanningProblem,
+    expand: Any,
+    iterations: int,
+    rng: int,
+    *,
+    accepts: Callable[..., bool],
 ) -> tuple[Array, NDArray[np.int64]]:
     """Grow a tree by an expansion, with only those of its edges that are accepted."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
@@ -35,7 +41,7 @@ def grow_by(
 
 
 def grow_free_tree(
-    problem: Any, expand: Any, iterations: int, rng: int
+    problem: PlanningProblem, expand: Any, iterations: int, rng: int
 ) -> tuple[Array, NDArray[np.int64]]:
     """Grow the tree of all free edges."""
     return grow_by(
@@ -43,23 +49,23 @@ def grow_free_tree(
     )
 
 
-def grow_unchecked(*given: Any) -> Any:
+def grow_unchecked(*given: Value) -> Any:
     """Add every edge."""
     return grow_by(*given, accepts=lambda problem, a, b: True)
 
 
-def check_ends_only(*given: Any) -> Any:
+def check_ends_only(*given: Value) -> Any:
     """Check only whether the new node is free."""
     return grow_by(*given, accepts=lambda problem, a, b: problem.is_free(b))
 
 
-def count_from_one(*given: Any) -> Any:
+def count_from_one(*given: Value) -> Any:
     """Count parents from 1."""
     nodes, parent = grow_free_tree(*given)
     return nodes, np.where(parent < 0, -1, parent + 1)
 
 
-def chain_nodes(*given: Any) -> Any:
+def chain_nodes(*given: Value) -> Any:
     """Attach every node to the one before it."""
     nodes, _ = grow_free_tree(*given)
     return nodes, np.arange(len(nodes)) - 1
@@ -83,7 +89,7 @@ class TreeRoadmap(ValueExercise):
     )
 
     @staticmethod
-    def reference(*given: Any) -> Any:
+    def reference(*given: Value) -> Value:
         """Return the tree of all free edges."""
         return grow_free_tree(*given)
 
@@ -98,7 +104,7 @@ class TreeRoadmap(ValueExercise):
                 problem = (PILLARS, TRAPS["passage"])[int(rng.integers(2))]
                 yield make_case("pillars", problem, name, int(rng.integers(20, 80)), rng)
 
-    def same(self, value: Any, truth: Any) -> bool:
+    def same(self, value: Value, truth: Value) -> bool:
         """Whether the nodes are the same, in the same order, with the same parents."""
         return all(
             np.shape(a) == np.shape(b) and np.allclose(a, b, rtol=0, atol=1e-9)
@@ -110,12 +116,12 @@ class TreeRoadmap(ValueExercise):
         nodes, _ = self.truth(case)
         return self.message("wanted", nodes=len(nodes), iterations=case.given["iterations"])
 
-    def describe_answer(self, case: Case, value: Any) -> str:
+    def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the size of the student's tree and its first wrong node."""
         at = find_first_difference(value, self.truth(case))
         return self.message("answered", nodes=len(value[0]), node=at)
 
-    def draw(self, case: Case, outcome: Outcome, ax: Any) -> None:
+    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the student's tree and its first fault."""
         problem = case.given["problem"]
         trees = [Tree(*outcome.value)] if isinstance(outcome, Answer) else []
@@ -131,7 +137,7 @@ class TreeRoadmap(ValueExercise):
         draw_answer(problem.problem, trees, None, fault, self.message(f"pictures.{case.kind}"), ax)
 
 
-def find_first_difference(value: Any, truth: Any) -> int:
+def find_first_difference(value: Value, truth: Value) -> int:
     """Return the index of the first node that differs in position or parent."""
     for i, (p, q, a, b) in enumerate(zip(value[0], truth[0], value[1], truth[1])):
         if np.shape(p) != np.shape(q) or not np.allclose(p, q, rtol=0, atol=1e-9) or a != b:
@@ -140,7 +146,7 @@ def find_first_difference(value: Any, truth: Any) -> int:
 
 
 def make_case(
-    kind: str, problem: Any, name: str, iterations: int, rng: np.random.Generator
+    kind: str, problem: ProblemLike, name: str, iterations: int, rng: np.random.Generator
 ) -> Case:
     """Return a case with a random seed."""
     seed = int(rng.integers(1000))
