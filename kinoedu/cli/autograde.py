@@ -2,9 +2,9 @@
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from ..errors import InvalidParameter
+from .commands import Commands
 
 AUTOGRADE_HELP = """\
 Grade the one submission in ROOT/submission and write ROOT/results/results.json. The script
@@ -13,7 +13,7 @@ If the submission cannot be graded, nothing is written, so that nobody gets a sc
 """
 
 
-def add_autograde(commands: Any) -> None:
+def add_autograde(commands: Commands) -> None:
     """Add the command and its options."""
     autograde = commands.add_parser(
         "autograde",

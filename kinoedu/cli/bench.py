@@ -26,6 +26,7 @@ from ..bench import (
 )
 from ..errors import InvalidParameter
 from ..support.progress import format_duration, show_stage
+from .commands import Commands
 
 BENCH_HELP = """\
 Compare the speed of kinoedu with other libraries and with C, row by row. Each row runs in a process
@@ -55,7 +56,7 @@ in the table; 2 the input was wrong
 """
 
 
-def add_bench(commands: Any) -> None:
+def add_bench(commands: Commands) -> None:
     """Add the command and its options."""
     bench = commands.add_parser(
         "bench",

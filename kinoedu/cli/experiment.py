@@ -2,10 +2,10 @@
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from ..errors import InvalidParameter
 from ..support.progress import show_progress, show_stage
+from .commands import Commands
 
 EXPERIMENT_HELP = """\
 Run every planner on every problem with every seed, and summarise the results.
@@ -29,7 +29,7 @@ was wrong
 """
 
 
-def add_experiment(commands: Any) -> None:
+def add_experiment(commands: Commands) -> None:
     """Add the command and its options."""
     experiment = commands.add_parser(
         "experiment",

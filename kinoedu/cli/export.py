@@ -7,6 +7,7 @@ from typing import Any
 
 from ..errors import InvalidParameter
 from ..support.progress import show_stage
+from .commands import Commands
 
 EXPORT_HELP = """\
 Write the grades in the formats of other programs.
@@ -36,7 +37,7 @@ TRUST_CONTAINER = (
 )
 
 
-def add_export(commands: Any) -> None:
+def add_export(commands: Commands) -> None:
     """Add the command and its options."""
     export = commands.add_parser(
         "export",

@@ -7,6 +7,7 @@ from typing import Any
 
 from ..errors import InvalidParameter
 from ..support.progress import show_progress
+from .commands import Commands
 
 GRADE_HELP = """\
 Grade a folder of submissions, or a zip of it, in the layout of nbgrader, Canvas, Moodle or
@@ -44,7 +45,7 @@ TRUSTED = """\
 MOST_LISTED = 20
 
 
-def add_grade(commands: Any) -> None:
+def add_grade(commands: Commands) -> None:
     """Add the two commands and their options."""
     raw = argparse.RawDescriptionHelpFormatter
     grade = commands.add_parser(

@@ -3,7 +3,8 @@
 import argparse
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+
+from .commands import Commands
 
 HAND_IN_HELP = """\
 Check that a notebook can be graded, and pack it into a zip to hand in, with a receipt: the
@@ -14,7 +15,7 @@ nothing is sent: upload the zip yourself.
 """
 
 
-def add_hand_in(commands: Any) -> None:
+def add_hand_in(commands: Commands) -> None:
     """Add the command and its options."""
     hand_in = commands.add_parser(
         "hand-in",

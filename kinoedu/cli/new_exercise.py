@@ -1,9 +1,9 @@
 """kinoedu new-exercise: create an exercise for an instructor to edit."""
 
 import argparse
-from typing import Any
 
 from ..support.progress import show_stage
+from .commands import Commands
 
 NEW_EXERCISE_HELP = """\
 Create an exercise of your own, with the name and the lesson that you give. It is complete but tiny
@@ -21,7 +21,7 @@ tests/test_bank.py -k {name}
 """
 
 
-def add_new_exercise(commands: Any) -> None:
+def add_new_exercise(commands: Commands) -> None:
     """Add the command and its options."""
     new = commands.add_parser(
         "new-exercise",

@@ -13,6 +13,7 @@ from ..errors import InvalidParameter
 from ..planners.registry import PLANNERS
 from ..problems.protocols import ProblemLike
 from ..support.progress import show_stage
+from .commands import Commands
 
 CHOICES = {planner.name.replace("_", "-"): planner for planner in PLANNERS.values()}
 SETTINGS = ("step_size", "nodes", "neighbours", "spacing", "iterations")
@@ -47,7 +48,7 @@ exit status: 0 a path was found, 1 there is none (with the reason), 2 the input 
 """
 
 
-def add_plan(commands: Any) -> None:
+def add_plan(commands: Commands) -> None:
     """Add the command and its options."""
     plan = commands.add_parser(
         "plan",

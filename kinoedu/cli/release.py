@@ -3,10 +3,10 @@
 import argparse
 import importlib.util
 from pathlib import Path
-from typing import Any
 
 from ..errors import InvalidParameter
 from ..support.progress import show_stage
+from .commands import Commands
 
 RELEASE_HELP = """\
 Make the exercises from the solutions: answers are removed, every cell is run, and the outputs that
@@ -25,7 +25,7 @@ spelled as in the column student of grades.csv.
 """
 
 
-def add_release(commands: Any) -> None:
+def add_release(commands: Commands) -> None:
     """Add the command and its options."""
     release = commands.add_parser(
         "release",

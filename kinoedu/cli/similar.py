@@ -3,10 +3,10 @@
 import argparse
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
 from ..errors import InvalidParameter
 from ..support.progress import show_stage
+from .commands import Commands
 
 SIMILAR_HELP = """\
 Rank submissions by the code that they share with each other, and with the course's own solution,
@@ -18,7 +18,7 @@ look at the pairs.
 """
 
 
-def add_similar(commands: Any) -> None:
+def add_similar(commands: Commands) -> None:
     """Add the command and its options."""
     similar = commands.add_parser(
         "similar",

@@ -11,17 +11,18 @@ from typing import Any, TypeVar
 
 from ..errors import DuplicateKind
 
-F = TypeVar("F", bound=Callable[..., Any])
+Function = Callable[..., Any]
+F = TypeVar("F", bound=Function)
 C = TypeVar("C", bound=type)
 
 GENERICS: list[
-    tuple[Callable[..., Any], Callable[..., Any]]
+    tuple[Function, Function]
 ] = []  # generic functions, each with the function that selects its implementation
-METHODS: dict[str, dict[type, Callable[..., Any]]] = {}  # methods by name, then by class
-CALLABLE: list[Callable[..., Any]] = []  # plain functions that compiled code may call
+METHODS: dict[str, dict[type, Function]] = {}  # methods by name, then by class
+CALLABLE: list[Function] = []  # plain functions that compiled code may call
 
 
-def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
+def generic(records: int) -> Callable[[Function], Any]:
     """Make a generic function, which selects its implementation by its first `records` arguments.
 
     The decorated function is the default for kinds without an implementation. Implementations are
@@ -45,8 +46,8 @@ def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
     (4, 0)
     """
 
-    def make(default: Callable[..., Any]) -> Any:
-        implementations: dict[tuple[type, ...], Callable[..., Any]] = {}
+    def make(default: Function) -> Any:
+        implementations: dict[tuple[type, ...], Function] = {}
 
         @functools.wraps(default)
         def dispatch(*args: Any) -> Any:
@@ -65,7 +66,7 @@ def generic(records: int) -> Callable[[Callable[..., Any]], Any]:
 
             return add
 
-        def choose(*args: Any) -> Callable[..., Any]:
+        def choose(*args: Any) -> Function:
             kinds = (getattr(arg, "instance_class", arg) for arg in args[:records])
             return implementations.get(tuple(kinds), default)
 
@@ -96,11 +97,11 @@ def record(record_class: C) -> C:
     return record_class
 
 
-def method_chooser(name: str) -> Callable[..., Any]:
+def method_chooser(name: str) -> Function:
     """A function that selects the method of a name for the class of its first argument, or None."""
     methods = METHODS[name]
 
-    def choose(self: Any, *args: Any) -> Callable[..., Any] | None:
+    def choose(self: Any, *args: Any) -> Function | None:
         return methods.get(getattr(self, "instance_class", type(None)))
 
     signature = inspect.signature(next(iter(methods.values())))

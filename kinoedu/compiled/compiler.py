@@ -26,6 +26,7 @@ from numba.extending import (
 from numba.np.arrayobj import raise_with_shape_context
 
 from . import choices
+from .choices import Function
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
 from .tiers import TieredFunction
@@ -203,7 +204,7 @@ class InnerCompiler(EntryCompiler):
     mark = "has_one_caller"
 
 
-def borrowing(function: Callable[..., Any]) -> Callable[..., Any]:
+def borrowing(function: Function) -> Function:
     """Wrap an algorithm so that it borrows the arrays of its arguments.
 
     No references to them are counted while it runs, which makes planners two and a half times as

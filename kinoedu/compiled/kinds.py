@@ -18,7 +18,7 @@ class UnsupportedValue(TypeError):
     """The value has a type for which no machine code can be made."""
 
 
-def kinds_of(values: tuple[Any, ...]) -> tuple[Kind, ...] | None:
+def kinds_of(values: tuple[object, ...]) -> tuple[Kind, ...] | None:
     """The kinds of some values, or None if one of them has no kind.
 
     Examples

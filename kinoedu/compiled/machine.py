@@ -5,7 +5,6 @@ another thread never leaves numba's lock held.
 """
 
 import pickle
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +17,7 @@ from numba.core.compiler_lock import global_compiler_lock
 from numba.core.serialize import dumps
 from numba.np.numpy_support import from_dtype
 
+from .choices import Function
 from .kinds import NONE, RNG, Kind, is_tuple_kind
 
 # error_model: a float divided by zero is inf, without a check at every division.
@@ -26,7 +26,7 @@ OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "forceinline":
 RNG_TYPE = numba.typeof(np.random.default_rng(0))
 
 
-def new_dispatcher(function: Callable[..., Any], missed: Callable[..., Any]) -> Any:
+def new_dispatcher(function: Function, missed: Function) -> Any:
     """A dispatcher that calls machine code, or `missed` for other kinds; it never compiles."""
     dispatcher = numba.njit(**OPTIONS)(function)
     dispatcher._compile_for_args = lambda *args: missed

@@ -19,7 +19,7 @@ import logging
 import os
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Protocol, TypeVar, cast
@@ -28,7 +28,7 @@ import numpy as np
 
 from ..support.threads import ThreadTime, spent_by
 from . import modes, store
-from .choices import CALLABLE
+from .choices import CALLABLE, Function
 from .kinds import Kind, kinds_of
 
 BUDGET = 2.0  # seconds of interpreting one kind of call before it is compiled
@@ -41,13 +41,13 @@ BEGUN, DONE = "compiling %s once", "compiled %s"  # log messages of a call that 
 
 log = logging.getLogger(__name__.partition(".")[0])
 
-F = TypeVar("F", bound=Callable[..., Any])
+F = TypeVar("F", bound=Function)
 
 
 class Compiled(Protocol):
     """A function with the Python function from which it was compiled."""
 
-    py_func: Callable[..., Any]
+    py_func: Function
 
     def __call__(self, *args: Any) -> Any: ...
 
@@ -66,9 +66,7 @@ interpreted = ThreadTime()  # in all threads together
 class TieredFunction:
     """A function that runs interpreted or as machine code."""
 
-    def __init__(
-        self, function: Callable[..., Any], *, is_algorithm: bool = False, **options: bool
-    ):
+    def __init__(self, function: Function, *, is_algorithm: bool = False, **options: bool):
         functools.update_wrapper(self, function)
         self.__name__, self.__qualname__ = function.__name__, function.__qualname__
         self.py_func = function
@@ -76,7 +74,7 @@ class TieredFunction:
         self.options = options
         self.can_be_stored = store.is_digested(function)
         # the dispatcher, once machine code is loaded
-        self.machine: Callable[..., Any] | None = None
+        self.machine: Function | None = None
         self.inner: Any = None  # numba's function for compiled callers, in a process that compiles
         self.specializations: dict[tuple[Kind, ...], Specialization] = {}
         TIERED.append(self)
@@ -272,7 +270,7 @@ class Specialization:
         return self.function.machine(*args)  # type: ignore[misc]  # it was loaded just now
 
 
-def copy_state(value: Any) -> Any:
+def copy_state(value: object) -> Any:
     """Copy what an algorithm may change in a value: arrays and a generator's state."""
     if isinstance(value, np.ndarray):
         return value.copy() if value.flags.writeable else None
@@ -314,7 +312,7 @@ def can_import(name: str) -> bool:
 HAS_COMPILER = os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0") and can_import("numba")
 
 
-def compiled(function: Callable[..., Any]) -> Compiled:
+def compiled(function: Function) -> Compiled:
     """Let a function run as machine code where that exists; `.py_func` is the Python function.
 
     Examples
@@ -328,7 +326,7 @@ def compiled(function: Callable[..., Any]) -> Compiled:
     return make_tiered(function)
 
 
-def inlined(function: Callable[..., Any]) -> Compiled:
+def inlined(function: Function) -> Compiled:
     """`compiled` for a short kernel that takes records: its compiled callers inline its code.
 
     So no record is passed on. Not for kernels that take numbers only: the compiler decides better
@@ -337,7 +335,7 @@ def inlined(function: Callable[..., Any]) -> Compiled:
     return make_tiered(function, forceinline=True)
 
 
-def algorithm(function: Callable[..., Any]) -> Compiled:
+def algorithm(function: Function) -> Compiled:
     """`compiled` for a whole algorithm, which Python starts on a problem.
 
     It borrows the arrays of its arguments: it may write into them, but must return only numbers and
@@ -346,7 +344,7 @@ def algorithm(function: Callable[..., Any]) -> Compiled:
     return make_tiered(function, is_algorithm=True)
 
 
-def make_tiered(function: Callable[..., Any], **how: bool) -> Compiled:
+def make_tiered(function: Function, **how: bool) -> Compiled:
     """Make a function that runs in two ways, or the function itself if numba is not available.
 
     A generator is always interpreted, because numba cannot load machine code of generators.

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..compiled import COMPILED_FIRST, running
 from ..errors import InvalidParameter
+from ..geometry.checks import Array
 from ..problems import MOTIONS, PLACES, Plan, ProblemRecord
 from ..support.text import shortened
 
@@ -105,7 +106,7 @@ def outcome_of(plan: object, query_counts: Any, seconds: float) -> Outcome:
     )
 
 
-def digest_of(path: Any) -> str:
+def digest_of(path: Array | None) -> str:
     """16 hexadecimal digits that identify a path, to the last bit."""
     return hashlib.sha256(np.ascontiguousarray(path, dtype="<f8").tobytes()).hexdigest()[:16]
 

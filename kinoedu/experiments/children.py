@@ -224,7 +224,7 @@ class Watch(logging.Handler):
         self.log.addHandler(self)
         faulthandler.dump_traceback_later(self.seconds, exit=True)
 
-    def __exit__(self, *_: Any) -> None:
+    def __exit__(self, *_: object) -> None:
         faulthandler.cancel_dump_traceback_later()
         self.log.removeHandler(self)
 

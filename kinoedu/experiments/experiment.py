@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
 from ..geometry.checks import integer, is_real, positive
+from ..problems import ProblemRecord
 from ..support.json_fields import JsonObject
 from ..support.text import shortened
 from .cells import Cell
@@ -47,7 +48,7 @@ class ExperimentRecord(NamedTuple):
 
 
 def Experiment(
-    problems: Mapping[str, Any],
+    problems: Mapping[str, ProblemRecord],
     planners: Mapping[str, Planner | Sequence[Planner]],
     seeds: int | Iterable[int] = 10,
     *,

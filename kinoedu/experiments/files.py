@@ -43,9 +43,10 @@ from ..errors import KinoeduError, UnreadableScene
 from ..files.scene_robots import ROBOTS
 from ..files.scenes import read_problem
 from ..planners.registry import PLANNERS
+from ..problems import ProblemRecord
 from ..support.json_fields import Field
 from ..support.reading import read_text
-from .experiment import Experiment, ExperimentRecord, bind_arguments
+from .experiment import Experiment, ExperimentRecord, Planner, bind_arguments
 from .worlds import GENERATORS
 
 PLAIN = (bool, int, float, str)  # types of values in a file
@@ -107,7 +108,7 @@ def named_tables(table: Field) -> dict[str, Field]:
     return table.members((), tuple(table.value))
 
 
-def problem_from(field: Field) -> Any:
+def problem_from(field: Field) -> ProblemRecord:
     """Problem from a file, or with a generated world."""
     if isinstance(field.value, dict) and "world" in field.value:
         kind = field.value["world"]
@@ -132,7 +133,7 @@ def problem_from(field: Field) -> Any:
     )
 
 
-def planners_from(field: Field) -> list[Callable[..., Any]]:
+def planners_from(field: Field) -> list[Planner]:
     """Planners of a table: one, or one for each value of its lists."""
     name = field.value.get("planner") if isinstance(field.value, dict) else None
     known = planners_by_name()
@@ -174,7 +175,7 @@ def planners_by_name() -> dict[str, Callable[..., Any]]:
 
 def arguments_from(
     field: Field,
-    function: Callable[..., Any],
+    function: Callable[..., object],
     already_read: tuple[str, ...],
     renamed: dict[str, str],
 ) -> dict[str, Any]:

@@ -8,7 +8,7 @@ number of the deleted node is refused with an error. So arrays that a reader kee
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +32,9 @@ from .components import label_components
 from .flat import GraphRecord, as_searchable, check_node, flat_graph
 from .matrices import adjacency_matrix, incidence_matrix, laplacian_matrix
 from .search import dijkstra
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 
 class Graph:
@@ -321,7 +324,7 @@ class Graph:
         )
         return dijkstra(backwards, check_node(self, goal, "goal")).cost
 
-    def adjacency(self, *, weighted: bool = True) -> Any:
+    def adjacency(self, *, weighted: bool = True) -> csr_array:
         """The adjacency matrix A (size, size), scipy sparse; see `matrices.adjacency_matrix`.
 
         The rows and columns of deleted nodes are zero; `A[list(graph)][:, list(graph)]` leaves them
@@ -331,11 +334,11 @@ class Graph:
             self.size, self._edges.rows, self._costs(weighted), directed=self.directed
         )
 
-    def incidence(self) -> Any:
+    def incidence(self) -> csr_array:
         """The incidence matrix B (size, m), scipy sparse; see `matrices.incidence_matrix`."""
         return incidence_matrix(self.size, self._edges.rows)
 
-    def laplacian(self, *, weighted: bool = True) -> Any:
+    def laplacian(self, *, weighted: bool = True) -> csr_array:
         """The Laplacian L = D - A (size, size), scipy sparse; see `matrices.laplacian_matrix`."""
         return laplacian_matrix(self.adjacency(weighted=weighted))
 

@@ -6,15 +6,22 @@ zero, as is that of a deleted node.
 F. Bullo, "Lectures on Network Systems", chapters 4, 6 and 9.
 """
 
-from typing import Any
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.checks import Array
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
-def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool) -> Any:
+
+def adjacency_matrix(
+    size: int, edges: NDArray[np.int64], weights: Array, *, directed: bool
+) -> csr_array:
     """The adjacency matrix A (n, n): A[u, v] is the weight of the edge from u to v.
 
     Weights of parallel edges are added. A is symmetric unless the graph is directed. A loop is
@@ -34,7 +41,7 @@ def adjacency_matrix(size: int, edges: NDArray[np.int64], weights: Array, *, dir
     return coo_array((values, (rows, columns)), shape=(size, size)).tocsr()
 
 
-def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
+def incidence_matrix(size: int, edges: NDArray[np.int64]) -> csr_array:
     """The incidence matrix B (n, m): B[u, e] is +1 where edge e leaves u and -1 where it arrives.
 
     The column of a loop is zero. An undirected edge is taken to lead from the first node given to
@@ -56,7 +63,7 @@ def incidence_matrix(size: int, edges: NDArray[np.int64]) -> Any:
     ).tocsr()
 
 
-def laplacian_matrix(adjacency: Any) -> Any:
+def laplacian_matrix(adjacency: csr_array) -> csr_array:
     """The Laplacian matrix L = D - A (n, n), where D is the diagonal matrix of the row sums of A.
 
     For a directed graph D holds the weights that leave each node. Each row of L sums to zero. For

@@ -78,7 +78,7 @@ class PlanningProblem(Protocol):
         """Whether the motion from a to b is free."""
 
 
-class DrivingProblem(PlanningProblem, Protocol):
+class CarProblem(PlanningProblem, Protocol):
     """The problem of a car, with the distance of SE(2)."""
 
     @property
@@ -100,3 +100,15 @@ class DrivingProblem(PlanningProblem, Protocol):
 
     def is_free_drive(self, q: Array, v: float, phi: float, t: float, /) -> bool:
         """Whether the car touches nothing while it drives from q by (v, phi) for time t."""
+
+
+class RoadmapLike(Protocol):
+    """A roadmap of any planner."""
+
+    @property
+    def nodes(self) -> Array:
+        """The configurations, shape (n, d)."""
+
+    @property
+    def edges(self) -> NDArray[np.int64]:
+        """Pairs of node numbers, shape (m, 2)."""

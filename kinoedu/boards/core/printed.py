@@ -82,10 +82,14 @@ def print_world(scene: Scene, free: Any, ax: Axes) -> None:
     if free is not None:
         (x0, y0), (x1, y1) = (scene.get("glued", scene)[corner] for corner in ("lo", "hi"))
         shades = [palette.NAMED[name] for name in scene.get("colours", ("obstacle", "free"))]
-        colours: Any = {"cmap": ListedColormap(shades), "vmin": 0, "vmax": len(shades) - 1}
-        cells: Any = {"origin": "lower", "interpolation": "nearest", "zorder": 0.6}
+        colours: palette.Style = {
+            "cmap": ListedColormap(shades),
+            "vmin": 0,
+            "vmax": len(shades) - 1,
+        }
+        cells: palette.Style = {"origin": "lower", "interpolation": "nearest", "zorder": 0.6}
         ax.imshow(free, extent=(x0, x1, y0, y1), **cells, **colours)
-    solid: Any = {"facecolor": palette.OBSTACLE, "edgecolor": palette.OBSTACLE}
+    solid: palette.Style = {"facecolor": palette.OBSTACLE, "edgecolor": palette.OBSTACLE}
     if scene["boundary"] is not None:
         ax.set_facecolor(palette.OUTSIDE)
         outline = compound([np.array(scene["boundary"])])
@@ -134,7 +138,7 @@ def print_cells(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 def print_bodies(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw outlines with a fill so light that things beneath are visible."""
     shapes, stripes = list(rows.reshape(-1, layer.points, 2)), "////" if layer.hatched else None
-    outline: Any = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
+    outline: palette.Style = {"edgecolors": colour, "linewidths": layer.width, "hatch": stripes}
     beneath = zorder_of(layer) - 0.2
     ax.add_collection(PolyCollection(shapes, facecolors=f"{colour}59", zorder=beneath, **outline))
 
@@ -142,35 +146,42 @@ def print_bodies(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 def print_edges(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw segments."""
     segments, cap = list(rows.reshape(-1, 2, 2)), "butt" if layer.dash else "round"
-    style: Any = {"linewidths": layer.width, "linestyles": line_style(layer), "capstyle": cap}
+    style: palette.Style = {
+        "linewidths": layer.width,
+        "linestyles": line_style(layer),
+        "capstyle": cap,
+    }
     ax.add_collection(LineCollection(segments, colors=colour, zorder=zorder_of(layer), **style))
 
 
 def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw one line through all rows, on a dark line where it has a casing."""
     if layer.casing:
-        casing: Any = {"linewidth": layer.width + 2.0, "solid_capstyle": "round"}
+        casing: palette.Style = {"linewidth": layer.width + 2.0, "solid_capstyle": "round"}
         ax.plot(*rows.T, color=palette.INK, zorder=4, **casing)
     ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=line_style(layer), zorder=5)
 
 
 def print_dots(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw dots."""
-    style: Any = {"markersize": 1.6 * layer.width, "markeredgewidth": 0.0}
+    style: palette.Style = {"markersize": 1.6 * layer.width, "markeredgewidth": 0.0}
     ax.plot(*rows.T, "o", color=colour, zorder=zorder_of(layer) + 0.5, **style)
 
 
 def print_arrows(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw arrows; those that grow lie beneath the path."""
-    style: Any = {"width": 0.008 * layer.width / 3.0, "zorder": 6.0 if layer.when is None else 3.2}
+    style: palette.Style = {
+        "width": 0.008 * layer.width / 3.0,
+        "zorder": 6.0 if layer.when is None else 3.2,
+    }
     ax.quiver(*rows.T, angles="xy", scale_units="xy", scale=1.0, color=colour, **style)
 
 
 def print_labels(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw texts beside their points."""
-    style: Any = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO}
+    style: palette.Style = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO}
     for point, text in zip(rows, layer.texts, strict=True):
-        offset: Any = {"xytext": (7, 7), "textcoords": "offset points"}
+        offset: palette.Style = {"xytext": (7, 7), "textcoords": "offset points"}
         ax.annotate(text, tuple(point), zorder=8, **offset, **style)
 
 
@@ -215,12 +226,16 @@ def print_handles(scene: Scene, ax: Axes) -> None:
         if handle["radius"]:
             ax.add_patch(Circle((x, y), handle["radius"], facecolor=colour, alpha=0.35, zorder=6))
         marker, size = ("*", 15) if handle["marker"] == "star" else ("o", 9)
-        rim: Any = {"markeredgecolor": "white", "markeredgewidth": 1.2}
+        rim: palette.Style = {"markeredgecolor": "white", "markeredgewidth": 1.2}
         ax.plot(x, y, marker, color=colour, markersize=size, zorder=7, **rim)
         right = x < scene["lo"][0] + 0.75 * (scene["hi"][0] - scene["lo"][0])
         up = not low and y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1])
-        font: Any = {"fontsize": palette.TEXT_SIZE, "fontweight": "bold", "path_effects": HALO}
-        beside: Any = {
+        font: palette.Style = {
+            "fontsize": palette.TEXT_SIZE,
+            "fontweight": "bold",
+            "path_effects": HALO,
+        }
+        beside: palette.Style = {
             "xytext": (9 if right else -9, 9 if up else -9),
             "textcoords": "offset points",
             "ha": "left" if right else "right",

@@ -242,7 +242,7 @@ def run_with_alarm(seconds: float, work: Callable[[], Any]) -> Any:
 
     wall, processor = time.monotonic(), time.process_time()
 
-    def ring(*_: Any) -> None:
+    def ring(*_: object) -> None:
         raise TimeUp(time.process_time() - processor, seconds, time.monotonic() - wall)
 
     signal.signal(signal.SIGPROF, ring)

@@ -13,7 +13,7 @@ from ...compiled import callable_from_compiled, compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...problems import Plan, ProblemRecord, Recorder
-from ...problems.protocols import DrivingProblem
+from ...problems.protocols import CarProblem
 from ...robots.car import CarRobot
 from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ...spaces import SE2
@@ -71,7 +71,7 @@ def free_drive(
 
 @callable_from_compiled
 def closest_step(
-    problem: DrivingProblem,
+    problem: CarProblem,
     q: Array,
     q_rand: Array,
     v: float,
@@ -100,7 +100,7 @@ def closest_step(
 
 @callable_from_compiled
 def add_drive(
-    problem: DrivingProblem, growth: DrivenGrowth, parent: int, v: float, phi: float, t: float
+    problem: CarProblem, growth: DrivenGrowth, parent: int, v: float, phi: float, t: float
 ) -> int:
     """Append the node that a control leads to from its parent; returns the node's number."""
     there = np.empty(3)
@@ -125,7 +125,7 @@ def as_car_problem(
     planner: str,
     turn_weight: float | None,
     wheelbases: float = 0.25,
-) -> DrivingProblem:
+) -> CarProblem:
     """The problem of a car with the distance of SE(2), for planners that drive.
 
     A radian counts as `turn_weight` units of length; by default as `wheelbases` wheelbases.
@@ -171,7 +171,7 @@ def copy_tree(growth: DrivenGrowth) -> DrivenTree:
 
 
 def trajectory_to(
-    problem: DrivingProblem, tree: DrivenTree, numbers: NDArray[np.int64]
+    problem: CarProblem, tree: DrivenTree, numbers: NDArray[np.int64]
 ) -> TrajectoryRecord:
     """The trajectory along numbered nodes, the root first."""
     there = numbers[1:]
@@ -181,7 +181,7 @@ def trajectory_to(
 
 
 def plan_from_trajectory(
-    problem: DrivingProblem, trajectory: TrajectoryRecord, arrived: bool, **built: Any
+    problem: CarProblem, trajectory: TrajectoryRecord, arrived: bool, **built: Any
 ) -> Plan:
     """The plan along a trajectory; where it only comes near the goal, a plan without a path."""
     if arrived:

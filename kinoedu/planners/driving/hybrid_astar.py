@@ -27,7 +27,7 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
-from ...problems.protocols import DrivingProblem
+from ...problems.protocols import CarProblem
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
@@ -64,9 +64,7 @@ def cell_of(lattice: Lattice, q: Array) -> int:
 
 
 @algorithm
-def drive_by_cells(
-    problem: DrivingProblem, growth: DrivenGrowth, lattice: Lattice
-) -> tuple[int, int]:
+def drive_by_cells(problem: CarProblem, growth: DrivenGrowth, lattice: Lattice) -> tuple[int, int]:
     """Lines 1 to 7, until a curve to the goal is free, no pose is left, or the tree is full.
 
     Returns

@@ -18,7 +18,7 @@ from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import astar, flat_graph
 from ...problems import Plan, ProblemRecord, Recorder
-from ...problems.protocols import DrivingProblem
+from ...problems.protocols import CarProblem
 from ...robots.trajectory import DrivenRoadmap, DrivenTree
 from ..problem_input import count_checks
 from ..roadmaps.prm import distances_to
@@ -50,7 +50,7 @@ from .parameters import (
 
 @algorithm
 def drive_from_nearest(
-    problem: DrivingProblem,
+    problem: CarProblem,
     growth: DrivenGrowth,
     k: int,
     bias: GoalBiasRecord,

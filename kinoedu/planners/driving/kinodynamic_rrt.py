@@ -22,7 +22,7 @@ from ...compiled import algorithm
 from ...geometry.checks import as_generator
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
-from ...problems.protocols import DrivingProblem
+from ...problems.protocols import CarProblem
 from ..problem_input import count_checks
 from ..tuning import integer
 from .common import (
@@ -52,7 +52,7 @@ from .parameters import (
 
 @algorithm
 def grow_by_driving(
-    problem: DrivingProblem,
+    problem: CarProblem,
     growth: DrivenGrowth,
     bias: GoalBiasRecord,
     drives: DrivesRecord,

@@ -15,7 +15,7 @@ from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
-from ...problems.protocols import DrivingProblem
+from ...problems.protocols import CarProblem
 from ..problem_input import count_checks
 from ..tuning import integer, positive
 from .common import (
@@ -61,7 +61,7 @@ class Sparse(NamedTuple):
 
 @algorithm
 def grow_sparsely(
-    problem: DrivingProblem,
+    problem: CarProblem,
     growth: DrivenGrowth,
     sparse: Sparse,
     bias: GoalBiasRecord,
@@ -108,7 +108,7 @@ def add_witness(sparse: Sparse, q: Array, node: int) -> None:
 
 
 @callable_from_compiled
-def cheapest_near(problem: DrivingProblem, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
+def cheapest_near(problem: CarProblem, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
     """The cheapest node within reach of q among those of the witnesses, or else the nearest."""
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
     for witness in range(sparse.size[0]):
@@ -122,7 +122,7 @@ def cheapest_near(problem: DrivingProblem, growth: DrivenGrowth, sparse: Sparse,
 
 
 @callable_from_compiled
-def nearest_witness(problem: DrivingProblem, sparse: Sparse, q: Array) -> int:
+def nearest_witness(problem: CarProblem, sparse: Sparse, q: Array) -> int:
     """The nearest witness within whose radius q lies, or -1."""
     best, least = -1, sparse.radius
     for witness in range(sparse.size[0]):

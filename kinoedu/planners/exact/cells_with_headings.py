@@ -6,7 +6,7 @@ motion inside one cell may hit what bounds it. Every motion is therefore checked
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from ...robots.polygon import RigidPolygonRobot
 from ...spaces.angles import wrap_angle
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..problem_input import count_checks
-from ..roadmaps.connecting import KClosest, connect_nodes
+from ..roadmaps.connecting import KClosest, Rule, connect_nodes
 from ..roadmaps.search import Search, dijkstra_path, plan_on_roadmap
 from ..tuning import integer
 
@@ -40,7 +40,7 @@ class CellsWithHeadings(NamedTuple):
 
 
 def cells_with_headings(
-    problem: ProblemRecord | Recorder, *, headings: int = 1, neighbours: Any = None
+    problem: ProblemRecord | Recorder, *, headings: int = 1, neighbours: Rule | None = None
 ) -> CellsWithHeadings:
     """A roadmap of configurations at the centres of vertical cells and midpoints of their walls.
 
@@ -90,7 +90,7 @@ def plan_by_cells_with_headings(
     problem: ProblemRecord | Recorder,
     *,
     headings: int = 1,
-    neighbours: Any = None,
+    neighbours: Rule | None = None,
     search: Search = dijkstra_path,
 ) -> Plan:
     """The path that a graph search finds in the roadmap of `cells_with_headings`.

@@ -6,7 +6,7 @@ because touching is contact.
 """
 
 from itertools import product
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -217,7 +217,9 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     robot, world = problem.robot, problem.world
     on_terrain = isinstance(world, TerrainRecord)
     has_costs = on_terrain and world.cost.size > 0
-    moves: Any = CostedMotions(problem) if has_costs else Motions(problem)
+    moves: Motions | CostedMotions | Cells = (
+        CostedMotions(problem) if has_costs else Motions(problem)
+    )
     x, y = problem.space.lo.tolist()
     if on_terrain and spacing in (None, world.resolution):
         rows, columns = world.free.shape

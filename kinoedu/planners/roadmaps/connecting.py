@@ -24,6 +24,7 @@ from ..tuning import integer, positive
 from .neighbours import k_closest
 
 Numbers = NDArray[np.int64]
+Rule = object  # a record for whose type `connect_nodes` has a function, such as ClosestRule
 MOST_PAIRS = 100_000_000  # that memory can hold
 
 
@@ -87,7 +88,7 @@ def ComponentKClosest(k: int = 1) -> ComponentRule:
 
 
 @singledispatch
-def connect_nodes(rule: object, problem: PlanningProblem, nodes: Array) -> tuple[Numbers, Array]:
+def connect_nodes(rule: Rule, problem: PlanningProblem, nodes: Array) -> tuple[Numbers, Array]:
     """Find the edges of a roadmap among nodes (n, d) by a rule.
 
     Returns

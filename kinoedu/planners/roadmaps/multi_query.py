@@ -5,8 +5,6 @@ Bullo & Smith, chapter 5: the preprocessing phase and the query phase.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -18,7 +16,7 @@ from ...problems.protocols import PlanningProblem, ProblemLike
 from ...support.text import shortened
 from ..problem_input import as_two_way_problem, count_checks
 from ..tuning import integer
-from .connecting import KClosest, connect_nodes
+from .connecting import KClosest, Rule, connect_nodes
 from .prm import Sampler, free_configurations, plan_by_astar
 
 
@@ -58,7 +56,7 @@ def build_roadmap(
     *,
     n: int = 1000,
     k: int = 10,
-    neighbours: Any = None,
+    neighbours: Rule | None = None,
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Roadmap:

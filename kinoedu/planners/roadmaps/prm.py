@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,7 +31,7 @@ from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import as_problem, as_two_way_problem, count_checks
 from ..tuning import integer
-from .connecting import KClosest, connect_nodes
+from .connecting import KClosest, Rule, connect_nodes
 
 Sampler = Callable[[int, int], ArrayLike]
 
@@ -74,7 +73,7 @@ def prm(
     *,
     n: int = 1000,
     k: int = 10,
-    neighbours: Any = None,
+    neighbours: Rule | None = None,
     sampler: Sampler | None = None,
     rng: int | np.random.Generator | None = None,
 ) -> Plan:

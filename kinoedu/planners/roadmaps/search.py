@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...graphs import Graph, astar
 from ...problems import Plan
-from ...problems.protocols import ProblemLike
+from ...problems.protocols import ProblemLike, RoadmapLike
 from ..answers import plan_along
 from ..problem_input import as_problem, count_checks
 from .multi_query import motion_costs
@@ -30,7 +29,9 @@ def dijkstra_path(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | No
     return astar(graph, start, goal)[0]
 
 
-def plan_on_roadmap(problem: ProblemLike, roadmap: Any, search: Search = dijkstra_path) -> Plan:
+def plan_on_roadmap(
+    problem: ProblemLike, roadmap: RoadmapLike, search: Search = dijkstra_path
+) -> Plan:
     """The path that a graph search finds in a roadmap whose nodes 0 and 1 are start and goal.
 
     No motion is checked again: a path of free motions is free, whichever search found it. O(n + m)

@@ -4,6 +4,8 @@ J. D. Gammell, S. S. Srinivasa, T. D. Barfoot, "Informed RRT*: optimal sampling-
 focused via direct sampling of an admissible ellipsoidal heuristic" (2014).
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

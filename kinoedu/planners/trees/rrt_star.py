@@ -21,7 +21,7 @@ S. Karaman, E. Frazzoli, "Sampling-based algorithms for optimal motion planning"
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray

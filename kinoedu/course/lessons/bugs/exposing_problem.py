@@ -4,7 +4,6 @@ The goal must be reachable in that world.
 """
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -74,12 +73,12 @@ class ExposeMendedBug(Exercise):
         plane.title(self.message("picture"), ax)
 
 
-def count_vertices(obstacles: list[Any]) -> int:
+def count_vertices(obstacles: list[Value]) -> int:
     """Number of vertices of all obstacles."""
     return sum(map(len, obstacles))
 
 
-def world_fault(start: Any, goal: Any, obstacles: list[Any]) -> str:
+def world_fault(start: Value, goal: Value, obstacles: list[Value]) -> str:
     """Key of the rule that makes the world invalid, or ""."""
     if count_vertices(obstacles) > MOST:
         return "range"

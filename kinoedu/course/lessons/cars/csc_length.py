@@ -11,7 +11,7 @@ from ....curves.dubins import all_dubins_curves, shortest_forward
 from ....geometry.checks import Array
 from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record
+from ...shapes import Number, Record, Value
 from ..shared.car_pictures import draw_tangents
 from ..shared.driving import POSE, a_pose
 
@@ -21,7 +21,12 @@ WORDS = {"LSL": (1, 1), "RSR": (-1, -1), "LSR": (1, -1), "RSL": (-1, 1)}
 
 
 def words_to(
-    a: Array, b: Array, r: float, turn: Any = lambda angle: angle % FULL, *, crossing: bool = False
+    a: Array,
+    b: Array,
+    r: float,
+    turn: Value = lambda angle: angle % FULL,
+    *,
+    crossing: bool = False,
 ) -> Given:
     """First turn, straight length and last turn of each word, computed from its circles.
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
@@ -10,7 +9,7 @@ from ....curves import integrators
 from ....geometry.checks import Array
 from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from ...whole_shapes import Integer
 from ..shared.car_pictures import draw_steps
 from ..shared.driving import POSE, PoseExercise, a_pose
@@ -24,7 +23,7 @@ def euler_poses(pose: Array, v: float, phi: float, t: float, wheelbase: float, n
 
 def by_rule(
     share: float, bend: Callable[[float], float] = math.tan, *, steps: int = 0
-) -> Callable[..., Any]:
+) -> Callable[..., Value]:
     """A wrong program whose steps use another heading, another curvature or more steps.
 
     Parameters
@@ -34,7 +33,7 @@ def by_rule(
     steps : the number of extra steps.
     """
 
-    def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Any:
+    def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Value:
         x, y, theta = pose
         poses, h = [(x, y, theta)], t / (n + steps)
         for _ in range(n + steps):
@@ -50,7 +49,9 @@ def by_rule(
     return mistaken
 
 
-def by_first_heading(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Any:
+def by_first_heading(
+    pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int
+) -> Value:
     """Every step uses the rates at the start; only the heading turns."""
     h = np.linspace(0.0, t, n + 1)[:, None]
     return pose + h * integrators.rates(pose, v, math.tan(phi) / wheelbase)
@@ -102,7 +103,7 @@ class Euler(PoseExercise):
         draw_steps(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def steps_case(kind: str, n: int, *numbers: Any) -> Case:
+def steps_case(kind: str, n: int, *numbers: Value) -> Case:
     """Case of one control in n steps."""
     case = drive_case(kind, *numbers)
     return Case(kind, {**case.given, "n": n})

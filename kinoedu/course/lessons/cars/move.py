@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +10,7 @@ from ....curves.arcs import drive_arc
 from ....geometry.checks import Array
 from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record
+from ...shapes import Number, Record, Value
 from ..shared.car_pictures import draw_moves
 from ..shared.driving import (
     POSE,
@@ -30,7 +29,7 @@ def along_heading(share: float) -> Mover:
     It uses the heading after the given fraction of the turn.
     """
 
-    def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
+    def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Value:
         turn = v * t * math.tan(phi) / wheelbase
         heading = pose[2] + share * turn
         return (
@@ -42,7 +41,7 @@ def along_heading(share: float) -> Mover:
     return mistaken
 
 
-def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Any:
+def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Value:
     """A wrong program whose car moves where its front wheels point, along theta + phi."""
     x, y, heading = pose_after(pose + np.array([0.0, 0.0, phi]), v, phi, t, wheelbase)
     return x, y, heading - phi

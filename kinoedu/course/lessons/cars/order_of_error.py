@@ -1,14 +1,13 @@
 """The exercise `order_of_error`. LaValle, section 14.3.2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ..shared.car_pictures import draw_orders
 
 
@@ -68,7 +67,7 @@ class OrderOfError(ValueExercise):
         draw_orders(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
-def order_case(kind: str, h: Any, errors: Any) -> Case:
+def order_case(kind: str, h: Value, errors: Value) -> Case:
     """Case of steps and their errors."""
     return Case(
         kind, {"h": np.array(h, float), "errors": np.array([float(f"{e:.4g}") for e in errors])}

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +10,7 @@ from ....geometry.checks import Array
 from ....robots.trajectory import replay_controls
 from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from ..shared.car_pictures import draw_drives
 from ..shared.driving import (
     POSE,
@@ -36,7 +35,7 @@ def trajectory_poses(start: Array, controls: Array, durations: Array, wheelbase:
 
 def by_rows(
     mover: Mover, start: Array, controls: Array, durations: Array, wheelbase: float
-) -> list[Any]:
+) -> list[Value]:
     """Replay controls one by one with a given program."""
     poses = [np.asarray(start, float)]
     for (v, phi), t in zip(controls, durations):

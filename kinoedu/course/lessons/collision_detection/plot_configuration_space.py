@@ -123,7 +123,7 @@ def colour_dots(places: Array, samples: Array, lengths: Array, width: float, dis
     return np.column_stack([places, [touched_link(q, lengths, width, discs) for q in samples]])
 
 
-def right_dots(samples: Array, *arm: Any) -> Array:
+def right_dots(samples: Array, *arm: Value) -> Array:
     """The right dots for samples of the unit square."""
     return colour_dots(FULL * samples, FULL * samples, *arm)
 

@@ -125,7 +125,7 @@ def same_region(found: list[Array], wanted: list[Array]) -> bool:
     """Whether outlines together enclose the same region, up to a hundredth of its area."""
     import shapely
 
-    def together(rings: list[Array]) -> Any:
+    def together(rings: list[Array]) -> Value:
         good = [ring for ring in rings if len(ring) > 2 and np.isfinite(ring).all()]
         return shapely.union_all([shapely.make_valid(shapely.Polygon(ring)) for ring in good])
 

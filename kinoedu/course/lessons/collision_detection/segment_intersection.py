@@ -11,7 +11,7 @@ from ....geometry.checks import Array
 from ....geometry.segments import shared_points
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ..geometry.lines import POINT
 from ..geometry.point_line_distance import cross
 from ..shared.random_shapes import points, sizes
@@ -153,14 +153,14 @@ def on_one_line(rng: np.random.Generator, size: float, kind: str) -> Array:
     return start + rng.permutation(pairs).ravel()[:, None] * step
 
 
-def line_parameters(ends: Any) -> tuple[float, float]:
+def line_parameters(ends: Value) -> tuple[float, float]:
     """Parameters t and s of the intersection of the two lines."""
     p1, p2, p3, p4 = ends
     denominator = cross(p2 - p1, p4 - p3)
     return cross(p3 - p1, p4 - p3) / denominator, cross(p3 - p1, p2 - p1) / denominator
 
 
-def by_shares(ends: Any, accepts: Any) -> Array:
+def by_shares(ends: Value, accepts: Any) -> Array:
     """Intersection of the lines where `accepts(t, s)`; nothing where they are parallel."""
     if cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0:
         return NOTHING
@@ -173,7 +173,7 @@ def middle_of(found: Array) -> Array:
     return found.mean(axis=0)[None] if len(found) else found
 
 
-def list_point_twice(found: Array, ends: Any) -> Array:
+def list_point_twice(found: Array, ends: Value) -> Array:
     """The right answer, but a single common point of parallel segments is listed twice."""
     is_parallel = cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0
     return np.vstack([found, found]) if is_parallel and len(found) == 1 else found

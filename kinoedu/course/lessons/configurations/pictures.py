@@ -1,7 +1,5 @@
 """Pictures of failing cases of lesson 5: truth solid green, student's answer dashed orange."""
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
@@ -87,7 +85,7 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Axe
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_outline(ring: Any, words: str, ax: Axes, *, colour: str, style: str) -> None:
+def draw_outline(ring: Value, words: str, ax: Axes, *, colour: str, style: str) -> None:
     """Draw a closed outline with an entry in the legend."""
     points = np.vstack([ring, ring[:1]])
     ax.plot(*points.T, style, color=colour, linewidth=2.6, label=words, zorder=4)

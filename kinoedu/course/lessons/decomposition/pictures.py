@@ -1,7 +1,6 @@
 """Pictures of failing cases of lesson 3: truth solid, student's answer dashed orange."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +9,7 @@ from ....decomposition.trapezoidation import corners_of
 from ....geometry.checks import Array
 from ....messages import get_message
 from ...exercise import Axes, Case, Exercise, Given
+from ...shapes import Value
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
@@ -63,7 +63,7 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Axes) -> N
     plane.corner_note(note, ax, colour=palette.GOAL)
 
 
-def draw_cells(world: dict[str, Any], truth: Array, value: Array | None, ax: Axes) -> None:
+def draw_cells(world: Given, truth: Array, value: Array | None, ax: Axes) -> None:
     """Draw the world, the true cells pale, the student's dashed, and wrong ones filled orange."""
     from ....figures import palette, plane
 
@@ -165,8 +165,8 @@ def draw_cell_path(
 
 def draw_middles(
     cells: Array,
-    pairs: Any,
-    shared: Callable[..., Any],
+    pairs: Value,
+    shared: Callable[..., Value],
     found: Callable[..., Array],
     ax: Axes,
 ) -> None:
@@ -200,7 +200,7 @@ def set_title(exercise: Exercise, case: Case, ax: Axes) -> None:
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_ground(world: dict[str, Any], ax: Axes) -> None:
+def draw_ground(world: Given, ax: Axes) -> None:
     """Draw the outside grey, the inside white and obstacles solid."""
     from ....figures import palette, plane
 

@@ -1,7 +1,6 @@
 """The exercise on a path from cell to cell, judged motion by motion. Bullo & Smith, chapter 2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -205,7 +204,7 @@ def doubles_back(a: Array, b: Array, c: Array) -> bool:
 
 
 def shuffled_cells(
-    rng: np.random.Generator, boundary: Array, obstacles: list[Any], *, shuffle: bool = True
+    rng: np.random.Generator, boundary: Array, obstacles: list[Value], *, shuffle: bool = True
 ) -> tuple[Array, NDArray[np.int64]]:
     """Cells of a world and their neighbours, in random order."""
     done = trapezoidation(PolygonWorld(boundary, obstacles))

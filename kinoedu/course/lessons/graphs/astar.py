@@ -1,7 +1,6 @@
 """The exercise `astar`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -9,7 +8,7 @@ from .... import graphs
 from ....graphs.search import expand
 from ....messages import get_message
 from ...exercise import Case, Slip, format_value
-from ...shapes import Listed, Number, Record
+from ...shapes import Listed, Number, Record, Value
 from ...whole_shapes import Integer
 from ..shared.graph_slips import (
     astar_path,
@@ -147,7 +146,7 @@ def add_estimates(neighbours: Neighbours, weights: Weights, estimate: list[float
     ]
 
 
-def find_costs_to_goal(neighbours: Neighbours, weights: Weights, goal: int) -> Any:
+def find_costs_to_goal(neighbours: Neighbours, weights: Weights, goal: int) -> Value:
     """Return the cost from each node to the goal, shape (n,); 5 where no path exists."""
     costs = as_graph(neighbours, weights).cost_to_go(goal)
     return np.where(np.isfinite(costs), costs, 5.0)

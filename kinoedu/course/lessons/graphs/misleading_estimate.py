@@ -1,7 +1,6 @@
 """The exercise "break it" of lesson 4: an estimate with which A* misses the shortest path."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -60,7 +59,9 @@ class MisleadingEstimate(Exercise):
         draw_misled(self, value, (None, None) if value is None else find_both_paths(*value), ax)
 
 
-def find_graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, goal: int) -> str:
+def find_graph_fault(
+    neighbours: Value, weights: Value, estimate: Value, start: int, goal: int
+) -> str:
     """Return the rule that makes this an invalid input of A*, or ""."""
     n = len(neighbours)
     if (
@@ -83,8 +84,8 @@ def find_graph_fault(neighbours: Any, weights: Any, estimate: Any, start: int, g
 
 
 def find_both_paths(
-    neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
-) -> tuple[Any, Any]:
+    neighbours: Value, weights: Value, estimate: Value, start: int, goal: int
+) -> tuple[Value, Value]:
     """Return the path of A* with this estimate, and a shortest one; None where there is none."""
     graph = as_graph(neighbours, weights)
     return convert_path(graphs.astar(graph, start, goal, estimate)[0]), convert_path(
@@ -93,7 +94,7 @@ def find_both_paths(
 
 
 def find_both_costs(
-    neighbours: Any, weights: Any, estimate: Any, start: int, goal: int
+    neighbours: Value, weights: Value, estimate: Value, start: int, goal: int
 ) -> tuple[float, float]:
     """Return the cost of the path that A* finds with an estimate, and the least cost.
 

@@ -4,7 +4,7 @@ Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
@@ -119,7 +119,7 @@ def find_path_fault(case: Case, path: list[int] | None, truth: list[int] | None)
     )
 
 
-def convert_path(path: Any) -> list[int] | None:
+def convert_path(path: Value) -> list[int] | None:
     """Convert a path of the library to a list of ints; None stays None."""
     return None if path is None else [int(u) for u in path]
 

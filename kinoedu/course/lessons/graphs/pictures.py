@@ -21,7 +21,7 @@ def draw_tree_answer(
     exercise: Exercise,
     case: Case,
     value: list[int] | None,
-    far: Any,
+    far: Value,
     ax: Axes,
     wanted: list[int] | None = None,
 ) -> None:
@@ -140,7 +140,7 @@ def draw_costs(exercise: Exercise, case: Case, value: Value, truth: Value, ax: A
     finish_picture(exercise, case, ax)
 
 
-def draw_grey_graph(case: Case, ax: Axes, *, highlight: list[int]) -> Any:
+def draw_grey_graph(case: Case, ax: Axes, *, highlight: list[int]) -> Value:
     """Draw the graph in grey on a circle; an edge in both directions is one line.
 
     Returns
@@ -167,7 +167,7 @@ def draw_grey_graph(case: Case, ax: Axes, *, highlight: list[int]) -> Any:
     return places
 
 
-def draw_paths(places: Any, truth: Value, value: Value, ax: Axes) -> None:
+def draw_paths(places: Value, truth: Value, value: Value, ax: Axes) -> None:
     """Draw a right path, wide and green, and over it the student's, dashed and orange."""
     from ....figures import graphs, palette
 
@@ -185,7 +185,7 @@ def draw_paths(places: Any, truth: Value, value: Value, ax: Axes) -> None:
 
 
 def draw_pointer(
-    places: Any, p: int, u: int, ax: Axes, colour: str, style: str, *, width: float = 2.8
+    places: Value, p: int, u: int, ax: Axes, colour: str, style: str, *, width: float = 2.8
 ) -> None:
     """Draw an arrow from a parent to its child."""
     from ....figures import graphs
@@ -196,7 +196,7 @@ def draw_pointer(
         artist.set(linestyle=style, zorder=4)
 
 
-def draw_label(places: Any, u: int, text: str, ax: Axes, colour: str) -> None:
+def draw_label(places: Value, u: int, text: str, ax: Axes, colour: str) -> None:
     """Write a label outside the circle of nodes, unless there are too many nodes for labels."""
     from ....figures import graphs
 

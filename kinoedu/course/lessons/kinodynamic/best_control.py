@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,10 +10,11 @@ from ....geometry.checks import Array
 from ....planners.driving.common import free_drive
 from ....problems.protocols import PlanningProblem, ProblemLike
 from ....spaces.angles import wrap_angle
-from ...drivable import DrivenProblemShape, distance_of_poses
+from ...drivable import DrivenProblemShape, DrivingProblem, distance_of_poses
 from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record, Value
+from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
 from ..shared.small_problems import box
 from .garages import POSTS, make_garage
@@ -27,7 +27,7 @@ def make_chooser(
     off: Callable[..., float],
     is_free: Callable[..., bool],
     first: int = 1,
-    cut: Callable[..., Any] = np.argmin,
+    cut: Callable[..., Value] = np.argmin,
 ) -> Callable[..., Choice]:
     """Return a program that takes the control whose best step is closest to the target.
 
@@ -39,7 +39,9 @@ def make_chooser(
     cut : picks the step of one control from the distances at all of its steps.
     """
 
-    def choose(problem: Any, q: Array, target: Array, controls: Array, t: float, n: int) -> Choice:
+    def choose(
+        problem: DrivingProblem, q: Array, target: Array, controls: Array, t: float, n: int
+    ) -> Choice:
         best, least = None, math.inf
         for i, (v, phi) in enumerate(controls):
             away = [
@@ -59,22 +61,28 @@ def measure_distance(problem: ProblemLike, a: Array, b: Array) -> float:
     return float(problem.distance(a, b))
 
 
-def is_free_to_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
+def is_free_to_cut(
+    problem: DrivingProblem, q: Array, v: float, phi: float, cut: float, _: float
+) -> bool:
     """Whether the drive is free up to its cut."""
     return bool(problem.is_free_drive(q, v, phi, cut))
 
 
-def is_free_throughout(problem: Any, q: Array, v: float, phi: float, _: float, t: float) -> bool:
+def is_free_throughout(
+    problem: DrivingProblem, q: Array, v: float, phi: float, _: float, t: float
+) -> bool:
     """Whether the drive is free also beyond its cut."""
     return bool(problem.is_free_drive(q, v, phi, t))
 
 
-def is_free_at_cut(problem: Any, q: Array, v: float, phi: float, cut: float, _: float) -> bool:
+def is_free_at_cut(
+    problem: DrivingProblem, q: Array, v: float, phi: float, cut: float, _: float
+) -> bool:
     """Whether the last pose is free."""
     return bool(problem.problem.is_free(problem.move(q, v, phi, cut)))
 
 
-def accept_any(*_: Any) -> bool:
+def accept_any(*_: object) -> bool:
     """Accept every drive."""
     return True
 
@@ -108,7 +116,7 @@ def find_first_dip(away: list[float]) -> int:
 
 
 def cut_until_free(
-    problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
+    problem: StudentProblem, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
     """Cut a control before its first contact instead of leaving it out."""
 
@@ -122,7 +130,7 @@ def cut_until_free(
 
 
 def demand_closer(
-    problem: Any, q: Array, target: Array, controls: Array, t: float, n: int
+    problem: StudentProblem, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
     """Accept only controls that come closer to the target than q itself."""
     choice = choose_best_control(problem, q, target, controls, t, n)
@@ -256,7 +264,7 @@ class BestControl(ValueExercise):
 
 
 def make_arguments(
-    room: Any, q: ArrayLike, target: ArrayLike, controls: ArrayLike, t: float, n: int
+    room: Value, q: ArrayLike, target: ArrayLike, controls: ArrayLike, t: float, n: int
 ) -> Given:
     """Return the arguments of a case."""
     poses = {"q": np.array(q, float), "target": np.array(target, float)}

@@ -4,17 +4,15 @@ It replays every drive from its control with the course's own code, and checks t
 """
 
 import math
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....problems import Tree
-from ....problems.protocols import PlanningProblem, ProblemLike
 from ....robots.trajectory import DrivenTree
 from ....spaces.angles import angle_difference, wrap_angle
-from ...drivable import REGION
+from ...drivable import REGION, DrivingProblem
 from ...exercise import Axes, Case
 from ...outcomes import Answer, Outcome
 from ...shapes import Value
@@ -27,7 +25,7 @@ NOWHERE = np.empty((0, 3))
 Path = NDArray[np.int64]
 
 
-def find_drive_fault(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Array]:
+def find_drive_fault(problem: DrivingProblem, tree: DrivenTree) -> tuple[Fault | None, Array]:
     """Replay a tree, and return its first fault with the nodes up to there.
 
     Returns
@@ -53,7 +51,7 @@ def find_drive_fault(problem: Any, tree: DrivenTree) -> tuple[Fault | None, Arra
     return None, np.array(nodes)
 
 
-def find_near_goal(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
+def find_near_goal(problem: DrivingProblem, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
     """Return the indices of the nodes that are near enough to the goal."""
     x, y, theta = problem.goal
     off = [math.dist(q[:2], (x, y)) <= problem.tolerance * (1.0 + slack) for q in nodes]
@@ -64,7 +62,7 @@ def find_near_goal(problem: Any, nodes: Array, slack: float = 0.0) -> NDArray[np
     return np.flatnonzero(np.array(off) & np.array(askew))
 
 
-def measure_distances(problem: ProblemLike, nodes: Array, q: Array) -> Array:
+def measure_distances(problem: DrivingProblem, nodes: Array, q: Array) -> Array:
     """Return the distance from each node to q."""
     return np.array([problem.distance(node, q) for node in nodes])
 
@@ -81,7 +79,7 @@ def find_path_fault(parent: NDArray[np.int64], path: Path, nodes: Array) -> Faul
     return None
 
 
-def find_end_fault(problem: PlanningProblem, nodes: Array, path: Path) -> Fault | None:
+def find_end_fault(problem: DrivingProblem, nodes: Array, path: Path) -> Fault | None:
     """Return the fault of a path that does not end at the node nearest to the goal.
 
     For trees without a node near enough to the goal.
@@ -93,7 +91,11 @@ def find_end_fault(problem: PlanningProblem, nodes: Array, path: Path) -> Fault 
 
 
 def find_bias_fault(
-    problem: Any, nodes: Array, before: int, chosen: NDArray[np.int64], turn: int
+    problem: DrivingProblem,
+    nodes: Array,
+    before: int,
+    chosen: NDArray[np.int64],
+    turn: int,
 ) -> str:
     """Return the rule that an iteration broke when it chose its nodes, or "".
 
@@ -119,7 +121,7 @@ def find_bias_fault(
 
 
 def judge_turns(
-    problem: PlanningProblem, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
+    problem: DrivingProblem, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
 ) -> Fault | None:
     """Judge each iteration of a tree for which every drive is free.
 

@@ -3,11 +3,10 @@
 S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
+from ...drivable import DrivingProblem
 from ...shapes import Numbers
 from ...whole_shapes import Integers
 from ..shared.planned import Fault
@@ -25,7 +24,7 @@ ITERATIONS = {
 CONTROLS, DURATIONS, ROUTE = Numbers(("n", 2)), Numbers(("n",)), Integers(("k",))
 
 
-def choose_target(problem: Any, turn: int, rng: np.random.Generator) -> Array:
+def choose_target(problem: DrivingProblem, turn: int, rng: np.random.Generator) -> Array:
     """Return the target of an iteration.
 
     Every seventh is a pose near the goal, every other fourth is the goal, the rest are random.

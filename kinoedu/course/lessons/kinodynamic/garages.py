@@ -4,7 +4,6 @@ The car has three speeds, so that the shortest path is not always the fastest.
 """
 
 import math
-from typing import Any
 
 from numpy.typing import ArrayLike
 
@@ -12,13 +11,14 @@ from ....problems import Problem
 from ....robots import Car
 from ....worlds import PolygonWorld
 from ...drivable import DrivingProblem
+from ...shapes import Value
 from ..shared.small_problems import box
 
 CAR = Car(30, 10, 20, speeds=(-1, 0.5, 2))
 
 
 def make_garage(
-    start: ArrayLike, goal: ArrayLike, *obstacles: Any, size: float = 200.0
+    start: ArrayLike, goal: ArrayLike, *obstacles: Value, size: float = 200.0
 ) -> DrivingProblem:
     """Return the problem of the car among obstacles in a square garage."""
     return DrivingProblem(Problem(CAR, PolygonWorld(box(0, 0, size, size), obstacles), start, goal))

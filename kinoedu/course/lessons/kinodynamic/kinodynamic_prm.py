@@ -4,7 +4,6 @@ S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +11,8 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.driving.kinodynamic_prm import drive_from_nearest
-from ....problems.protocols import PlanningProblem
 from ....robots.trajectory import DrivenTree
-from ...drivable import DrivenProblemShape
+from ...drivable import DrivenProblemShape, DrivingProblem
 from ...exercise import Case
 from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
@@ -34,7 +32,7 @@ from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_
 from .garages import GARAGES, KINDS, OPEN
 
 
-def grow_roadmap(problem: Any, k: int, iterations: int, rng: int) -> Any:
+def grow_roadmap(problem: DrivingProblem, k: int, iterations: int, rng: int) -> Value:
     """Grow the roadmap as the exercise demands, and return its arrays and path."""
     chance, nodes, arrival = np.random.default_rng(rng), [problem.start], [0.0]
     edges, controls, durations = [], [], []
@@ -117,7 +115,7 @@ class KinodynamicPrm(DrivingPlanner):
 
 
 def find_slower_end(
-    problem: PlanningProblem, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
+    problem: DrivingProblem, tree: DrivenTree, nodes: Array, path: NDArray[np.int64]
 ) -> Fault | None:
     """Return a fault where another node near the goal is reached sooner than the path's end."""
     surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
@@ -136,7 +134,7 @@ def find_slower_end(
 
 
 def find_group_fault(
-    problem: PlanningProblem, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
+    problem: DrivingProblem, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
 ) -> Fault | None:
     """Judge that each iteration drove from the right k nodes.
 

@@ -4,7 +4,6 @@ S. M. LaValle, J. J. Kuffner, "Randomized kinodynamic planning" (2001).
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +11,8 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....graphs import extract_path
 from ....planners.driving.kinodynamic_rrt import grow_by_driving
-from ....problems.protocols import PlanningProblem
 from ....robots.trajectory import DrivenTree
-from ...drivable import DrivenProblemShape
+from ...drivable import DrivenProblemShape, DrivingProblem
 from ...exercise import Case
 from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
@@ -34,7 +32,7 @@ from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_
 from .garages import GARAGES, KINDS, OPEN
 
 
-def grow_tree(problem: Any, iterations: int, rng: int) -> Any:
+def grow_tree(problem: DrivingProblem, iterations: int, rng: int) -> Value:
     """Grow the tree as the exercise demands, and return its arrays and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start]
     parent, controls, durations = [-1], [(0.0, 0.0)], [0.0]
@@ -102,9 +100,7 @@ class KinodynamicRrt(DrivingPlanner):
         return fault
 
 
-def find_goal_fault(
-    problem: PlanningProblem, nodes: Array, path: NDArray[np.int64]
-) -> Fault | None:
+def find_goal_fault(problem: DrivingProblem, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
     """Return a fault where growth went on after the goal was reached or the path ends elsewhere."""
     surely, perhaps = find_near_goal(problem, nodes, -SLACK), find_near_goal(problem, nodes, SLACK)
     if len(surely) and surely[0] < len(nodes) - 1:

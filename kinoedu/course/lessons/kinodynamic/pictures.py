@@ -18,7 +18,7 @@ from ..shared.car_pictures import arc, set_axes
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
-def draw_driven_answer(problem: Any, built: Value, fault: Any, text: str, ax: Axes) -> None:
+def draw_driven_answer(problem: Any, built: Value, fault: Value, text: str, ax: Axes) -> None:
     """Draw the problem, the tree in blue, the path in yellow, and the fault in orange."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
@@ -128,7 +128,7 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Value, ax: Axes) -> 
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def is_choice(choice: Any, controls: Array, n: int) -> bool:
+def is_choice(choice: Value, controls: Array, n: int) -> bool:
     """Whether the answer names an existing control and an existing step."""
     return bool(0 <= choice[0] < len(controls) and 0 <= choice[1] <= n)
 

@@ -6,14 +6,13 @@ M. Phillips, M. Likhachev, "SIPP: Safe interval path planning for dynamic enviro
 import math
 from collections.abc import Iterator
 from heapq import heappop, heappush
-from typing import Any
 
 import numpy as np
 
 from ....planners.moving.safe_intervals import search_intervals
 from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
-from ...shapes import Listed, Numbers, Record
+from ...shapes import Listed, Numbers, Record, Value
 from ...whole_shapes import Integer
 from .pictures import draw_schedule
 
@@ -24,7 +23,7 @@ Safe = list[list[tuple[float, float]]]
 Rows = list[tuple[float, float]]
 
 
-def find_schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
+def find_schedule(safe: Value, moves: Value, start: int, goal: int) -> Rows:
     """Find a path in time with the earliest arrival at the goal.
 
     Returns
@@ -53,7 +52,7 @@ def find_schedule(safe: Any, moves: Any, start: int, goal: int) -> Rows:
     return []
 
 
-def find_adjacent_places(moves: Any) -> dict[int, list[tuple[int, float]]]:
+def find_adjacent_places(moves: Value) -> dict[int, list[tuple[int, float]]]:
     """Return for each place its adjacent places, each with the duration of the move."""
     ways: dict[int, list[tuple[int, float]]] = {}
     for u, v, duration in moves:
@@ -62,7 +61,7 @@ def find_adjacent_places(moves: Any) -> dict[int, list[tuple[int, float]]]:
     return ways
 
 
-def find_schedule_fault(safe: Any, moves: Any, start: int, goal: int, rows: Any) -> str:
+def find_schedule_fault(safe: Value, moves: Value, start: int, goal: int, rows: Value) -> str:
     """Return the first rule that a schedule breaks, or "".
 
     Whether the arrival is the earliest is not checked.
@@ -165,7 +164,7 @@ class EarliestArrival(Exercise):
         draw_schedule(self, case, find_schedule(*case.given.values()), value, ax)
 
 
-def find_misread_rule(safe: Any, moves: Any, start: int, goal: int, rows: Rows) -> str:
+def find_misread_rule(safe: Value, moves: Value, start: int, goal: int, rows: Rows) -> str:
     """Return the rule that the student probably misread, or "".
 
     It is the rule without which these rows would have the earliest arrival.
@@ -184,7 +183,7 @@ def find_arrival(rows: Rows) -> float:
     return rows[-1][1] if rows else math.inf
 
 
-def classify(safe: Safe, moves: Any, start: int, goal: int) -> str:
+def classify(safe: Safe, moves: Value, start: int, goal: int) -> str:
     """Return the kind of a case by what a right path does; "" where the case is dull."""
     best = find_schedule(safe, moves, start, goal)
     if not best:
@@ -200,7 +199,7 @@ def classify(safe: Safe, moves: Any, start: int, goal: int) -> str:
     return "wait" if waits else "go" if len(best) > 2 else ""
 
 
-def search_one_arrival_each(safe: Safe, moves: Any, start: int, goal: int) -> float:
+def search_one_arrival_each(safe: Safe, moves: Value, start: int, goal: int) -> float:
     """Return the arrival of a search that keeps one arrival for each place."""
     ways, done, waiting = find_adjacent_places(moves), set[int](), [(0.0, start)]
     while waiting:
@@ -222,7 +221,7 @@ def search_one_arrival_each(safe: Safe, moves: Any, start: int, goal: int) -> fl
     return math.inf
 
 
-def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
+def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Value, int, int]:
     """Draw places in a row or a ring with random safe intervals.
 
     Times are multiples of 1/2, or of 1/16, so that a program with a fixed time step misses
@@ -252,7 +251,7 @@ def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Any, int, int]:
     return safe, moves, 0, n - 1
 
 
-def make_case(kind: str, safe: Any, moves: Any, start: int, goal: int) -> Case:
+def make_case(kind: str, safe: Value, moves: Value, start: int, goal: int) -> Case:
     """Return a case of a roadmap."""
     rows = [np.reshape(np.array(own, float), (-1, 2)) for own in safe]
     rows_of_moves = np.reshape(np.array(moves, float), (-1, 3))

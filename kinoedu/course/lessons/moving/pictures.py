@@ -4,7 +4,6 @@ The right answer is solid and green, the student's is dashed and orange.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -51,7 +50,9 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
-def draw_schedule(exercise: Exercise, case: Case, best: Any, value: Array | None, ax: Axes) -> None:
+def draw_schedule(
+    exercise: Exercise, case: Case, best: Value, value: Array | None, ax: Axes
+) -> None:
     """Draw a line for each place, thick where safe, with the right path and the student's."""
     from ....figures import palette, plane
 

@@ -4,7 +4,6 @@ LaValle, section 4.3.3, at one position.
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -104,7 +103,7 @@ class FreeHeading(Exercise):
         draw_heading(case.given["problem"].problem, place, value, right, text, ax)
 
 
-def make_case(robot: Any, world: Any, place: Any) -> Case:
+def make_case(robot: Value, world: Value, place: Value) -> Case:
     """Return a case and classify it."""
     widths = np.diff(free_headings(robot, world, place))
     kind = "none" if not len(widths) else "slot" if widths.max() < 0.8 else "open"
@@ -112,7 +111,7 @@ def make_case(robot: Any, world: Any, place: Any) -> Case:
     return Case(kind, {"problem": problem, "x": float(place[0]), "y": float(place[1])})
 
 
-def make_slot(angle: float, half: float) -> Any:
+def make_slot(angle: float, half: float) -> Value:
     """Return a room with a dead end of width 2 `half` around its centre, open in one direction."""
     bars = np.array(
         [

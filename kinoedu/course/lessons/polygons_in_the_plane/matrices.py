@@ -1,7 +1,6 @@
 """The base class of the exercises on adjacency matrices. Bullo & Smith, chapters 2 and 5."""
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
@@ -22,12 +21,12 @@ LESSON = "11_polygons_in_the_plane"
 MATRIX = Integers(("n", "n"))
 
 
-def make_problem(robot: Any, world: Any, q: Any) -> StudentProblem:
+def make_problem(robot: Value, world: Value, q: Value) -> StudentProblem:
     """Return a problem whose start and goal are the same, for its collision checks alone."""
     return StudentProblem(Problem(robot, world, q, q))
 
 
-def draw_case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: int) -> Case:
+def draw_case(kind: str, robot: Value, world: Value, rng: np.random.Generator, n: int) -> Case:
     """Draw a case with n random free configurations, rounded to two decimals."""
     d = 2 if isinstance(robot, type(Disk(1.0))) else 3
     drawn = np.round(rng.uniform((0, 0, -3.1)[:d], (10, 10, 3.1)[:d], (2000, d)), 2)
@@ -35,7 +34,7 @@ def draw_case(kind: str, robot: Any, world: Any, rng: np.random.Generator, n: in
     return Case(kind, {"problem": make_problem(robot, world, nodes[0]), "nodes": nodes})
 
 
-def list_neighbours(matrix: Any) -> Neighbours:
+def list_neighbours(matrix: Value) -> Neighbours:
     """Convert an adjacency matrix to adjacency lists."""
     return [np.flatnonzero(row).tolist() for row in np.asarray(matrix)]
 
@@ -51,7 +50,7 @@ def convert_case(case: Case) -> Case:
     )
 
 
-def search_matrix_by(search: Callable[..., object]) -> Callable[..., Any]:
+def search_matrix_by(search: Callable[..., object]) -> Callable[..., Value]:
     """Convert a search on adjacency lists to a search on an adjacency matrix."""
     return lambda matrix, start, goal: search(list_neighbours(matrix), start, goal)
 

@@ -3,21 +3,20 @@
 The right answer is solid and green, the student's is dashed and orange.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
 from ...exercise import Axes
 from ...shapes import Value
+from ...tasks import StudentProblem
 
 # functions import figures themselves: matplotlib is needed only where an answer is wrong
 
 
 def draw_heading(
-    problem: Any,
-    place: Any,
+    problem: StudentProblem,
+    place: Value,
     value: float | None,
     right: float | None,
     text: str,
@@ -43,7 +42,7 @@ def draw_heading(
 
 
 def draw_matrix(
-    problem: Any, nodes: Array, truth: Value, value: Value, text: str, ax: Axes
+    problem: StudentProblem, nodes: Array, truth: Value, value: Value, text: str, ax: Axes
 ) -> None:
     """Draw the numbered configurations, the free motions, and the student's wrong entries."""
     from ....figures import palette, plane
@@ -65,7 +64,7 @@ def draw_matrix(
     plane.title(text, ax)
 
 
-def draw_swept(value: Value, chords: Any, text: str, ax: Axes) -> None:
+def draw_swept(value: Value, chords: Value, text: str, ax: Axes) -> None:
     """Draw what a disk of radius 1 sweeps, its chords, and an obstacle.
 
     Parameters

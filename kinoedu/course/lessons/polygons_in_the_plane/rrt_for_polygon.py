@@ -1,7 +1,6 @@
 """The exercise on an RRT for a polygon that rotates: lesson 9's planner in (x, y, theta)."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -9,6 +8,7 @@ from ....problems import Problem
 from ....robots import RigidPolygon
 from ....worlds import PolygonWorld
 from ...exercise import Case
+from ...shapes import Value
 from ..shared.planned import StudentProblem
 from ..shared.small_problems import SQUARE, box
 from ..trees.rrt import Rrt, aim_at_goal
@@ -18,7 +18,9 @@ NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002
 STEP, BIAS = 2.0, 0.2
 
 
-def make_problem(start: Any, goal: Any, *obstacles: Any, robot: Any = STICK) -> StudentProblem:
+def make_problem(
+    start: Value, goal: Value, *obstacles: Value, robot: Value = STICK
+) -> StudentProblem:
     """Return the problem of a stick, or another robot, among obstacles in a room of 10 x 10."""
     return StudentProblem(Problem(robot, PolygonWorld(SQUARE, obstacles), start, goal))
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from itertools import combinations
-from typing import Any
 
 import numpy as np
 
@@ -69,7 +68,7 @@ class ExposeSight(Exercise):
         plane.title(self.message("picture"), ax)
 
 
-def world_fault(obstacles: Any) -> str:
+def world_fault(obstacles: Value) -> str:
     """Return the rule that the obstacles of a world break, or ""."""
     rings = list(obstacles)
     if not rings or sum(map(len, rings)) > MOST:
@@ -92,13 +91,13 @@ def world_fault(obstacles: Any) -> str:
     return "" if apart and all(shapely.LinearRing(ring).is_ccw for ring in rings) else "valid"
 
 
-def make_room(rings: Any) -> Array:
+def make_room(rings: Value) -> Array:
     """Return a rectangle that contains all obstacles."""
     (x0, y0), (x1, y1) = np.vstack(rings).min(axis=0) - 1.0, np.vstack(rings).max(axis=0) + 1.0
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
-def wrong_views(obstacles: Any) -> list[tuple[Array, Array]]:
+def wrong_views(obstacles: Value) -> list[tuple[Array, Array]]:
     """Return the pairs of convex corners about which `sees` is wrong.
 
     The truth is the course's own collision check.

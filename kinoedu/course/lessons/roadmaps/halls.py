@@ -11,6 +11,7 @@ from ....problems.protocols import PlanningProblem, ProblemLike
 from ....robots import Point, TwoLinkArm
 from ....robots.arm import ArmRobot
 from ....worlds import PolygonWorld
+from ...shapes import Value
 from ...tasks import StudentProblem
 from ..shared.random_shapes import star_polygon
 from ..shared.random_worlds import has_room, round_polygon
@@ -28,7 +29,7 @@ START, GOAL = (1.0, 1.0), (15.0, 1.0)
 
 
 def make_hall(
-    *obstacles: Any, start: ArrayLike = START, goal: ArrayLike = GOAL, room: Array = HALL
+    *obstacles: Value, start: ArrayLike = START, goal: ArrayLike = GOAL, room: Array = HALL
 ) -> StudentProblem:
     """Return a problem in the hall, or in another room, with the given obstacles."""
     return StudentProblem(Problem(Point(), PolygonWorld(room, obstacles), start, goal))

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....problems.protocols import PlanningProblem, ProblemLike
+from ...tasks import StudentProblem
 from .halls import is_arm, measure_distances
 
 Pairs = NDArray[np.int64]
@@ -148,12 +149,12 @@ def ignore_wrap(problem: PlanningProblem) -> Any:
     )
 
 
-def allow_contact(problem: Any) -> MistakenProblem:
+def allow_contact(problem: StudentProblem) -> MistakenProblem:
     """Return a problem in which motions may touch obstacles."""
     return MistakenProblem(problem.distance, problem.is_semi_free_path)
 
 
-def check_samples(problem: Any) -> MistakenProblem:
+def check_samples(problem: StudentProblem) -> MistakenProblem:
     """Return a problem in which only sampled points of a motion are checked."""
     is_free = problem.problem.is_free
     shares = np.linspace(0.0, 1.0, SAMPLES)

@@ -111,7 +111,7 @@ def draw_roadmap_answer(problem: ProblemLike, truth: Value, value: Value, ax: Ax
     plane.dot(problem.goal, "goal", ax, colour=palette.GOAL, marker="*")
 
 
-def draw_shortest_path(nodes: Array, edges: Any, truth: Value, value: Value, ax: Axes) -> None:
+def draw_shortest_path(nodes: Array, edges: Value, truth: Value, value: Value, ax: Axes) -> None:
     """Draw a roadmap, a shortest path along it and the student's path."""
     from ....figures import palette, plane
 

@@ -89,7 +89,7 @@ def make_pairs(number: float) -> Iterator[Case]:
     yield make_case("torus", make_arm(), ((5.9, 0.3), (0.4, 0.3)), number)
 
 
-def draw_worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Any]]:
+def draw_worlds(rng: np.random.Generator, i: int) -> Iterator[tuple[str, Value]]:
     """Yield a problem with a wall, one with several obstacles, and the arm's."""
     yield "wall", make_hall(WALL)
     yield "many", make_hall(*draw_obstacles(rng, 1 + i // 4))

@@ -4,7 +4,6 @@ Bullo & Smith, chapter 5; LaValle, section 5.6.
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from ....problems.protocols import PlanningProblem
 from ...exercise import Axes, Case
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together, Value
+from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import Fault, PlannerExercise, ProblemShape, three_times
 from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
@@ -93,7 +93,9 @@ class SampledRoadmap(PlannerExercise):
             return Fault("pairs", nowhere)
         return self.fault_of_edges(problem, nodes, pairs, k)
 
-    def fault_of_edges(self, problem: Any, nodes: Array, pairs: Pairs, k: int) -> Fault | None:
+    def fault_of_edges(
+        self, problem: StudentProblem, nodes: Array, pairs: Pairs, k: int
+    ) -> Fault | None:
         """Judge the edges: each free, each joined by the rule, none missing."""
         free = set(map(tuple, keep_free(problem.problem, nodes, pairs).tolist()))
         found, right = (
@@ -109,7 +111,7 @@ class SampledRoadmap(PlannerExercise):
                 return Fault(rule, nodes[list(min(wrong))])
         return None
 
-    def drawn(self, answer: object) -> tuple[list[Any], Array | None]:
+    def drawn(self, answer: object) -> tuple[list[Value], Array | None]:
         """Return neither trees nor a path."""
         return [], None
 

@@ -56,7 +56,7 @@ def measure_edges(nodes: Array, pairs: Pairs) -> Array:
     return found
 
 
-def search_and_sum_by(weigh: Any) -> Any:
+def search_and_sum_by(weigh: Any) -> Value:
     """Return a program that finds the path by other weights, and adds up those."""
 
     def answer(nodes: Array, edges: Pairs, start: int, goal: int) -> PathAndLength:

@@ -14,6 +14,7 @@ from ....problems.protocols import PlanningProblem
 from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Together, Value
+from ...tasks import StudentProblem
 from ...whole_shapes import Integers
 from ..decomposition.free_intervals import RING
 from ..shared.planned import ProblemShape
@@ -32,19 +33,19 @@ CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)],
 BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)
 
 
-def build_visibility_roadmap(problem: Any, obstacles: list[Array]) -> Seen:
+def build_visibility_roadmap(problem: StudentProblem, obstacles: list[Array]) -> Seen:
     """Return the library's roadmap with start and goal first."""
     roadmap = visibility_roadmap(problem)
     n = len(roadmap.nodes)
     return np.roll(roadmap.nodes, 2, axis=0), np.sort((roadmap.edges + 2) % n, axis=1)
 
 
-def is_convex(ring: Array) -> Any:
+def is_convex(ring: Array) -> Value:
     """Return which vertices turn left."""
     return measure_turns(ring) > 0.0
 
 
-def is_on_hull(ring: Array) -> Any:
+def is_on_hull(ring: Array) -> Value:
     """Return which vertices are corners of the convex hull."""
     import shapely
 

@@ -1,7 +1,6 @@
 """The exercise `halton`. Bullo & Smith, chapter 4; LaValle, section 5.2.4."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -106,7 +105,7 @@ class Halton(ValueExercise):
         )
 
 
-def make_case(n: int, primes: Any) -> Case:
+def make_case(n: int, primes: Value) -> Case:
     """Return a case and classify it."""
     first = list(primes) == list(PRIMES[: len(primes)])
     kind = ("line", "plane", "more")[min(len(primes), 3) - 1] if first else "others"

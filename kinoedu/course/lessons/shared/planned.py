@@ -14,7 +14,7 @@ messages come first.
 import random
 from abc import abstractmethod
 from collections.abc import Callable
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,7 +61,7 @@ class Fault(NamedTuple):
     marked: Array
 
 
-def find_path_fault(problem: Any, path: Array) -> Fault | None:
+def find_path_fault(problem: StudentProblem, path: Array) -> Fault | None:
     """First reason why a path is not a free path from start to goal.
 
     Returns
@@ -79,7 +79,7 @@ def find_path_fault(problem: Any, path: Array) -> Fault | None:
 
 
 def find_tree_fault(
-    problem: Any,
+    problem: StudentProblem,
     nodes: Array,
     parent: NDArray[np.int64],
     step: float,
@@ -152,7 +152,7 @@ def find_motion_off_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -
     return None
 
 
-def not_configurations(problem: Any, q: Array) -> Fault | None:
+def not_configurations(problem: StudentProblem, q: Array) -> Fault | None:
     """Whether rows are not configurations: of the wrong length, or not finite."""
     if len(q) and (q.shape[1] != len(problem.start) or not np.isfinite(q).all()):
         return Fault("numbers", np.empty((0, len(problem.start))))

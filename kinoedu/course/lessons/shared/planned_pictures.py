@@ -8,6 +8,7 @@ from ....geometry.checks import Array
 from ....messages import get_message
 from ....problems import ProblemRecord, Tree
 from ...exercise import Axes
+from ...shapes import Value
 
 # figures are imported inside the functions: matplotlib is only needed for failing cases
 
@@ -16,7 +17,7 @@ def draw_answer(
     problem: ProblemRecord,
     trees: list[Tree],
     path: Array | None,
-    fault: Any,
+    fault: Value,
     words: str,
     ax: Axes,
 ) -> None:

@@ -1,11 +1,11 @@
 """Graphs for cases as adjacency lists: some fixed, others random, from small to large."""
 
 from collections.abc import Iterable, Iterator
-from typing import Any
 
 import numpy as np
 
 from ....graphs import Graph
+from ...shapes import Value
 
 Neighbours = list[list[int]]
 Weights = list[list[float]]
@@ -13,7 +13,7 @@ SIZES = (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)  # nodes of the random cases
 
 
 def adjacency_lists(
-    n: int, rows: Iterable[Any], *, directed: bool = False
+    n: int, rows: Iterable[Value], *, directed: bool = False
 ) -> tuple[Neighbours, Weights]:
     """Adjacency lists in increasing order, and the weights beside them.
 

@@ -1,18 +1,17 @@
 """Small problems for planner exercises; some of them trap wrong programs."""
 
-from typing import Any
-
 from numpy.typing import ArrayLike
 
 from ....problems import Problem
 from ....robots import Point
 from ....worlds import PolygonWorld
+from ...shapes import Value
 from ...tasks import StudentProblem
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 
 
-def in_room(start: ArrayLike, goal: ArrayLike, *obstacles: Any) -> StudentProblem:
+def in_room(start: ArrayLike, goal: ArrayLike, *obstacles: Value) -> StudentProblem:
     """Problem of a point among obstacles, in a room of 10 x 10."""
     return StudentProblem(Problem(Point(), PolygonWorld(SQUARE, obstacles), start, goal))
 

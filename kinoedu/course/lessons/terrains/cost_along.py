@@ -1,14 +1,13 @@
 """The exercise on the cost of a motion on a terrain: an integral over cells."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from ....collision.costs import cost_on_terrain, integral
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ..geometry.lines import POINT
@@ -86,7 +85,7 @@ class CostAlong(ValueExercise):
         )
 
 
-def draw_case(kind: str, n: int, rng: np.random.Generator) -> dict[str, Any]:
+def draw_case(kind: str, n: int, rng: np.random.Generator) -> Given:
     """Draw a motion over cells with whole costs; rows and columns differ in number."""
     cost = rng.integers(1, 10, (n, n + 1)).astype(float)
     a, b = np.round(rng.uniform((0, 0), (n + 1, n), (2, 2)), 2) * 0.98 + 0.013

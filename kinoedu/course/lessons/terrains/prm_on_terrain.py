@@ -1,7 +1,5 @@
 """The exercise on the document's second planner: a PRM on a bitmap that joins every free pair."""
 
-from typing import Any
-
 import numpy as np
 
 from ....geometry.checks import Array
@@ -24,12 +22,12 @@ from ..shared.planned import (
 from .rrt_on_terrain import TerrainPlanner
 
 
-def find_bounds(problem: Any) -> tuple[Array, Array]:
+def find_bounds(problem: StudentProblem) -> tuple[Array, Array]:
     """Return the corners of a problem's world."""
     return problem.world.lo, problem.world.hi
 
 
-def build_roadmap(problem: PlanningProblem, n: int, rng: int) -> Any:
+def build_roadmap(problem: PlanningProblem, n: int, rng: int) -> Value:
     """Build the PRM as the exercise demands, and return nodes, edges and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
     while len(nodes) < n + 2:
@@ -46,7 +44,7 @@ def build_roadmap(problem: PlanningProblem, n: int, rng: int) -> Any:
     return nodes, edges, None if numbers is None else np.array(nodes)[numbers]
 
 
-def find_shortest(problem: ProblemLike, nodes: Array, edges: Array) -> Any:
+def find_shortest(problem: ProblemLike, nodes: Array, edges: Array) -> Value:
     """Return the indices of the nodes on a shortest path from node 0 to node 1, or None."""
     lengths = [problem.distance(nodes[i], nodes[j]) for i, j in edges]
     return astar(
@@ -91,7 +89,7 @@ class PrmOnTerrain(TerrainPlanner):
         return [Tree(nodes, np.full(len(nodes), -1))], path
 
 
-def find_node_fault(problem: Any, nodes: Array, n: int) -> Fault | None:
+def find_node_fault(problem: StudentProblem, nodes: Array, n: int) -> Fault | None:
     """Judge that the nodes are start, goal and n free samples of the whole terrain."""
     if len(nodes) != n + 2:
         return Fault("count", nodes[:0])
@@ -107,7 +105,7 @@ def find_node_fault(problem: Any, nodes: Array, n: int) -> Fault | None:
     )
 
 
-def find_edge_fault(problem: Any, nodes: Array, edges: Array) -> Fault | None:
+def find_edge_fault(problem: StudentProblem, nodes: Array, edges: Array) -> Fault | None:
     """Judge that every free pair is an edge, once, and no other pair is."""
     if len(edges) and (edges.min() < 0 or edges.max() >= len(nodes)):
         return Fault("numbers_of_nodes", nodes[:0])
@@ -121,7 +119,9 @@ def find_edge_fault(problem: Any, nodes: Array, edges: Array) -> Fault | None:
     return None
 
 
-def find_path_fault(problem: Any, nodes: Array, edges: Array, path: Array) -> Fault | None:
+def find_path_fault(
+    problem: StudentProblem, nodes: Array, edges: Array, path: Array
+) -> Fault | None:
     """Judge that the path follows edges and is shortest."""
     at = [int(np.argmin(((nodes - q) ** 2).sum(axis=1))) for q in path]
     pairs = {(i, j) for i, j in edges.tolist()} | {(j, i) for i, j in edges.tolist()}

@@ -1,7 +1,6 @@
 """The base class of the document's two planners on a bitmap, and the exercise on its RRT."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -36,7 +35,7 @@ LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 
 SMALL = 40  # cells along each side
 
 
-def make_terrain_problem(blocked: Any, start: ArrayLike, goal: ArrayLike) -> StudentProblem:
+def make_terrain_problem(blocked: Value, start: ArrayLike, goal: ArrayLike) -> StudentProblem:
     """Return a point's problem on 40 x 40 cells with blocked boxes (x0, y0, x1, y1)."""
     free = np.ones((SMALL, SMALL), np.bool_)
     for x0, y0, x1, y1 in blocked:
@@ -90,7 +89,7 @@ class TerrainPlanner(PlannerExercise):
 
 def grow_tree(
     problem: PlanningProblem, step: float, spacing: float, goal_bias: float, failures: int, rng: int
-) -> Any:
+) -> Value:
     """Grow the RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent, in_a_row = np.random.default_rng(rng), [problem.start], [-1], 0
 
@@ -192,7 +191,9 @@ def find_close_node(problem: PlanningProblem, nodes: Array, spacing: float) -> F
     return None
 
 
-def find_missed_goal(problem: Any, nodes: Array, path: Array | None, step: float) -> Fault | None:
+def find_missed_goal(
+    problem: StudentProblem, nodes: Array, path: Array | None, step: float
+) -> Fault | None:
     """Return the fault of a tree that grew on although the goal could be added, or None.
 
     With a path, only the goal and its parent may be within free reach of the goal.

@@ -252,7 +252,7 @@ def make_case(
     kind: str,
     problem: StudentProblem,
     nodes: object,
-    parent: Any,
+    parent: Value,
     q_new: object,
     radius: float,
 ) -> Case:

@@ -1,7 +1,6 @@
 """The exercise `rrt`. LaValle, section 5.5; Bullo & Smith, chapter 5."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -35,7 +34,7 @@ LEFT_OUT = 2
 
 def grow_tree(
     problem: PlanningProblem, step: float, goal_bias: float, iterations: int, rng: int
-) -> Any:
+) -> Value:
     """Grow an RRT as the exercise demands, and return nodes, parents and path."""
     chance, nodes, parent = np.random.default_rng(rng), [problem.start], [-1]
     if problem.distance(problem.start, problem.goal) <= step and problem.is_free_path(
@@ -155,7 +154,7 @@ def has_same_nodes(case: Case, nodes: Array) -> bool:
     )
 
 
-def find_missed_goal(problem: Any, nodes: Array, step: float) -> Fault | None:
+def find_missed_goal(problem: StudentProblem, nodes: Array, step: float) -> Fault | None:
     """Return the fault of a node that could have reached the goal by one free motion, or None.
 
     The last two nodes are excepted.

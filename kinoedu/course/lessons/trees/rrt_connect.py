@@ -26,11 +26,11 @@ from ..shared.planned import (
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 
-def grow_two_trees(problem: PlanningProblem, step: float, iterations: int, rng: int) -> Any:
+def grow_two_trees(problem: PlanningProblem, step: float, iterations: int, rng: int) -> Value:
     """Grow both trees as the exercise demands, and return them with the path."""
     chance, trees = np.random.default_rng(rng), [([problem.start], [-1]), ([problem.goal], [-1])]
 
-    def extend(tree: Any, q: Array) -> Any:
+    def extend(tree: Any, q: Array) -> Value:
         nodes, parent = tree
         near = int(np.argmin([problem.distance(node, q) for node in nodes]))
         q_new = problem.steer(nodes[near], q, step)
@@ -105,7 +105,7 @@ def is_greedy(problem: PlanningProblem, nodes: Array, goal_nodes: Array, step: f
 
 
 def find_path_fault(
-    path: Array, nodes: Array, parent: Any, goal_nodes: Array, goal_parent: Any
+    path: Array, nodes: Array, parent: Value, goal_nodes: Array, goal_parent: Value
 ) -> Fault | None:
     """Return the fault of a path that leaves the trees, or None.
 

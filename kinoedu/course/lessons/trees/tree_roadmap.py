@@ -49,23 +49,23 @@ def grow_free_tree(
     )
 
 
-def grow_unchecked(*given: Value) -> Any:
+def grow_unchecked(*given: Value) -> Value:
     """Add every edge."""
     return grow_by(*given, accepts=lambda problem, a, b: True)
 
 
-def check_ends_only(*given: Value) -> Any:
+def check_ends_only(*given: Value) -> Value:
     """Check only whether the new node is free."""
     return grow_by(*given, accepts=lambda problem, a, b: problem.is_free(b))
 
 
-def count_from_one(*given: Value) -> Any:
+def count_from_one(*given: Value) -> Value:
     """Count parents from 1."""
     nodes, parent = grow_free_tree(*given)
     return nodes, np.where(parent < 0, -1, parent + 1)
 
 
-def chain_nodes(*given: Value) -> Any:
+def chain_nodes(*given: Value) -> Value:
     """Attach every node to the one before it."""
     nodes, _ = grow_free_tree(*given)
     return nodes, np.arange(len(nodes)) - 1
