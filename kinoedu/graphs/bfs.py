@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
-from .flat import degree, edge
+from .flat import Searchable, degree, edge
 from .paths import Expansion, Search, Steps, check_ends, path_or_none, yield_moments
 
 
@@ -86,7 +86,7 @@ def search_breadth_first(
     return cost, parent, queue[:retrieved].copy(), looked_at
 
 
-def bfs(graph: object, start: int, goal: int | None = None) -> Search:
+def bfs(graph: Searchable, start: int, goal: int | None = None) -> Search:
     """Breadth-first search from `start`, to `goal` or over all reachable nodes. O(n + m).
 
     Weights are ignored: cost[u] is the least number of edges from the start to u.
@@ -112,7 +112,7 @@ def bfs(graph: object, start: int, goal: int | None = None) -> Search:
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
-def bfs_tree(graph: object, start: int) -> NDArray[np.int64]:
+def bfs_tree(graph: Searchable, start: int) -> NDArray[np.int64]:
     """The parent of each node in the breadth-first tree. O(n + m).
 
     Among equally short paths the tree takes the one that was seen first.
@@ -136,7 +136,7 @@ def bfs_tree(graph: object, start: int) -> NDArray[np.int64]:
     return bfs(graph, start).parent
 
 
-def bfs_path(graph: object, start: int, goal: int) -> NDArray[np.int64] | None:
+def bfs_path(graph: Searchable, start: int, goal: int) -> NDArray[np.int64] | None:
     """A path with the fewest edges between two nodes. O(n + m).
 
     Returns
@@ -159,7 +159,7 @@ def bfs_path(graph: object, start: int, goal: int) -> NDArray[np.int64] | None:
     return path_or_none(bfs(graph, first, last), last)
 
 
-def bfs_expansions(graph: object, start: int, goal: int | None = None) -> Iterator[Expansion]:
+def bfs_expansions(graph: Searchable, start: int, goal: int | None = None) -> Iterator[Expansion]:
     """Breadth-first search as an iterator over its expansions, with the queue at each of them.
 
     Each expansion costs O(n) more than in `bfs`, because it copies the arrays.

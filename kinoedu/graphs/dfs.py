@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled
 from ..geometry.checks import Array
-from .flat import degree, edge
+from .flat import Searchable, degree, edge
 from .paths import Expansion, Search, Steps, check_ends, path_or_none, yield_moments
 
 
@@ -89,7 +89,7 @@ def search_depth_first(
     return cost, parent, expanded[:entered].copy(), total
 
 
-def dfs(graph: object, start: int, goal: int | None = None) -> Search:
+def dfs(graph: Searchable, start: int, goal: int | None = None) -> Search:
     """Depth-first search from `start`, to `goal` or over all reachable nodes. O(n + m).
 
     cost[u] is the number of edges on the path that was found, in general not the least number.
@@ -115,7 +115,7 @@ def dfs(graph: object, start: int, goal: int | None = None) -> Search:
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
-def dfs_path(graph: object, start: int, goal: int) -> NDArray[np.int64] | None:
+def dfs_path(graph: Searchable, start: int, goal: int) -> NDArray[np.int64] | None:
     """A path between two nodes, in general not a shortest one. O(n + m).
 
     In the example the path goes all the way round, although an edge leads from 0 to 3.
@@ -139,7 +139,7 @@ def dfs_path(graph: object, start: int, goal: int) -> NDArray[np.int64] | None:
     return path_or_none(dfs(graph, first, last), last)
 
 
-def dfs_expansions(graph: object, start: int, goal: int | None = None) -> Iterator[Expansion]:
+def dfs_expansions(graph: Searchable, start: int, goal: int | None = None) -> Iterator[Expansion]:
     """Depth-first search as an iterator over its expansions, with the stack at each of them.
 
     The frontier is the stack below the current node, its parent first: nodes that were entered

@@ -19,9 +19,11 @@ from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
 
+Searchable = object  # a Graph, or a record with answers for `degree` and `edge`
+
 
 @generic(1)
-def degree(graph: object, u: int) -> int:
+def degree(graph: Searchable, u: int) -> int:
     """The number of edges that leave node u; they are numbered 0 to degree - 1.
 
     A grid counts moves that it may refuse.
@@ -30,7 +32,7 @@ def degree(graph: object, u: int) -> int:
 
 
 @generic(1)
-def edge(graph: object, u: int, k: int) -> tuple[int, float]:
+def edge(graph: Searchable, u: int, k: int) -> tuple[int, float]:
     """The end of the k-th edge from u, or -1 where a grid refuses the move; and its weight."""
     raise TypeError("this kind of graph cannot be searched")
 
@@ -147,7 +149,7 @@ def graph_edge(graph: GraphRecord, u: int, k: int) -> tuple[int, float]:
 
 
 @singledispatch
-def as_searchable(graph: object) -> Any:
+def as_searchable(graph: Searchable) -> Any:
     """Convert a graph to the record on which compiled searches run.
 
     Raises

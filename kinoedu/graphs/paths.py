@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
-from .flat import as_searchable, check_node
+from .flat import Searchable, as_searchable, check_node
 
 
 class Steps(NamedTuple):
@@ -60,7 +60,7 @@ class Expansion(NamedTuple):
     parent: NDArray[np.int64]
 
 
-def check_ends(graph: object, start: int, goal: int | None) -> tuple[Any, int, int]:
+def check_ends(graph: Searchable, start: int, goal: int | None) -> tuple[Any, int, int]:
     """The graph as a record, the start, and the goal or -1.
 
     Raises

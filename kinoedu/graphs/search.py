@@ -31,7 +31,7 @@ from ..compiled import algorithm, callable_from_compiled, inlined
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
-from .flat import degree, edge
+from .flat import Searchable, degree, edge
 from .paths import Expansion, Search, Steps, check_ends, path_or_none
 from .radix_heap import (
     NONE,
@@ -157,7 +157,7 @@ def run_search(flat: Any, start: int, goal: int, heuristic: Array) -> Search:
     return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
 
 
-def dijkstra(graph: object, start: int) -> Search:
+def dijkstra(graph: Searchable, start: int) -> Search:
     """Shortest paths from one node to all others, by Dijkstra's algorithm.
 
     O(n + m b) for costs that differ in b of their 63 bits.
@@ -183,7 +183,7 @@ def dijkstra(graph: object, start: int) -> Search:
 
 
 def astar(
-    graph: object, start: int, goal: int, estimate: ArrayLike | None = None
+    graph: Searchable, start: int, goal: int, estimate: ArrayLike | None = None
 ) -> tuple[NDArray[np.int64] | None, Search]:
     """A shortest path between two nodes, by A*.
 
@@ -215,7 +215,7 @@ def astar(
 
 
 def astar_expansions(
-    graph: object, start: int, goal: int, estimate: ArrayLike | None = None
+    graph: Searchable, start: int, goal: int, estimate: ArrayLike | None = None
 ) -> Iterator[Expansion]:
     """A* as an iterator over its expansions, with the priority queue at each of them.
 
@@ -240,7 +240,7 @@ def astar_expansions(
     return yield_expansions(flat, first, last, as_heuristic(estimate, flat.size))
 
 
-def dijkstra_expansions(graph: object, start: int) -> Iterator[Expansion]:
+def dijkstra_expansions(graph: Searchable, start: int) -> Iterator[Expansion]:
     """Dijkstra's algorithm as an iterator over its expansions; see `astar_expansions`.
 
     Raises

@@ -40,7 +40,7 @@ from ...figures import palette
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from .drawing import Drawing, encode_drawing
-from .printed import print_board
+from .printed import Bitmap, print_board
 from .scene import Scene, arrange_like, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
@@ -99,7 +99,7 @@ class Canvas(anywidget.AnyWidget):
         scene: Scene,
         answer: Callable[[Scene], Drawing],
         *,
-        free: object = None,
+        free: Bitmap | None = None,
         drive: Callable[[set[str]], None] | None = None,
     ) -> None:
         self._answer, self._drive = answer, drive
@@ -140,7 +140,7 @@ class Canvas(anywidget.AnyWidget):
             self._show(None, None)
             self.scene = scene  # last, because a page that has the places sends no question
 
-    def set_bitmap(self, bitmap: object) -> None:
+    def set_bitmap(self, bitmap: Bitmap | None) -> None:
         """Replace the bitmap beneath by another of the same size.
 
         Every page receives it now and paints it together with the next drawing.
@@ -239,7 +239,7 @@ class Canvas(anywidget.AnyWidget):
         return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
-def pack_bitmap(bitmap: Any) -> bytes:
+def pack_bitmap(bitmap: Bitmap | None) -> bytes:
     """The bytes of a bitmap as sent: booleans as bits, numbers as bytes, b"" for None."""
     if bitmap is None:
         return b""

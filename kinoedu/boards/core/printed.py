@@ -10,6 +10,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, PathPatch
+from numpy.typing import NDArray
 from PIL import Image, ImageColor
 
 from ...figures import palette
@@ -18,12 +19,13 @@ from ...geometry.checks import Array
 from .drawing import Drawing, Layer
 from .scene import Scene
 
+Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
 DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
 ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
 
 
-def print_board(scene: Scene, drawing: Drawing, free: object = None) -> bytes:
+def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> bytes:
     """A board's scene and the drawing that answers it, as a PNG; `free` is the bitmap beneath."""
     (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
     size, margin = max(x1 - x0, y1 - y0), 0.01 * max(x1 - x0, y1 - y0)
@@ -77,7 +79,7 @@ def mix_colours() -> list[int]:
     return [int(level) for level in np.unique(np.vstack(mixed).round(), axis=0).ravel()]
 
 
-def print_world(scene: Scene, free: Any, ax: Axes) -> None:
+def print_world(scene: Scene, free: Bitmap | None, ax: Axes) -> None:
     """Draw the bitmap, the boundary and the obstacles."""
     if free is not None:
         (x0, y0), (x1, y1) = (scene.get("glued", scene)[corner] for corner in ("lo", "hi"))

@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...errors import InvalidGraph, InvalidParameter
 from ...geometry.checks import Array, as_point
@@ -33,7 +33,9 @@ class Ground(NamedTuple):
     side: float
 
 
-def make_ground(given: object, start: int | None, goal: int | None) -> Ground:
+def make_ground(
+    given: Graph | ProblemRecord | ArrayLike, start: int | None, goal: int | None
+) -> Ground:
     """The graph of the argument of a search board, with its scene.
 
     Raises

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...geometry.checks import Array
 from ...graphs import Expansion, Graph, astar_expansions, bfs_expansions, dfs_expansions
 from ...messages import get_message
 from ...planners.tuning import one_of
+from ...problems import ProblemRecord
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
 from ..core.framed import Framed, make_menu
@@ -19,7 +21,7 @@ SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
 
 
 def search_board(
-    graph_or_problem: object,
+    graph_or_problem: Graph | ProblemRecord | ArrayLike,
     *,
     search: str = "bfs",
     start: int | None = None,
@@ -61,7 +63,12 @@ class SearchBoard(Framed):
     """The widget that `search_board` returns: the menu of searches, and the graph in `canvas`."""
 
     def __init__(
-        self, graph_or_problem: object, *, search: str, start: int | None, goal: int | None
+        self,
+        graph_or_problem: Graph | ProblemRecord | ArrayLike,
+        *,
+        search: str,
+        start: int | None,
+        goal: int | None,
     ) -> None:
         self.ground = make_ground(graph_or_problem, start, goal)
         self.moments: list[Expansion] = []
