@@ -79,7 +79,7 @@ def check(
 
 
 def run_quietly(
-    exercise: Exercise, function: Callable[..., Any], case: Case, printed: list[OutputBuffer]
+    exercise: Exercise, function: Callable[..., object], case: Case, printed: list[OutputBuffer]
 ) -> Outcome:
     """Call a student's function on a case.
 

@@ -41,8 +41,8 @@ def race_board(
     planners : one to four functions; by default rrt, rrt_connect and rrt_star. A function of yours,
         `f(problem)` or `f(problem, rng)`, is recorded and stopped as on `board`; its steps are the
         queries that it made.
-    nodes, step_size, rng : the first values of the controls: the most nodes of a tree, its longest edge,
-        and the seed.
+    nodes, step_size, rng : the first values of the controls: the most nodes of a tree, its longest
+        edge, and the seed.
 
     Returns
     -------

@@ -133,7 +133,7 @@ def kinodynamic_prm(
 
 
 def find_shortest_drive(
-    problem: Any, tree: DrivenTree, near: GoalRegionRecord, stats: dict[str, int]
+    problem: CarProblem, tree: DrivenTree, near: GoalRegionRecord, stats: dict[str, int]
 ) -> Plan:
     """The plan along the shortest drive to a node near the goal, or else to the nearest node."""
     edges = np.stack([tree.parent, np.arange(len(tree.nodes))], axis=1)[1:]

@@ -14,8 +14,6 @@ Algorithms, section 14.4.3.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...compiled import algorithm

@@ -6,7 +6,7 @@ optimal sampling-based kinodynamic planning" (2016), algorithm 6.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray

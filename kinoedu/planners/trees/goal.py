@@ -6,7 +6,7 @@ from ...spaces.buckets import GrowingTree, add
 
 
 @callable_from_compiled
-def join_goal(problem: Any, tree: GrowingTree, node: int, step_size: float) -> int:
+def join_goal(problem: PlanningProblem, tree: GrowingTree, node: int, step_size: float) -> int:
     """Append the goal below a node within one free step of it; returns the goal's node, or -1."""
     if problem.distance(tree.nodes[node], problem.goal) > step_size:
         return -1

@@ -78,7 +78,9 @@ def grow_both(
 
 
 @callable_from_compiled
-def extend(problem: Any, tree: GrowingTree, q: Array, step_size: float) -> tuple[int, bool]:
+def extend(
+    problem: PlanningProblem, tree: GrowingTree, q: Array, step_size: float
+) -> tuple[int, bool]:
     """Take one step from the nearest node towards q.
 
     Returns
@@ -95,7 +97,7 @@ def extend(problem: Any, tree: GrowingTree, q: Array, step_size: float) -> tuple
 
 @callable_from_compiled
 def connect(
-    problem: Any, tree: GrowingTree, q: Array, step_size: float, room: int
+    problem: PlanningProblem, tree: GrowingTree, q: Array, step_size: float, room: int
 ) -> tuple[int, int]:
     """Extend the tree towards q until it reaches q, is trapped, or has added `room` nodes.
 

@@ -58,7 +58,7 @@ class Growth(NamedTuple):
 def grow_shortest(
     problem: PlanningProblem,
     costs: CostTree,
-    sampler: Any,
+    sampler: Everywhere | Informed,
     step_size: float,
     radii: Array,
     max_iterations: int,
@@ -119,7 +119,7 @@ def cheapest_parent(
 
 
 @callable_from_compiled
-def reach_goal(problem: Any, costs: CostTree, node: int, step_size: float) -> int:
+def reach_goal(problem: PlanningProblem, costs: CostTree, node: int, step_size: float) -> int:
     """Append the goal below a node within one free step of it; returns the goal's node, or -1."""
     q = costs.tree.nodes[node]
     if problem.distance(q, problem.goal) > step_size or not problem.is_free_path(q, problem.goal):

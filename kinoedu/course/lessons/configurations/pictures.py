@@ -27,7 +27,7 @@ def write_both(truth: Value, value: object, ax: Axes) -> None:
     )
 
 
-def draw_shorter_arcs(exercise: ValueExercise, case: Case, value: float | None, ax: Any) -> None:
+def draw_shorter_arcs(exercise: ValueExercise, case: Case, value: float | None, ax: Axes) -> None:
     """Draw a circle for each angle, the shorter arc from a to b, and the student's distance."""
     from ....figures import configurations, palette, plane
 

@@ -164,7 +164,7 @@ class DrivingPlanner(PlannerExercise):
             path
         ]
 
-    def drawn(self, answer: Any) -> tuple[list[Tree], Array | None]:
+    def drawn(self, answer: object) -> tuple[list[Tree], Array | None]:
         """Return nothing to draw: `describe_answer` describes the answer."""
         return [], None
 

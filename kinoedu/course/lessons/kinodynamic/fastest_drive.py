@@ -106,7 +106,7 @@ def relax_three_times(
 def change_fastest(change: Callable[[list[int]], list[int]]) -> Callable[..., NodePath]:
     """Return a program that changes the fastest path by `change`."""
 
-    def answer(*given: Any) -> NodePath:
+    def answer(*given: Value) -> NodePath:
         path = find_fastest(*given)
         return None if path is None else change(path)
 

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....graphs import Graph
-from ...shapes import Value
 from .random_graphs import Neighbours, Weights
 
 Search = Callable[[Neighbours, int], list[int]]
