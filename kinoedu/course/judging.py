@@ -145,14 +145,13 @@ def judge_until_failure(
     -------
     Report
     """
-    all_cases, seen = list(cases), list[JudgedCase]()
-    needs_evidence = True
+    all_cases, seen, failed = list(cases), list[JudgedCase](), False
     for number, case in enumerate(all_cases):
         outcome = run(case)
         seen.append(judge_case(exercise, case, outcome, number))
-        if not seen[-1].verdict.is_right:
-            needs_evidence = bool(likely_slips(exercise, seen))
-        if ends_a_run(outcome) or not needs_evidence:
+        is_first_failure = not (failed or seen[-1].verdict.is_right)
+        failed = failed or is_first_failure
+        if ends_a_run(outcome) or (is_first_failure and not likely_slips(exercise, seen)):
             break
     return make_report(exercise, all_cases, seen)
 
@@ -198,28 +197,28 @@ def find_slip(exercise: Exercise, seen: list[JudgedCase]) -> str:
 def likely_slips(exercise: Exercise, seen: list[JudgedCase]) -> list[Slip]:
     """Misconceptions that may explain the failures among the cases seen.
 
-    Each explains every failure of the first failure's kind, and at least half of all failures. Many
-    misconceptions explain a wrong yes or no, so for a truth value each explains every case seen. An
-    answer that breaks only the contract has no misconception.
+    Each explains every failure of the first failure's kind and at least half of all failures, and
+    contradicts no right answer to the kinds that did not fail. Many misconceptions explain a wrong
+    yes or no, so for a truth value each explains every case seen. An answer that breaks only the
+    contract has no misconception.
     """
     failures = [one for one in seen if not one.verdict.is_right]
     if not failures or failures[0].verdict.rule == CONTRACT:
         return []
-    first = failures[0].case.kind
-    explained = {
-        slip: [explains(exercise, slip.answer, one) for one in failures] for slip in exercise.slips
-    }
-    likely = [
-        slip
-        for slip, explained_failures in explained.items()
-        if 2 * sum(explained_failures) >= len(failures)
-        and all(yes or one.case.kind != first for yes, one in zip(explained_failures, failures))
-    ]
-    if isinstance(exercise.answer, Truth):
-        likely = [
-            slip for slip in likely if all(explains(exercise, slip.answer, one) for one in seen)
-        ]
-    return likely
+    failing, first = {one.case.kind for one in failures}, failures[0].case.kind
+    passed = [one for one in seen if one.case.kind not in failing]
+
+    def is_likely(slip: Slip) -> bool:
+        explained = [explains(exercise, slip.answer, one) for one in failures]
+        if isinstance(exercise.answer, Truth):
+            return all(explains(exercise, slip.answer, one) for one in seen)
+        return (
+            2 * sum(explained) >= len(failures)
+            and all(yes or one.case.kind != first for yes, one in zip(explained, failures))
+            and not any(contradicts(exercise, slip.answer, one) for one in passed)
+        )
+
+    return [slip for slip in exercise.slips if is_likely(slip)]
 
 
 def is_unwritten(outcome: Outcome) -> bool:
@@ -227,14 +226,46 @@ def is_unwritten(outcome: Outcome) -> bool:
     return isinstance(outcome, Raised) and outcome.is_unwritten
 
 
-def explains(exercise: Exercise, mistaken: Callable[..., object], failure: JudgedCase) -> bool:
-    """Whether a misconception gives the same answer as the student's program."""
-    if not isinstance(exercise, ValueExercise) or not isinstance(failure.outcome, Answer):
+def explains(exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase) -> bool:
+    """Whether a misconception gives the same value as the student's program."""
+    found = value_of_slip(exercise, mistaken, judged)
+    if found is None or not isinstance(judged.outcome, Answer):
         return False
-    if isinstance(exercise.truth(failure.case), ValueError):
+    assert isinstance(exercise, ValueExercise)
+    return exercise.same(judged.outcome.value, found.value)
+
+
+def contradicts(exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase) -> bool:
+    """Whether a misconception gives another value than a program that is right.
+
+    It says nothing where there is no right value, or where it gives no number itself.
+    """
+    found = value_of_slip(exercise, mistaken, judged)
+    if found is None or not isinstance(judged.outcome, Answer):
         return False
+    assert isinstance(exercise, ValueExercise)
+    values = found.value, judged.outcome.value
+    return all(map(is_definite, values)) and not exercise.same(judged.outcome.value, found.value)
+
+
+def is_definite(value: object) -> bool:
+    """Whether a value is not None, not empty, and has no nan."""
+    if isinstance(value, tuple | list):
+        return len(value) > 0 and all(map(is_definite, value))
+    array = np.asarray(value)
+    return value is not None and array.size > 0 and bool(np.all(array == array))
+
+
+def value_of_slip(
+    exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase
+) -> Answer | None:
+    """The value that a misconception gives in a case; None where there is none to compare."""
+    if not isinstance(exercise, ValueExercise) or not isinstance(judged.outcome, Answer):
+        return None
+    if isinstance(exercise.truth(judged.case), ValueError):
+        return None
     with np.errstate(all="ignore"):
         try:
-            return exercise.same(failure.outcome.value, mistaken(*failure.case.given.values()))
+            return Answer(mistaken(*judged.case.given.values()))
         except (ValueError, ZeroDivisionError):
-            return False
+            return None

@@ -105,7 +105,7 @@ def old_heading(pose, v, phi, t, L):
     return *drive_arc(*pose, v * t, tan(phi) / L)[:2], pose[2]
 
 
-@wrong("move", slip="straight_if_small")
+@wrong("move")
 def straight_below_a_fiftieth(pose, v, phi, t, L):
     """Ignores turns that are too large to ignore."""
     return drive_arc(*pose, v * t, tan(phi) / L if abs(phi) >= 0.02 else 0.0)
@@ -437,7 +437,7 @@ def turns_the_short_way(a, b, r):
     return min(word_lengths(a, b, r, turn=lambda angle: abs(wrap(angle + pi) - pi)))
 
 
-@wrong("csc_length", slip="beeline")
+@wrong("csc_length")
 def straight_if_the_headings_are_the_same(a, b, r):
     """Treats equal headings as straight ahead."""
     return hypot(b[0] - a[0], b[1] - a[1]) if a[2] == b[2] else min(word_lengths(a, b, r))

@@ -39,7 +39,6 @@ c_on_the_other_side = changed(  # solves a x + b y = c
 upright_at_the_wrong_place = changed(
     "line_through_points",
     ("    x, y", "    if p1[0] == p2[0]:\n        return 1.0, 0.0, p1[0]\n    x, y"),
-    slip="sign_of_c",
 )
 c_not_divided = changed(
     "line_through_points",
@@ -134,7 +133,7 @@ def rounds_its_answer(q, p1, p2):
     return round(point_line_distance(q, p1, p2), 2)
 
 
-@wrong("point_line_distance", slip="rounded")
+@wrong("point_line_distance")
 def small_is_zero(q, p1, p2):
     """Uses a tolerance that was not asked for."""
     d = point_line_distance(q, p1, p2)

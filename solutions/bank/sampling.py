@@ -403,7 +403,7 @@ def stops_early(i, base):
     return total
 
 
-@wrong("radical_inverse", slip="first_lost")
+@wrong("radical_inverse")
 def digits_counted_by_logarithm(i, base):
     """Counts digits by log(243) / log(3), which is 4.999999999999999."""
     size = int(math.log(i) / math.log(base)) + 1 if i > 0 else 0
