@@ -133,6 +133,10 @@ class Exercise(ABC):
         """Description of the answer that was given to a case."""
         return format_value(value)
 
+    def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
+        """The case as it is shown to a student, who copies it to repeat the call that failed."""
+        return case
+
     @abstractmethod
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw a case, the given answer and the true one into matplotlib axes."""

@@ -107,7 +107,8 @@ def right_answer_lines(report: Report) -> list[tuple[str, str]]:
 
 def case_lines(exercise: Exercise, failure: JudgedCase, printed: str) -> list[tuple[str, str]]:
     """The call that failed, its outcome, and the right answer."""
-    given = [f"{name} = {as_code(value)}" for name, value in failure.case.given.items()]
+    shown = exercise.case_at_fault(failure.case, failure.outcome).given
+    given = [f"{name} = {as_code(value)}" for name, value in shown.items()]
     lines = [(get_message("check.contract"), exercise.contract)] if exercise.contract else []
     call = f"{exercise.name}({', '.join(failure.case.given)})"
     lines.append((get_message("check.call"), "\n".join([*given, call])))

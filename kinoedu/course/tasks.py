@@ -6,16 +6,30 @@ from typing import Any, NamedTuple
 
 from ..files.scene_robots import describe_for_scene
 from ..files.scenes import parse_problem
+from ..geometry.checks import Array
 from ..messages import get_message
 from ..problems import ProblemRecord, Recorder
 from ..support.json_fields import Field, Json, JsonObject
 from .plain import WrongShape, wrong_shape
 
 
+class Draw(NamedTuple):
+    """One call of `sample`: its generator, the state of it before and after, and the sample."""
+
+    generator: object
+    before: object
+    after: object
+    sample: Array
+
+
 class StudentProblem(Recorder):
     """A problem as a student's planner sees it; it records the planner's calls.
 
     Its repr is the line of code that makes it.
+
+    Attributes
+    ----------
+    draws : what `sample` drew, in order.
     """
 
     # distance is not recorded: it is called too often
@@ -24,6 +38,7 @@ class StudentProblem(Recorder):
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
         self.distance = problem.distance
+        self.draws: list[Draw] = []
 
     def __repr__(self) -> str:
         scene = scene_of(self.problem)
@@ -31,9 +46,21 @@ class StudentProblem(Recorder):
         code = f"problem_of({scene})"
         return code if rows is None else code.replace(repr(rows), runs_as_code(rows))
 
+    def sample(self, rng: Any) -> Array:
+        """A configuration drawn from the whole space, free or not."""
+        before = state_of(rng)
+        q: Array = self._recorded("sample", self.problem.sample)(rng)
+        self.draws.append(Draw(rng, before, state_of(rng), q.copy()))
+        return q
+
     def fresh_copy(self) -> "StudentProblem":
         """The same problem without recorded calls."""
         return type(self)(problem_of(scene_of(self.problem)).problem)
+
+
+def state_of(rng: Any) -> object:
+    """State of a generator; for an object without one, an object that equals no state."""
+    return getattr(getattr(rng, "bit_generator", None), "state", object())
 
 
 def runs_as_code(rows: list[str]) -> str:

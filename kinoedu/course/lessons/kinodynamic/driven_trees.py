@@ -170,7 +170,7 @@ class DrivingPlanner(PlannerExercise):
 
     def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the size of the answer, where its path ends, and where its fault is."""
-        tree, poses = self.nodes_of(case, value[0])
+        tree, poses = self.nodes_of(case, self.answer_at_fault(case, value))
         if not len(poses):
             return self.message("answers.nowhere", nodes=len(tree.nodes))
         x, y, theta = poses[-1]
@@ -187,7 +187,7 @@ class DrivingPlanner(PlannerExercise):
 
         value = outcome.value if isinstance(outcome, Answer) else None
         fault = None if value is None else self.fault_of_three(case, value)
-        built = None if value is None else self.nodes_of(case, value[0])
+        built = None if value is None else self.nodes_of(case, self.answer_at_fault(case, value))
         rule = self.judge(case, outcome).rule
         draw_driven_answer(
             case.given["problem"].problem, built, fault, self.message(f"pictures.{rule}"), ax

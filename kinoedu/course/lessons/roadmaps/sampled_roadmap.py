@@ -15,16 +15,13 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
-from ..shared.planned import Fault, PlannerExercise, ProblemShape, three_times
+from ..shared.planned import Fault, PlannerExercise, ProblemShape, Run, watched_three_times
 from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
 from .joining import are_pairs, keep_free
 from .rules import Pairs, join_k_closest
 
 BUILT = Together((Numbers(("n", "d")), Integers(("m", 2))))
-MANY = 160  # nodes from which their spread is tested
-SIDE = 4  # boxes along each side of the hall
-# bounds of the chi-square statistic of 16 boxes; random points leave them once in 10^8 times
-EVEN, UNEVEN = 0.5, 90.0
+MANY = 160
 
 
 def build_roadmap(problem: PlanningProblem, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
@@ -45,14 +42,12 @@ class SampledRoadmap(PlannerExercise):
     kinds = ("none", "room", "wall", "several", "many")
     given = Record(problem=ProblemShape(), n=Integer(), k=Integer(), rng=Integer())
     result = BUILT
-    answer = three_times(BUILT)
+    watched = True
+    answer = watched_three_times(BUILT)
     source = staticmethod(build_roadmap)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield no samples, an empty room, walls and obstacles, and many samples.
-
-        With many samples the judge can test how evenly they are spread.
-        """
+        """Yield no samples, an empty room, walls and obstacles, and many samples."""
 
         def case(kind: str, problem: PlanningProblem, n: int, k: int) -> Case:
             return Case(kind, {"problem": problem, "n": n, "k": k, "rng": int(rng.integers(1000))})
@@ -74,8 +69,8 @@ class SampledRoadmap(PlannerExercise):
         """Whether another seed gives another answer: there is a sample."""
         return bool(case.given["n"] > 0)
 
-    def fault(self, case: Case, answer: Value) -> Fault | None:
-        """Judge start and goal, the free samples and their spread, and the edges."""
+    def fault_of_run(self, case: Case, answer: Value, run: Run | None) -> Fault | None:
+        """Judge start and goal, that the samples are the first free ones drawn, and the edges."""
         (nodes, pairs), (problem, n, k, _) = answer, case.given.values()
         nowhere = np.empty((0, 2))
         if len(nodes) != n + 2 or nodes.shape[1] != 2 or not np.isfinite(nodes).all():
@@ -84,11 +79,10 @@ class SampledRoadmap(PlannerExercise):
             return Fault("ends", nodes[:2])
         for q in nodes:
             if not problem.problem.is_free(q):
-                return Fault("samples", q[None])
-        if len(np.unique(nodes, axis=0)) < len(nodes) or (
-            n >= MANY and not EVEN < measure_unevenness(nodes[2:], problem.world.hi) < UNEVEN
-        ):
-            return Fault("spread", nowhere)
+                return Fault("not_free", q[None])
+        fault = None if run is None else find_sample_fault(problem, nodes[2:], run)
+        if fault is not None:
+            return fault
         if not are_pairs(pairs, len(nodes)):
             return Fault("pairs", nowhere)
         return self.fault_of_edges(problem, nodes, pairs, k)
@@ -122,7 +116,7 @@ class SampledRoadmap(PlannerExercise):
 
     def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the size of the answer and where its fault is."""
-        nodes, pairs = value[0]
+        nodes, pairs = self.answer_at_fault(case, value)
         fault = self.fault_of_three(case, value)
         marked = [] if fault is None else np.round(fault.marked, 3).tolist()
         return get_message(
@@ -138,10 +132,9 @@ class SampledRoadmap(PlannerExercise):
         from .pictures import draw_roadmap_answer
 
         value = outcome.value if isinstance(outcome, Answer) else None
-        good = value is not None and value[0][0].ndim == 2 and value[0][0].shape[1:] == (2,)
-        draw_roadmap_answer(
-            case.given["problem"], None, value[0] if value is not None and good else None, ax
-        )
+        shown = None if value is None else self.answer_at_fault(case, value)
+        good = shown is not None and shown[0].ndim == 2 and shown[0].shape[1:] == (2,)
+        draw_roadmap_answer(case.given["problem"], None, shown if good else None, ax)
         fault = self.fault_of_three(case, value) if value is not None else None
         if fault is not None and len(fault.marked) and good:
             look: palette.Style = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
@@ -150,12 +143,17 @@ class SampledRoadmap(PlannerExercise):
         plane.title(self.message(f"pictures.{rule}"), ax)
 
 
-def measure_unevenness(points: Array, size: Array) -> float:
-    """Return the chi-square statistic of the counts of points in 16 equal boxes of a hall.
+def find_sample_fault(problem: StudentProblem, nodes: Array, run: Run) -> Fault | None:
+    """Return the fault of nodes that are not the first free samples drawn, or None.
 
-    It is the sum of (count - expected)^2 / expected, about 15 for random points.
+    They may be in any order. More may have been drawn than were needed.
     """
-    places = np.clip(np.floor(SIDE * points / size), 0, SIDE - 1).astype(np.int64)
-    counts = np.bincount(SIDE * places[:, 0] + places[:, 1], minlength=SIDE * SIDE)
-    expected = len(points) / (SIDE * SIDE)
-    return float(((counts - expected) ** 2).sum() / expected)
+    if run.generators > 1:
+        return Fault("generator", nodes[:0])
+    free = [q for q in run.samples if problem.problem.is_free(q)][: len(nodes)]
+    left = list(map(tuple, free))
+    for q in nodes:
+        if tuple(q) not in left:
+            return Fault("samples", q[None])
+        left.remove(tuple(q))
+    return None

@@ -4,8 +4,9 @@ A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=Prob
 with `rng=Integer()`, a seed; `result` is the shape of one answer. The planner is called three
 times, twice with the same seed and once with another, each time with a new problem that records its
 calls. `fault` finds what is wrong with one answer, by `find_path_fault` and `find_tree_fault`;
-these check every motion again with the course's own collision code. Whether all randomness comes
-from `rng` is judged here.
+these check every motion again with the course's own collision code. Where `watched` is true,
+`fault_of_run` also knows what was drawn in that call. Whether all randomness comes from `rng` is
+judged here.
 
 Messages that planner exercises share are in messages.toml of this folder; an exercise's own
 messages come first.
@@ -26,6 +27,7 @@ from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_valu
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Shape, Together, Truth, Value
 from ...tasks import ProblemShape, StudentProblem, problem_of
+from ...whole_shapes import Integer
 from .small_problems import TRAPS
 
 __all__ = [
@@ -35,6 +37,7 @@ __all__ = [
     "Fault",
     "PlannerExercise",
     "ProblemShape",
+    "Run",
     "StudentProblem",
     "empty_boxes",
     "find_motion_off_tree",
@@ -45,6 +48,7 @@ __all__ = [
     "problem_of",
     "same_configuration",
     "three_times",
+    "watched_three_times",
 ]
 
 NODES, PATH = Numbers(("n", "d")), Numbers(("k", "d"))
@@ -54,11 +58,32 @@ ROUNDING = 1e-9  # relative tolerance of lengths and end points
 class Fault(NamedTuple):
     """A rule that an answer breaks, and the configurations involved, shape (k, d).
 
-    There are two configurations for a motion, and there may be none.
+    There are two configurations for a motion, and there may be none. `call` is the number of the
+    call at fault: 0 and 1 had the case's seed, 2 had the next one.
     """
 
     rule: str
     marked: Array
+    call: int = 0
+
+
+class Run(NamedTuple):
+    """What one call of a planner drew.
+
+    Attributes
+    ----------
+    samples : (m, d), what `problem.sample` returned, in order.
+    generators : number of different generators that it was given.
+    others : number of samples before which its generator was also used for something else.
+    """
+
+    samples: Array
+    generators: int
+    others: int
+
+
+RUN = Together((Numbers(("m", "d")), Integer(), Integer()))
+DRAWING = ("samples", "generator", "coin", "share")  # rules of `fault_of_run` on what is drawn
 
 
 def find_path_fault(problem: StudentProblem, path: Array) -> Fault | None:
@@ -145,9 +170,13 @@ def find_motion_off_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -
     -------
     Fault or None
     """
-    edges = {(*nodes[p].tolist(), *q.tolist()) for p, q in zip(parent[1:], nodes[1:])}
+
+    def near(rows: Array, q: Array) -> NDArray[np.bool_]:
+        return np.asarray(np.abs(rows - q).max(axis=1) <= ROUNDING * (1.0 + np.abs(q).max()))
+
+    before, after = nodes[parent[1:]], nodes[1:]
     for a, b in zip(path[:-1], path[1:]):
-        if (*a.tolist(), *b.tolist()) not in edges and not np.array_equal(a, b):
+        if not near(a[None], b).all() and not (near(before, a) & near(after, b)).any():
             return Fault("along", np.array([a, b]))
     return None
 
@@ -185,16 +214,22 @@ def empty_boxes(nodes: Array, lo: Array, hi: Array, k: int) -> int:
 class PlannerExercise(Exercise):
     """A planner to write, called three times.
 
-    Subclasses declare `result`, and `answer = three_times(result)`.
+    Subclasses declare `result`, and `answer = three_times(result)`; or, to judge what was drawn,
+    `watched = True` and `answer = watched_three_times(result)`.
     """
 
     result: ClassVar[Shape]
     shared: ClassVar[tuple[str, ...]] = ("planner", "exercise")
     seconds = 20.0
+    watched: ClassVar[bool] = False
 
-    @abstractmethod
-    def fault(self, case: Case, answer: object) -> Fault | None:
+    def fault(self, case: Case, answer: Value) -> Fault | None:
         """What is wrong with one answer, or None."""
+        raise NotImplementedError
+
+    def fault_of_run(self, case: Case, answer: Value, run: Run | None) -> Fault | None:
+        """What is wrong with one answer and with what was drawn for it, or None."""
+        return self.fault(case, answer)
 
     @abstractmethod
     def drawn(self, answer: object) -> tuple[list[Tree], Array | None]:
@@ -209,17 +244,20 @@ class PlannerExercise(Exercise):
 
         Returns
         -------
-        The three answers, and whether Python's and numpy's global generators were left unused.
+        The three answers, and whether Python's and numpy's global generators were left unused;
+        where the calls are watched, also what the first and the third drew.
         """
         before = random.getstate(), np.random.get_state()
-        answers = []
+        answers, runs = [], []
         for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            arguments = {**given, "problem": given["problem"].fresh_copy(), "rng": rng}
-            answers.append(function(*arguments.values()))
+            problem = given["problem"].fresh_copy()
+            answers.append(function(*{**given, "problem": problem, "rng": rng}.values()))
+            runs.append(run_of(problem, rng))
         after = random.getstate(), np.random.get_state()
         random.setstate(before[0])
         np.random.set_state(before[1])
-        return *answers, repr(before) == repr(after)
+        drawn = (runs[0], runs[2]) if self.watched else ()
+        return *answers, repr(before) == repr(after), *drawn
 
     def right_answer(self, *given: Value) -> Value:
         """The library's own answer to one call."""
@@ -228,9 +266,10 @@ class PlannerExercise(Exercise):
 
     def fault_of_three(self, case: Case, value: Value) -> Fault | None:
         """What is wrong with the answers or with their use of randomness, or None."""
-        first, again, other, alone = value
-        fault = self.fault(case, first)
-        if fault is not None:
+        first, again, other, alone, *runs = value
+        drawn, drawn_then = [Run(*run) for run in runs] or (None, None)
+        fault = self.fault_of_run(case, first, drawn)
+        if fault is not None and (alone or fault.rule not in DRAWING):
             return fault
         nowhere = np.empty((0, len(case.given["problem"].start)))
         if not alone:
@@ -239,7 +278,18 @@ class PlannerExercise(Exercise):
             return Fault("again", nowhere)
         if self.uses_chance(case) and self.result.encode(first) == self.result.encode(other):
             return Fault("another", nowhere)
-        return self.fault(case, other)
+        fault = self.fault_of_run(with_next_seed(case), other, drawn_then)
+        return None if fault is None else fault._replace(call=2)
+
+    def answer_at_fault(self, case: Case, value: Value) -> Value:
+        """The first of the three answers with a fault; the first of all where there is none."""
+        fault = self.fault_of_three(case, value)
+        return value[0 if fault is None else fault.call]
+
+    def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
+        """The case with the seed of the call that failed."""
+        fault = self.fault_of_three(case, outcome.value) if isinstance(outcome, Answer) else None
+        return with_next_seed(case) if fault is not None and fault.call == 2 else case
 
     def value_verdict(self, case: Case, value: object) -> Verdict:
         """Right where none of the three answers has a fault."""
@@ -252,7 +302,7 @@ class PlannerExercise(Exercise):
 
     def describe_answer(self, case: Case, value: Value) -> str:
         """Description of what was built, and of the configurations at fault."""
-        trees, path = self.drawn(value[0])
+        trees, path = self.drawn(self.answer_at_fault(case, value))
         parts = [self.message("answers.tree", nodes=len(tree.nodes)) for tree in trees]
         if path is None:
             parts.append(self.message("answers.no_path"))
@@ -269,11 +319,32 @@ class PlannerExercise(Exercise):
 
         value = outcome.value if isinstance(outcome, Answer) else None
         fault = None if value is None else self.fault_of_three(case, value)
-        trees, path = ([], None) if value is None else self.drawn(value[0])
+        trees, path = ([], None) if value is None else self.drawn(self.answer_at_fault(case, value))
         title = self.message(f"pictures.{self.judge(case, outcome).rule}")
         draw_answer(case.given["problem"].problem, trees, path, fault, title, ax)
+
+
+def with_next_seed(case: Case) -> Case:
+    """The case of the third call."""
+    return case._replace(given={**case.given, "rng": case.given["rng"] + 1})
+
+
+def run_of(problem: StudentProblem, rng: int) -> Run:
+    """What was drawn from a problem in one call with a seed."""
+    state: object = np.random.default_rng(rng).bit_generator.state
+    others = 0
+    for draw in problem.draws:
+        others += draw.before != state
+        state = draw.after
+    samples = [draw.sample for draw in problem.draws]
+    return Run(np.array(samples), len({id(draw.generator) for draw in problem.draws}), others)
 
 
 def three_times(result: Shape) -> Together:
     """Shape of the result of `PlannerExercise.call`."""
     return Together((result, result, result, Truth()))
+
+
+def watched_three_times(result: Shape) -> Together:
+    """Shape of the result of `PlannerExercise.call` where the calls are watched."""
+    return Together((result, result, result, Truth(), RUN, RUN))

@@ -18,18 +18,21 @@ from ..shared.planned import (
     TRAPS,
     Fault,
     ProblemShape,
+    Run,
     StudentProblem,
-    empty_boxes,
     find_motion_off_tree,
-    find_node_off_nearest,
     find_tree_fault,
     same_configuration,
-    three_times,
+    watched_three_times,
 )
+from ..shared.replayed import Regrown, find_rrt_fault
+from ..shared.small_problems import box, in_room
 from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 
-# of 16 boxes: one is behind the walls of the trap, and one more may stay empty by chance
-LEFT_OUT = 2
+OFTEN = 0.5  # a goal bias at which a test of its share is sharp
+BESIDE = in_room((4, 5), (4.6, 5.3))
+# less than a step apart, with a wall between
+BEHIND = in_room((7.6, 5), (8.2, 5), box(7.9, 3, 7.91, 7))
 
 
 def grow_tree(
@@ -70,7 +73,8 @@ class Rrt(TreeExercise):
         rng=Integer(),
     )
     result = Together((NODES, PARENTS, Maybe(PATH)))
-    answer = three_times(result)
+    watched = True
+    answer = watched_three_times(result)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow)
 
@@ -86,14 +90,29 @@ class Rrt(TreeExercise):
         return Case(kind, given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield traps with a goal bias, then goal bias 1 with and without a free straight path."""
-        yield from super().cases(rng)
+        """Yield traps with a goal bias, a goal beside the start, then goal bias 1.
+
+        The goal bias is larger the second time where no path exists.
+        """
+        yield self.make_case("room", BESIDE, rng)
+        sealed = 0
+        for case in super().cases(rng):
+            sealed += case.kind == "sealed"
+            often = case.kind == "sealed" and sealed == 2
+            yield with_bias(case, OFTEN) if often else case
+        yield self.make_case("thin", BEHIND, rng)
         for kind in ("room", "sealed"):
             yield aim_at_goal(self.make_case(kind, TRAPS[kind], rng))
 
     def uses_chance(self, case: Case) -> bool:
-        """Whether another seed gives another answer: not with goal bias 1."""
-        return case.given["goal_bias"] < 1.0 and super().uses_chance(case)
+        """Whether another seed gives another answer.
+
+        It does not with goal bias 1, nor where the goal can be joined to the start.
+        """
+        problem, step = case.given["problem"], case.given["step"]
+        ends = problem.start, problem.goal
+        joined = problem.distance(*ends) <= step and problem.problem.is_free_path(*ends)
+        return case.given["goal_bias"] < 1.0 and not joined
 
     def describe_expected(self, case: Case) -> str:
         """Describe what the answer must be."""
@@ -103,39 +122,39 @@ class Rrt(TreeExercise):
             else self.message("wanted.straight")
         )
 
-    def fault(self, case: Case, answer: Value) -> Fault | None:
-        """Judge the path, the tree and its rule, and the spread of the samples.
+    def fault_of_run(self, case: Case, answer: Value, run: Run | None) -> Fault | None:
+        """Judge the path, the tree, and that every node comes from a sample.
 
         The path must also belong to the tree.
         """
         nodes, parent, path = answer
-        if case.given["goal_bias"] == 1.0 and not has_same_nodes(case, nodes):
+        problem, step, bias, iterations, _ = case.given.values()
+        if bias == 1.0 and not has_same_nodes(case, nodes):
             return Fault("bias", nodes[:0])
-        problem, step = case.given["problem"], case.given["step"]
         fault = None if path is None else self.fault_of_end(case, path)
-        fault = (
-            fault
-            or find_tree_fault(problem, nodes, parent, step)
-            or find_node_off_nearest(problem, nodes, parent)
-        )
-        if fault is None and len(nodes) > case.given["iterations"] + 2:
+        fault = fault or find_tree_fault(problem, nodes, parent, step)
+        if fault is None and len(nodes) > iterations + 2:
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
-            fault = find_motion_off_tree(path, nodes, parent) or find_missed_goal(
-                problem, nodes, step
+            fault = find_motion_off_tree(path, nodes, parent)
+        fault = fault or find_missed_goal(problem, nodes, step, path is not None)
+        if fault is None and bias < 1.0 and run is not None:
+            joined = len(nodes) > 1 and path is not None
+            grown = Tree(nodes[:-1], parent[:-1]) if joined else Tree(nodes, parent)
+            fault = find_rrt_fault(
+                Regrown(problem, grown, step), run, bias, iterations, path is not None
             )
-        if (
-            fault is None
-            and must_cover_room(case)
-            and empty_boxes(nodes, problem.world.lo, problem.world.hi, 4) > LEFT_OUT
-        ):
-            fault = Fault("corner", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the tree and the path."""
         nodes, parent, path = answer
         return [Tree(nodes, parent)], path
+
+
+def with_bias(case: Case, goal_bias: float) -> Case:
+    """Return the case with another goal bias."""
+    return case._replace(given={**case.given, "goal_bias": goal_bias})
 
 
 def aim_at_goal(case: Case) -> Case:
@@ -154,19 +173,16 @@ def has_same_nodes(case: Case, nodes: Array) -> bool:
     )
 
 
-def find_missed_goal(problem: StudentProblem, nodes: Array, step: float) -> Fault | None:
+def find_missed_goal(
+    problem: StudentProblem, nodes: Array, step: float, ended: bool
+) -> Fault | None:
     """Return the fault of a node that could have reached the goal by one free motion, or None.
 
-    The last two nodes are excepted.
+    Where the search ended at the goal, the last two nodes are excepted.
     """
-    for q in nodes[:-2]:
+    for q in nodes[:-2] if ended else nodes:
         if problem.distance(q, problem.goal) < step * (1.0 - 1e-9) and problem.problem.is_free_path(
             q, problem.goal
         ):
             return Fault("returned", np.array([q, problem.goal]))
     return None
-
-
-def must_cover_room(case: Case) -> bool:
-    """Whether the samples of this case must cover the whole room."""
-    return case.kind == "sealed" and case.given.get("goal_bias", 0.0) < 1.0

@@ -1,5 +1,6 @@
 """The exercise `rrt_connect`. LaValle, section 5.5; Bullo & Smith, chapter 5."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -17,13 +18,17 @@ from ..shared.planned import (
     PATH,
     Fault,
     ProblemShape,
+    Run,
     StudentProblem,
     find_motion_off_tree,
-    find_node_off_nearest,
     find_tree_fault,
-    three_times,
+    watched_three_times,
 )
+from ..shared.replayed import Regrown, find_connect_fault
+from ..shared.small_problems import in_room
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
+
+FAR = in_room((0.5, 0.5), (9.5, 9.5))
 
 
 def grow_two_trees(problem: PlanningProblem, step: float, iterations: int, rng: int) -> Value:
@@ -62,33 +67,37 @@ class RrtConnect(TreeExercise):
     name = "rrt_connect"
     given = Record(problem=ProblemShape(), step=Number(), iterations=Integer(), rng=Integer())
     result = Together((NODES, PARENTS, NODES, PARENTS, Maybe(PATH)))
-    answer = three_times(result)
+    watched = True
+    answer = watched_three_times(result)
     source = staticmethod(grow_two_trees)
     shown = staticmethod(grow_both)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Yield every trap twice, walls with a random gap, and a long run."""
+        yield from super().cases(rng)
+        yield self.make_case("room", FAR, rng)
 
     def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
         question = {"problem": problem, "step": STEP, "iterations": ENOUGH[kind]}
         return Case(kind, {**question, "rng": int(rng.integers(1000))})
 
-    def fault(self, case: Case, answer: Value) -> Fault | None:
-        """Judge the path, both trees and their rule, and that one tree connects greedily.
+    def fault_of_run(self, case: Case, answer: Value, run: Run | None) -> Fault | None:
+        """Judge the path, both trees, and that every node comes from a sample or a run.
 
         The path must also belong to the trees.
         """
         *both, path = answer
-        problem, step = case.given["problem"], case.given["step"]
+        problem, step, iterations, _ = case.given.values()
+        trees = Tree(*both[:2]), Tree(*both[2:])
         fault = None if path is None else self.fault_of_end(case, path)
-        for nodes, parent, root in ((*both[:2], problem.start), (*both[2:], problem.goal)):
-            fault = (
-                fault
-                or find_tree_fault(problem, nodes, parent, step, root)
-                or find_node_off_nearest(problem, nodes, parent)
-            )
+        for tree, root in zip(trees, (problem.start, problem.goal)):
+            fault = fault or find_tree_fault(problem, *tree, step, root)
         if fault is None and path is not None:
             fault = find_path_fault(path, *both)
-        if fault is None and case.kind == "room" and not is_greedy(problem, both[0], both[2], step):
-            fault = Fault("greedy", both[0][:0])
+        if fault is None and run is not None:
+            a, b = (Regrown(problem, tree, step) for tree in trees)
+            fault = find_connect_fault((a, b), run, iterations, path is not None)
         return fault or self.fault_of_end(case, path)
 
     def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
@@ -96,21 +105,17 @@ class RrtConnect(TreeExercise):
         return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
 
 
-def is_greedy(problem: PlanningProblem, nodes: Array, goal_nodes: Array, step: float) -> bool:
-    """Whether one tree took a step and the other went to its end in the fewest steps."""
-    for tree in (nodes, goal_nodes):
-        if len(tree) > 1 + np.ceil(problem.distance(tree[0], tree[-1]) / step + 1e-6):
-            return False
-    return min(len(nodes), len(goal_nodes)) <= 2
-
-
 def find_path_fault(
     path: Array, nodes: Array, parent: Value, goal_nodes: Array, goal_parent: Value
 ) -> Fault | None:
     """Return the fault of a path that leaves the trees, or None.
 
-    It must go down the start's tree and then up the goal's tree.
+    It must go down the start's tree and then up the goal's tree, which have a node in common.
     """
+    apart = np.abs(nodes[:, None] - goal_nodes[None]).max(axis=2)
+    if apart.min() > 1e-9 * (1.0 + np.abs(nodes).max()):
+        a, b = np.unravel_index(int(apart.argmin()), apart.shape)
+        return Fault("meet", np.array([nodes[a], goal_nodes[b]]))
     for a, b in zip(path[:-1], path[1:]):
         down = find_motion_off_tree(np.array([a, b]), nodes, parent)
         if (
