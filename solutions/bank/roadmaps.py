@@ -607,6 +607,47 @@ def a_generator_for_each_sample(problem, n, k, rng):
 
 
 @wrong("sampled_roadmap")
+def seeds_in_order(problem, n, k, rng):
+    """Makes a new generator, of the next seed, for each sample."""
+    seeds = iter(range(10**6))
+    nodes = built(
+        problem,
+        n,
+        k,
+        rng,
+        sample=lambda _: problem.sample(np.random.default_rng([rng, next(seeds)])),
+    )
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
+def one_in_each_cell(problem, n, k, rng):
+    """Takes one place in each cell of a grid, so that the samples are more even than chance."""
+    chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
+    side = math.ceil(math.sqrt(n))
+    cells = [(i, j) for i in range(side) for j in range(side)]
+    while len(nodes) < n + 2:
+        q = (cells[len(nodes) % len(cells)] + chance.random(2)) / side * problem.world.hi
+        if problem.is_free(q):
+            nodes.append(q)
+    return np.array(nodes), joined(problem, nodes, rows(problem, np.array(nodes), k))
+
+
+@wrong("sampled_roadmap")
+def only_what_the_start_sees(problem, n, k, rng):
+    """Keeps the samples that start or goal sees."""
+    ends = problem.start, problem.goal
+    nodes = built(
+        problem,
+        n,
+        k,
+        np.random.default_rng(rng),
+        keep=lambda q: any(problem.is_free_path(end, q) for end in ends),
+    )
+    return nodes, joined(problem, nodes, rows(problem, nodes, k))
+
+
+@wrong("sampled_roadmap")
 def in_one_half(problem, n, k, rng):
     """Samples only on the start's side."""
     nodes = built(

@@ -108,6 +108,30 @@ waits_for_the_goal_as_a_sample = changed(
 )
 half_a_step = changed("rrt", ("q_rand, step)", "q_rand, step / 2)"))
 gives_up_soon = changed("rrt", ("goal, nodes", "iterations = 10\n    goal, nodes"))
+goal_by_counting = changed(
+    "rrt", ("rng.random() < goal_bias", "i % max(1, round(1 / goal_bias)) == 0")
+)
+coin_from_elsewhere = changed(
+    "rrt",
+    ("goal, nodes, parent = ", "coin = np.random.default_rng(0)\n    goal, nodes, parent = "),
+    ("rng.random() < goal_bias", "coin.random() < goal_bias"),
+)
+goal_too_rarely = changed("rrt", ("rng.random() < goal_bias", "rng.random() < goal_bias**2"))
+generator_made_anew = changed(
+    "rrt",
+    ("goal, nodes, parent = ", "seed = int(rng.integers(1000))\n    goal, nodes, parent = "),
+    ("q_rand = goal if", "rng = np.random.default_rng(seed + i)\n        q_rand = goal if"),
+)
+one_sample_for_two = changed(
+    "rrt",
+    ("goal, nodes, parent = ", "sample, goal, nodes, parent = None, "),
+    (
+        "q_rand = goal if",
+        "sample = problem.sample(rng) if i % 2 == 0 else sample\n        q_rand = goal if",
+    ),
+    ("goal_bias else " + SAMPLE, "goal_bias else sample"),
+)
+start_not_tried = changed("rrt", ("<= step and", "<= step * (len(nodes) > 1) and"))
 
 
 @wrong("rrt")
@@ -176,6 +200,56 @@ steps_twice_as_long = changed(
     "rrt_connect",
     ("sample(rng), step", "sample(rng), 2 * step"),
     ("target, step", "target, 2 * step"),
+)
+the_same_tree_always = changed(
+    "rrt_connect", ("trees[turn % 2], trees[1 - turn % 2]", "trees[0], trees[1]")
+)
+turns_after_a_new_node = changed(
+    "rrt_connect",
+    (
+        "trees[turn % 2], trees[1 - turn % 2]",
+        "trees[len(trees[0][0]) > len(trees[1][0])], trees[len(trees[0][0]) <= len(trees[1][0])]",
+    ),
+)
+ten_steps_at_most = changed(
+    "rrt_connect",
+    ("q = target\n", "q, steps = target, 0\n"),
+    (
+        "while q is not None and target",
+        "while (steps := steps + 1) <= 10 and q is not None and target",
+    ),
+)
+runs_in_every_second_turn = changed(
+    "rrt_connect", ("while q is not None and", "while turn % 4 < 2 and q is not None and")
+)
+samples_until_free = changed(
+    "rrt_connect",
+    (
+        "problem.sample(rng)",
+        "next(q for q in iter(lambda: problem.sample(rng), 0) if problem.is_free(q))",
+    ),
+)
+goal_now_and_then = changed(
+    "rrt_connect",
+    ("problem.sample(rng)", "problem.goal if rng.random() < 0.05 else problem.sample(rng)"),
+)
+a_generator_for_each_tree = changed(
+    "rrt_connect",
+    (
+        "trees = [",
+        "chance = [np.random.default_rng(k) for k in rng.integers(1000, size=2)]\n    trees = [",
+    ),
+    ("problem.sample(rng)", "problem.sample(chance[turn % 2])"),
+)
+trees_as_they_were_swapped = changed(
+    "rrt_connect",
+    (
+        "    return *trees[0], *trees[1], None",
+        "    first = iterations % 2\n    return *trees[first], *trees[1 - first], None",
+    ),
+)
+near_is_there = changed(
+    "rrt_connect", ("problem.distance(q, target) == 0", "problem.distance(q, target) <= step")
 )
 
 
