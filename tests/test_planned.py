@@ -5,6 +5,8 @@ import json
 import numpy as np
 import pytest
 
+from kinoedu.course import EXERCISES
+from kinoedu.course.judging import judge_case, run_case
 from kinoedu.course.lessons.shared.planned import (
     TRAPS,
     ProblemShape,
@@ -82,3 +84,63 @@ def test_whether_a_triangle_cuts_the_room():
     """Two parts, and one."""
     assert not is_connected((1, 1), (9.5, 9.5), [(8, 10.5), (10.5, 8), (10.5, 8.2)])
     assert is_connected((1, 1), (9.5, 9.5), [(8.5, 9.5), (10.5, 8), (10.5, 8.2)])
+
+
+def judge_one(name, function):
+    """Judge a program on a case with a wall."""
+    exercise = EXERCISES[name]
+    case = next(c for c in exercise.cases(np.random.default_rng(0)) if c.kind == "wall")
+    return judge_case(exercise, case, run_case(exercise, function, case), 0).verdict
+
+
+def test_a_sample_drawn_before_the_coin_or_with_all_the_others_is_right():
+    """A program may draw a sample in every iteration, or draw all of them in advance."""
+
+    class Replayed:
+        """A problem with another method `sample`."""
+
+        def __init__(self, problem):
+            self.problem = problem
+
+        def __getattr__(self, name):
+            return getattr(self.problem, name)
+
+    def in_advance(problem, step, iterations, rng):
+        chance = np.random.default_rng(rng)
+        samples = iter([problem.sample(chance) for _ in range(iterations)])
+        replayed = Replayed(problem)
+        replayed.sample = lambda rng: next(samples)
+        return EXERCISES["rrt_connect"].right_answer(replayed, step, iterations, rng)
+
+    assert judge_one("rrt_connect", in_advance).is_right
+
+    def before_the_coin(problem, step, goal_bias, iterations, rng):
+        chance = np.random.default_rng(rng)
+        replayed = Replayed(problem)
+
+        def sample(_):
+            q = problem.sample(chance)
+            return problem.goal if chance.random() < goal_bias else q
+
+        replayed.sample = sample
+        return EXERCISES["rrt"].right_answer(replayed, step, 0.0, iterations, rng)
+
+    assert judge_one("rrt", before_the_coin).is_right
+
+
+@pytest.mark.parametrize("name", ["rrt", "rrt_connect", "sampled_roadmap"])
+def test_a_fault_of_the_third_call_is_shown_with_its_seed(name):
+    """The seed that the student copies repeats the call that failed."""
+    exercise = EXERCISES[name]
+    case = next(c for c in exercise.cases(np.random.default_rng(0)) if c.kind == "wall")
+    seed = case.given["rng"]
+
+    def wrong_for_the_next_seed(*given):
+        answer = list(exercise.right_answer(*given))
+        if given[-1] == seed + 1:
+            answer[0] = np.array(answer[0])[:-1]
+        return answer
+
+    outcome = run_case(exercise, wrong_for_the_next_seed, case)
+    assert not exercise.judge(case, outcome).is_right
+    assert exercise.case_at_fault(case, outcome).given["rng"] == seed + 1

@@ -126,7 +126,7 @@ class Follow(ValueExercise):
         yield make_case(
             "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
         )
-        for _ in range(14):
+        for turn in range(14):
             path = np.round(rng.uniform(0.5, 9.5, (int(rng.integers(4, 8)), 2)), 1)
             motions = np.linalg.norm(np.diff(path, axis=0), axis=1)
             yield make_case(
@@ -143,7 +143,8 @@ class Follow(ValueExercise):
             )
             i = int(rng.integers(1, len(path) - 1))
             x, y = np.round(0.5 * (path[i] + path[i + 1]), 2)
-            wall = in_room((0.1, 0.1), (9.9, 9.9), box(x - 0.2, y - 0.2, x + 0.2, y + 0.2))
+            half = (0.2, 0.01)[turn % 2]  # a wall that is thinner than any step between places
+            wall = in_room((0.1, 0.1), (9.9, 9.9), box(x - half, y - 0.2, x + half, y + 0.2))
             yield make_case(
                 "blocked",
                 wall,

@@ -194,6 +194,9 @@ class Insert(ValueExercise):
         yield make_case(
             "below", OPEN, [(1, 1), (1, 5), (5, 5), (9, 5), (9, 9)], [-1, 0, 1, 2, 3], (3, 3), 3.0
         )
+        # numbers fall all the way down
+        places = [(1, 1), (5, 9), (9, 9), (9, 5), (5, 5), (1, 5)]
+        yield make_case("below", OPEN, places, [-1, 2, 3, 4, 5, 0], (3, 3), 3.0)
         yield make_case(
             "blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0
         )
@@ -275,7 +278,11 @@ def draw_case(rng: np.random.Generator, problem: StudentProblem, n: int) -> Case
     """
     nodes = np.round(rng.uniform(0.5, 9.5, (n, 2)), 1)
     nodes[0] = problem.start
-    parent = [-1, *(int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n))]
+    above = [int(rng.integers(i)) * int(rng.integers(2)) for i in range(1, n)]
+    number = [0, *(1 + rng.permutation(n - 1)).tolist()]  # a parent may have a larger number
+    parent = [-1] * n
+    for i, p in enumerate(above, 1):
+        parent[number[i]] = number[p]
     q_new = np.round(rng.uniform(1.0, 9.0, 2), 1)
     case = make_case("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
     return case._replace(kind=classify(case.given)) if is_fair(case.given) else None

@@ -21,6 +21,16 @@ from ..shared.small_problems import box, in_room
 
 PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8, 8))
 
+# a narrow cell round the start, in which most motions are blocked
+CELL = in_room(
+    (1, 1),
+    (9, 9),
+    box(0.5, 0.5, 0.8, 1.5),
+    box(1.2, 0.5, 1.5, 1.5),
+    box(0.8, 0.5, 1.2, 0.8),
+    box(0.8, 1.2, 1.2, 1.5),
+)
+
 
 def grow_by(
     problem: PlanningProblem,
@@ -103,6 +113,8 @@ class TreeRoadmap(ValueExercise):
                 yield make_case("room", TRAPS["room"], name, int(rng.integers(10, 40)), rng)
                 problem = (PILLARS, TRAPS["passage"])[int(rng.integers(2))]
                 yield make_case("pillars", problem, name, int(rng.integers(20, 80)), rng)
+        for name in EXPANSIONS:
+            yield make_case("pillars", CELL, name, 80, rng)
 
     def same(self, value: Value, truth: Value) -> bool:
         """Whether the nodes are the same, in the same order, with the same parents."""
