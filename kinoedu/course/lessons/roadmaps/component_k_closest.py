@@ -68,9 +68,12 @@ class ComponentNeighbours(RuleExercise):
         apart = ((6, 3), (10, 3), (8, 8))
         yield make_case("few", make_hall(), ((1, 1), (3, 1)), 1)
         yield make_case("few", make_hall(), ((1, 1), (3, 1), (6, 1)), 1)
+        yield make_case("few", make_hall(), ((1, 1), (1, 5), (3, 3)), 1)  # equally far
         yield make_case("parts", make_hall(WALL), apart, 1)
         yield make_case("wall", make_hall(WALL), ((10, 3), (10, 8), (6, 4)), 1)
         yield make_case("wall", make_hall(WALL), ((10, 3), (10, 8), (6, 4)), 2)
+        # only the third closest node can be joined
+        yield make_case("wall", make_hall(WALL), ((10, 3.5), (10, 5), (7, 9), (6, 3.5)), 3)
         yield from make_pairs(1)
         for i in range(ROUND):
             yield make_case(
