@@ -12,6 +12,7 @@ from ..curves.arcs import drive_arc
 from ..files.scenes import parse_problem
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
+from ..problems.recorder import Question
 from ..support.json_fields import Field, Json
 from .plain import WrongShape
 from .tasks import ProblemShape, StudentProblem, scene_of
@@ -23,7 +24,8 @@ REGION = 2.5  # radius of the region around the goal, in wheelbases
 class DrivingProblem(StudentProblem):
     """A car's problem as a student's planner sees it.
 
-    It adds the following to `start`, `goal` and `sample(rng)`.
+    It adds the following to `start`, `goal` and `sample(rng)`. It logs every random pose and every
+    best drive.
 
     Attributes
     ----------
@@ -36,6 +38,8 @@ class DrivingProblem(StudentProblem):
     tolerance, turn_tolerance : float
         A pose this near to the goal, in length and in radians, counts as the goal.
     """
+
+    QUERIES = (*StudentProblem.QUERIES, "near_goal", "best_drive")
 
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
@@ -63,13 +67,13 @@ class DrivingProblem(StudentProblem):
         direction, turn = rng.uniform(-1.0, 1.0, 2)
         direction *= math.pi
         x, y, theta = self.problem.goal
-        return np.array(
-            [
-                x + radius * math.cos(direction),
-                y + radius * math.sin(direction),
-                theta + 0.5 * math.pi * turn,
-            ]
+        pose = (
+            x + radius * math.cos(direction),
+            y + radius * math.sin(direction),
+            theta + 0.5 * math.pi * turn,
         )
+        self.log.append(Question("near_goal", (rng,), pose))
+        return np.array(pose)
 
     def best_drive(
         self, q: ArrayLike, target: ArrayLike, rng: np.random.Generator
@@ -82,11 +86,20 @@ class DrivingProblem(StudentProblem):
         -------
         (v, phi, t), or None where no free control was found.
         """
+        asked = np.array(q, float), np.array(target, float), rng
+        drive = self.search_drive(*asked)
+        self.log.append(Question("best_drive", asked, drive))
+        return drive
+
+    def search_drive(
+        self, q: Array, target: Array, rng: np.random.Generator
+    ) -> tuple[float, float, float] | None:
+        """Best drive, without an entry in the log."""
         for _ in range(BATCHES):
             controls = np.array([self.problem.control(rng) for _ in range(TRIALS)])
             times = self.longest * np.arange(1, STEPS + 1) / STEPS
-            poses = self.poses_after(np.asarray(q, float), controls, times)
-            distances = distance_of_poses(poses, np.asarray(target, float), self.radian)
+            poses = self.poses_after(q, controls, times)
+            distances = distance_of_poses(poses, target, self.radian)
             i, k = np.unravel_index(int(np.argmin(distances)), distances.shape)
             v, phi, t = float(controls[i, 0]), float(controls[i, 1]), float(times[k])
             if self.is_free_drive(q, v, phi, t):

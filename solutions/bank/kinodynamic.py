@@ -563,6 +563,81 @@ def phi_in_degrees(*given):
     return parent, [(v, math.degrees(phi)) for v, phi in controls], durations, path
 
 
+@wrong("kinodynamic_rrt")
+def from_the_nearest_without_wrap(problem, *given):
+    """Looks for the nearest node by headings that it does not wrap."""
+
+    def apart(a, b):
+        return math.hypot(a[0] - b[0], a[1] - b[1], problem.radian * (a[2] - b[2]))
+
+    return rrt(problem, *given, apart=apart)
+
+
+@wrong("kinodynamic_rrt")
+def drawn_until_free(*given):
+    """Draws samples until a car that stands there touches nothing."""
+
+    def where(problem, turn, rng):
+        target = place(problem, turn, rng)
+        while turn % 4 and turn % 7 and not problem.is_free(target):
+            target = problem.sample(rng)
+        return target
+
+    return rrt(*given, where=where)
+
+
+@wrong("kinodynamic_rrt")
+def tried_again(problem, *given):
+    """Computes a second drive where there is no first."""
+
+    def drive(q, target, rng):
+        return problem.best_drive(q, target, rng) or problem.best_drive(q, target, rng)
+
+    return rrt(problem, *given, drive=drive)
+
+
+@wrong("kinodynamic_rrt")
+def one_pose_of_the_region(problem, iterations, rng):
+    """Draws the pose near the goal once, before the loop."""
+    near = problem.near_goal(np.random.default_rng(rng))
+
+    def where(problem, turn, chance):
+        return near if turn % 7 == 0 else place(problem, turn, chance)
+
+    return rrt(problem, iterations, rng, where=where)
+
+
+@wrong("kinodynamic_rrt")
+def a_generator_in_each_turn(problem, iterations, rng):
+    """Makes a new generator for each drive, from the seed and the turn."""
+    count = iter(range(iterations))
+
+    def drive(q, target, chance):
+        return problem.best_drive(q, target, np.random.default_rng(rng + next(count)))
+
+    return rrt(problem, iterations, rng, drive=drive)
+
+
+@wrong("kinodynamic_rrt")
+def goal_in_early_turns(*given):
+    """Takes the goal as the target up to turn 100 only."""
+    return rrt(
+        *given, where=lambda problem, turn, rng: place(problem, turn, rng, 4 * (turn <= 100))
+    )
+
+
+@wrong("kinodynamic_rrt")
+def newest_for_samples(problem, iterations, rng):
+    """Drives from the newest node, except towards the goal and its region."""
+    turns = iter(range(1, iterations + 1))
+
+    def choose(order, k):
+        turn = next(turns)
+        return order[:1] if turn % 4 == 0 or turn % 7 == 0 else [len(order) - 1]
+
+    return rrt(problem, iterations, rng, choose=choose)
+
+
 @wrong("kinodynamic_prm")
 def first_that_arrives(*given):
     """Takes the oldest node near the goal."""
@@ -673,6 +748,27 @@ def from_the_nearest_places(*given):
 def one_too_many(problem, k, *given):
     """Takes order[: k + 1]."""
     return prm(problem, k + 1, *given)
+
+
+@wrong("kinodynamic_prm")
+def a_target_for_each_drive(problem, k, *given):
+    """Draws a new sample for each of the k drives."""
+
+    def drive(q, target, rng):
+        near = np.allclose(q, problem.start)
+        return problem.best_drive(q, target if near else problem.sample(rng), rng)
+
+    return prm(problem, k, *given, drive=drive)
+
+
+@wrong("kinodynamic_prm")
+def nearest_without_wrap(problem, *given):
+    """Looks for the nearest nodes by headings that it does not wrap."""
+
+    def apart(a, b):
+        return math.hypot(a[0] - b[0], a[1] - b[1], problem.radian * (a[2] - b[2]))
+
+    return prm(problem, *given, apart=apart)
 
 
 @wrong("kinodynamic_prm")

@@ -1,25 +1,21 @@
-"""The judge of trees of drives.
+"""The judge of the drives of a tree, of its path and of its end.
 
 It replays every drive from its control with the course's own code, and checks that it is free.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from ....problems import Tree
 from ....robots.trajectory import DrivenTree
 from ....spaces.angles import angle_difference, wrap_angle
-from ...drivable import REGION, DrivingProblem
-from ...exercise import Axes, Case
-from ...outcomes import Answer, Outcome
-from ...shapes import Value
-from ..shared.planned import Fault, PlannerExercise
+from ...drivable import DrivingProblem
+from ..shared.planned import Fault
 
 GOAL_EVERY, REGION_EVERY = 4, 7
-MANY = 20  # iterations with random targets from which randomness can be judged
 SLACK = 1e-9  # relative tolerance of durations and distances
 NOWHERE = np.empty((0, 3))
 Path = NDArray[np.int64]
@@ -49,6 +45,14 @@ def find_drive_fault(problem: DrivingProblem, tree: DrivenTree) -> tuple[Fault |
         if not problem.is_free_drive(nodes[p], v, phi, t):
             return Fault("free", np.array([nodes[p], nodes[-1]])), np.array(nodes)
     return None, np.array(nodes)
+
+
+def replay(problem: DrivingProblem, tree: DrivenTree) -> Array:
+    """Return the nodes, shape (n, 3), of a tree without a fault."""
+    nodes = [problem.start]
+    for p, (v, phi), t in zip(tree.parent[1:], tree.controls[1:], tree.durations[1:]):
+        nodes.append(problem.move(nodes[p], v, phi, t))
+    return np.array(nodes)
 
 
 def find_near_goal(problem: DrivingProblem, nodes: Array, slack: float = 0.0) -> NDArray[np.int64]:
@@ -90,105 +94,9 @@ def find_end_fault(problem: DrivingProblem, nodes: Array, path: Path) -> Fault |
     )
 
 
-def find_bias_fault(
-    problem: DrivingProblem,
-    nodes: Array,
-    before: int,
-    chosen: NDArray[np.int64],
-    turn: int,
-) -> str:
-    """Return the rule that an iteration broke when it chose its nodes, or "".
+class TurnFault(NamedTuple):
+    """A rule that a turn breaks, the poses involved, and the turn's number; 0 where it is all."""
 
-    Where the goal is the target, the chosen nodes are the nearest to it. Where a pose of the
-    region is the target, each is nearly so: by the triangle inequality, no farther from the
-    goal than the nearest node plus twice the region's radius.
-
-    Parameters
-    ----------
-    before : number of nodes before this iteration.
-    chosen : indices of the nodes from which it drove.
-    turn : number of the iteration, from 1.
-    """
-    off = measure_distances(problem, nodes[:before], problem.goal)
-    nearest = np.sort(off)[: len(chosen)]
-    if turn % REGION_EVERY == 0:
-        reach = REGION * problem.problem.robot.wheelbase
-        most = nearest[-1] + 2.0 * math.hypot(reach, problem.radian * 0.5 * math.pi)
-        return "region" if off[chosen].max() > most else ""
-    if turn % GOAL_EVERY == 0 and not np.allclose(np.sort(off[chosen]), nearest):
-        return "bias"
-    return ""
-
-
-def judge_turns(
-    problem: DrivingProblem, nodes: Array, turns: list[tuple[int, NDArray[np.int64]]]
-) -> Fault | None:
-    """Judge each iteration of a tree for which every drive is free.
-
-    Parameters
-    ----------
-    turns : for each iteration, the number of nodes before it and the indices of the chosen ones.
-    """
-    towards_goal = others = 0
-    for turn, (before, chosen) in enumerate(turns, 1):
-        rule = find_bias_fault(problem, nodes, before, chosen, turn)
-        if rule:
-            return Fault(rule, nodes[chosen])
-        if turn % GOAL_EVERY and turn % REGION_EVERY and turn > 8:
-            others += 1
-            towards_goal += not find_bias_fault(problem, nodes, before, chosen, GOAL_EVERY)
-    return Fault("chance", NOWHERE) if others >= MANY and towards_goal > 0.8 * others else None
-
-
-class DrivingPlanner(PlannerExercise):
-    """An exercise on a planner whose answer ends with the nodes along its path."""
-
-    lesson = "13_kinodynamic_planning"
-    shared = ("driving_planner", "planner", "exercise")
-
-    def uses_chance(self, case: Case) -> bool:
-        """Whether another seed gives another answer: always, unless start is goal."""
-        return case.kind != "same"
-
-    def tree_of(self, case: Case, answer: object) -> DrivenTree:
-        """Return the tree in an answer, without its nodes."""
-        raise NotImplementedError
-
-    def nodes_of(self, case: Case, answer: Value) -> tuple[DrivenTree, Array]:
-        """Return the valid part of the tree, and the known poses along the path."""
-        tree = self.tree_of(case, answer)
-        _, nodes = find_drive_fault(case.given["problem"], tree)
-        path = answer[-1][(answer[-1] >= 0) & (answer[-1] < len(nodes))]
-        n = len(nodes)
-        return DrivenTree(nodes, tree.parent[:n], tree.controls[:n], tree.durations[:n]), nodes[
-            path
-        ]
-
-    def drawn(self, answer: object) -> tuple[list[Tree], Array | None]:
-        """Return nothing to draw: `describe_answer` describes the answer."""
-        return [], None
-
-    def describe_answer(self, case: Case, value: Value) -> str:
-        """Describe the size of the answer, where its path ends, and where its fault is."""
-        tree, poses = self.nodes_of(case, self.answer_at_fault(case, value))
-        if not len(poses):
-            return self.message("answers.nowhere", nodes=len(tree.nodes))
-        x, y, theta = poses[-1]
-        text = self.message(
-            "answers.drive", nodes=len(tree.nodes), drives=len(poses) - 1, x=x, y=y, theta=theta
-        )
-        fault = self.fault_of_three(case, value)
-        where = np.round(fault.marked, 2).tolist() if fault is not None else []
-        return f"{text}; {self.message('answers.at', marked=where)}" if where else text
-
-    def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
-        """Draw the problem, the tree, the path, and a cross at the fault."""
-        from .pictures import draw_driven_answer
-
-        value = outcome.value if isinstance(outcome, Answer) else None
-        fault = None if value is None else self.fault_of_three(case, value)
-        built = None if value is None else self.nodes_of(case, self.answer_at_fault(case, value))
-        rule = self.judge(case, outcome).rule
-        draw_driven_answer(
-            case.given["problem"].problem, built, fault, self.message(f"pictures.{rule}"), ax
-        )
+    rule: str
+    marked: Array
+    turn: int

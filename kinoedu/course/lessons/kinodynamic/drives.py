@@ -9,7 +9,6 @@ from ....geometry.checks import Array
 from ...drivable import DrivingProblem
 from ...shapes import Numbers
 from ...whole_shapes import Integers
-from ..shared.planned import Fault
 from .driven_trees import GOAL_EVERY, REGION_EVERY
 
 ITERATIONS = {
@@ -32,11 +31,3 @@ def choose_target(problem: DrivingProblem, turn: int, rng: np.random.Generator) 
     if turn % REGION_EVERY == 0:
         return problem.near_goal(rng)
     return problem.goal if turn % GOAL_EVERY == 0 else problem.sample(rng)
-
-
-def find_early_stop(nodes: Array, iterations: int) -> Fault | None:
-    """Return a fault where the nodes are far fewer than the iterations, or None.
-
-    In every garage of the course at least a fifth of the iterations add a node.
-    """
-    return Fault("stopped", nodes[-1:]) if 5 * len(nodes) < iterations else None

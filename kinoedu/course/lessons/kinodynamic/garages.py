@@ -39,4 +39,4 @@ GARAGES = {
     ),
 }
 KINDS = tuple(GARAGES)
-OPEN = ("turn", "far")  # every drive is free, so that every iteration adds its nodes
+OPEN = ("turn", "far")  # every drive is free, because no wall can be reached

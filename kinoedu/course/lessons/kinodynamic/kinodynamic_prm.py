@@ -16,20 +16,20 @@ from ...drivable import DrivenProblemShape, DrivingProblem
 from ...exercise import Case
 from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
-from ..shared.planned import Fault, three_times
+from ..shared.planned import Fault
 from .driven_trees import (
     NOWHERE,
     SLACK,
-    DrivingPlanner,
     find_drive_fault,
     find_end_fault,
     find_near_goal,
     find_path_fault,
-    judge_turns,
     measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_early_stop
-from .garages import GARAGES, KINDS, OPEN
+from .driven_turns import Turns
+from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target
+from .driving_planner import DrivingPlanner, with_logs
+from .garages import GARAGES, KINDS
 
 
 def grow_roadmap(problem: DrivingProblem, k: int, iterations: int, rng: int) -> Value:
@@ -63,7 +63,7 @@ class KinodynamicPrm(DrivingPlanner):
     kinds = KINDS
     given = Record(problem=DrivenProblemShape(), k=Integer(), iterations=Integer(), rng=Integer())
     result = Together((Integers(("n", 2)), CONTROLS, DURATIONS, ROUTE))
-    answer = three_times(result)
+    answer = with_logs(result)
     source = staticmethod(grow_roadmap)
     shown = staticmethod(drive_from_nearest)
 
@@ -89,11 +89,13 @@ class KinodynamicPrm(DrivingPlanner):
             np.append(0.0, durations),
         )
 
-    def fault(self, case: Case, answer: Value) -> Fault | None:
-        """Judge the edges, the drives, the path and its end.
+    def turns_of(self, case: Case, tree: DrivenTree, log: Array) -> Turns:
+        """Drives from the k nearest nodes in each turn; all turns are used."""
+        problem, k, iterations, _ = case.given.values()
+        return Turns(problem, tree, log, iterations, k, False)
 
-        Where every drive is free, also judge from which nodes each iteration drove.
-        """
+    def fault(self, case: Case, answer: Value) -> Fault | None:
+        """Judge the edges, the drives, the path and its end."""
         problem, k, iterations, _ = case.given.values()
         edges, tree, path = answer[0], self.tree_of(case, answer), answer[-1]
         if not np.array_equal(edges[:, 1], np.arange(1, len(edges) + 1)):
@@ -104,13 +106,8 @@ class KinodynamicPrm(DrivingPlanner):
             return fault
         if len(nodes) > k * iterations + 1:
             return Fault("iterations", NOWHERE)
-        if find_early_stop(nodes, iterations):
-            return Fault("onward", nodes[-1:])
-        fault = find_path_fault(tree.parent, path, nodes) or find_slower_end(
+        return find_path_fault(tree.parent, path, nodes) or find_slower_end(
             problem, tree, nodes, path
-        )
-        return fault or (
-            find_group_fault(problem, edges, nodes, k, iterations) if case.kind in OPEN else None
         )
 
 
@@ -131,22 +128,3 @@ def find_slower_end(
         if arrival[path[-1]] > arrival[surely].min() * (1.0 + SLACK)
         else None
     )
-
-
-def find_group_fault(
-    problem: DrivingProblem, edges: NDArray[np.int64], nodes: Array, k: int, iterations: int
-) -> Fault | None:
-    """Judge that each iteration drove from the right k nodes.
-
-    They must be different, be older than the iteration, and be nearest to its target.
-    """
-    before, turns = 1, []
-    for _ in range(iterations):
-        chosen = edges[before - 1 : before - 1 + min(k, before), 0]
-        if len(chosen) < min(k, before):
-            return Fault("dropped", NOWHERE)
-        if len(np.unique(chosen)) < len(chosen) or chosen.max() >= before:
-            return Fault("group", nodes[chosen])
-        turns.append((before, chosen))
-        before += len(chosen)
-    return judge_turns(problem, nodes, turns)

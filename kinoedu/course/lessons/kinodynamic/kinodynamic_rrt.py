@@ -16,20 +16,20 @@ from ...drivable import DrivenProblemShape, DrivingProblem
 from ...exercise import Case
 from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
-from ..shared.planned import Fault, three_times
+from ..shared.planned import Fault
 from .driven_trees import (
     NOWHERE,
     SLACK,
-    DrivingPlanner,
     find_drive_fault,
     find_end_fault,
     find_near_goal,
     find_path_fault,
-    judge_turns,
     measure_distances,
 )
-from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target, find_early_stop
-from .garages import GARAGES, KINDS, OPEN
+from .driven_turns import Turns
+from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target
+from .driving_planner import DrivingPlanner, with_logs
+from .garages import GARAGES, KINDS
 
 
 def grow_tree(problem: DrivingProblem, iterations: int, rng: int) -> Value:
@@ -62,7 +62,7 @@ class KinodynamicRrt(DrivingPlanner):
     kinds = KINDS
     given = Record(problem=DrivenProblemShape(), iterations=Integer(), rng=Integer())
     result = Together((Integers(("n",)), CONTROLS, DURATIONS, ROUTE))
-    answer = three_times(result)
+    answer = with_logs(result)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow_by_driving)
 
@@ -78,11 +78,12 @@ class KinodynamicRrt(DrivingPlanner):
         """Return the tree in an answer."""
         return DrivenTree(NOWHERE, *answer[:3])
 
-    def fault(self, case: Case, answer: Value) -> Fault | None:
-        """Judge the drives, the path and its end.
+    def turns_of(self, case: Case, tree: DrivenTree, log: Array) -> Turns:
+        """One drive in each turn, up to the goal."""
+        return Turns(case.given["problem"], tree, log, case.given["iterations"], 1, True)
 
-        Where every drive is free, also judge from which node each iteration drove.
-        """
+    def fault(self, case: Case, answer: Value) -> Fault | None:
+        """Judge the drives, the path and its end."""
         problem, iterations, _ = case.given.values()
         tree, path = self.tree_of(case, answer), answer[-1]
         fault, nodes = find_drive_fault(problem, tree)
@@ -90,14 +91,7 @@ class KinodynamicRrt(DrivingPlanner):
             return fault
         if len(nodes) > iterations + 1:
             return Fault("iterations", NOWHERE)
-        fault = find_path_fault(tree.parent, path, nodes) or find_goal_fault(problem, nodes, path)
-        if fault is None and not len(find_near_goal(problem, nodes, SLACK)):
-            fault = find_early_stop(nodes, iterations)
-        if fault is None and case.kind in OPEN:
-            turns = [(i, tree.parent[i : i + 1]) for i in range(1, len(nodes))]
-            whole = len(nodes) == iterations + 1 or len(find_near_goal(problem, nodes, SLACK))
-            fault = judge_turns(problem, nodes, turns) if whole else Fault("dropped", NOWHERE)
-        return fault
+        return find_path_fault(tree.parent, path, nodes) or find_goal_fault(problem, nodes, path)
 
 
 def find_goal_fault(problem: DrivingProblem, nodes: Array, path: NDArray[np.int64]) -> Fault | None:
