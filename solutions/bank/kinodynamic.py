@@ -387,6 +387,28 @@ def goal_test_of_places(*given):
 
 
 @wrong("kinodynamic_rrt")
+def either_way_round(*given):
+    """Accepts a car that points the opposite way."""
+
+    def there(problem, q):
+        turn = (q[2] - problem.goal[2] + math.pi / 2) % math.pi - math.pi / 2
+        return is_there(problem, q, heading=False) and abs(turn) <= problem.turn_tolerance
+
+    return rrt(*given, there=there)
+
+
+@wrong("kinodynamic_rrt")
+def end_without_wrap(*given):
+    """Ends a path that does not arrive at the node nearest to the goal by plain headings."""
+    problem = given[0]
+    nodes, parent, controls, durations, ends = grown(*given)
+    if not is_there(problem, nodes[ends[0]]):
+        weights = np.array([1.0, 1.0, problem.radian])
+        ends = [np.linalg.norm((np.array(nodes) - problem.goal) * weights, axis=1).argmin()]
+    return parent, controls, durations, path_to(parent, int(ends[0]))
+
+
+@wrong("kinodynamic_rrt")
 def no_region(*given):
     """Ignores the region bias."""
     return rrt(*given, where=lambda problem, turn, rng: place(problem, turn, rng, region_every=0))

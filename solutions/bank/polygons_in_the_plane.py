@@ -49,6 +49,18 @@ def great_steps(problem, x, y):
 
 
 @wrong("free_heading")
+def up_to_six(problem, x, y):
+    """Takes 6 for a whole turn."""
+    return turned_until_free(problem, x, y, np.arange(0, 6, 0.1))
+
+
+@wrong("free_heading")
+def thirty_headings(problem, x, y):
+    """Tries headings at steps of a little more than 0.2."""
+    return turned_until_free(problem, x, y, np.arange(30) * 2 * np.pi / 30)
+
+
+@wrong("free_heading")
 def a_few_at_random(problem, x, y):
     """Tries ten random headings and gives up."""
     return turned_until_free(problem, x, y, np.random.default_rng(0).uniform(-np.pi, np.pi, 10))
@@ -172,6 +184,16 @@ def each_to_the_next(problem, nodes):
     for i in range(n - 1):
         A[i, i + 1] = A[i + 1, i] = problem.is_free_path(nodes[i], nodes[i + 1])
     return A
+
+
+@wrong("adjacency_matrix")
+def only_the_ten_nearest(problem, nodes):
+    """Joins each node to its ten nearest, as the lesson's roadmap does."""
+    A = filled(nodes, problem.is_free_path)
+    near = np.zeros_like(A)
+    for i, a in enumerate(nodes):
+        near[i, np.argsort([problem.distance(a, b) for b in nodes])[:11]] = 1
+    return A * np.maximum(near, near.T)
 
 
 @wrong("adjacency_matrix")
@@ -537,6 +559,12 @@ def asks_about_twenty_places(problem, *given):
 def half_steps(problem, step, goal_bias, iterations, rng):
     """Takes the step for a diameter, and so does not join a goal that is a step away."""
     return grown(problem, step / 2, goal_bias, iterations, rng)
+
+
+@wrong("rrt_for_polygon")
+def one_iteration_less(problem, step, goal_bias, iterations, rng):
+    """Loops over range(1, iterations)."""
+    return grown(problem, step, goal_bias, iterations - 1, rng)
 
 
 @wrong("rrt_for_polygon")

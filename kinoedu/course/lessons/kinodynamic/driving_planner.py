@@ -13,8 +13,9 @@ from ...exercise import Axes, Case, Given
 from ...outcomes import Answer, Outcome
 from ...shapes import Shape, Together, Truth, Value
 from ..shared.planned import Fault, PlannerExercise
-from .driven_trees import NOWHERE, TurnFault, find_drive_fault, replay
+from .driven_trees import NOWHERE, TurnFault, find_drive_fault, find_near_goal, replay
 from .driven_turns import LOG, Turns, find_turn_fault, read_log
+from .garages import BEYOND_PI, FEW
 
 
 def with_logs(result: Shape) -> Together:
@@ -50,6 +51,21 @@ class DrivingPlanner(PlannerExercise):
     def turns_of(self, case: Case, tree: DrivenTree, log: Array) -> Turns:
         """What the planner was asked for, and what it did."""
 
+    def case_beyond_pi(self, rng: np.random.Generator, **more: int) -> Case:
+        """Case in which headings that do not wrap lead to the wrong end of the path.
+
+        Seeds are drawn until it is so.
+        """
+        while True:
+            seed = int(rng.integers(1000))
+            case = Case("far", {"problem": BEYOND_PI, **more, "iterations": FEW, "rng": seed})
+            answer = self.result.decode(self.result.encode(self.right_answer(*case.given.values())))
+            nodes = replay(BEYOND_PI, self.tree_of(case, answer))
+            off = (nodes - BEYOND_PI.goal) * (1.0, 1.0, BEYOND_PI.radian)
+            plain = int(np.linalg.norm(off, axis=1).argmin())
+            if plain != answer[-1][-1] and not len(find_near_goal(BEYOND_PI, nodes)):
+                return case
+
     def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the planner with the seeds rng, rng and rng + 1.
 
@@ -76,13 +92,13 @@ class DrivingPlanner(PlannerExercise):
             return fault, 0
         if not alone:
             return Fault("global", NOWHERE), 0
+        fault = self.fault_of_turns(case, first, log)
+        if fault is not None:
+            return fault, 0
         if self.result.encode(first) != self.result.encode(again):
             return Fault("again", NOWHERE), 0
         if self.uses_chance(case) and self.result.encode(first) == self.result.encode(other):
             return Fault("another", NOWHERE), 2
-        fault = self.fault_of_turns(case, first, log)
-        if fault is not None:
-            return fault, 0
         return self.fault(case, other) or self.fault_of_turns(case, other, other_log), 2
 
     def fault_of_turns(self, case: Case, answer: Value, log: Array) -> TurnFault | None:
@@ -90,6 +106,12 @@ class DrivingPlanner(PlannerExercise):
         tree = self.tree_of(case, answer)
         nodes = replay(case.given["problem"], tree)
         return find_turn_fault(self.turns_of(case, tree._replace(nodes=nodes), log))
+
+    def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
+        """The case with the seed of the call that failed."""
+        which = self.find_fault(case, outcome.value)[1] if isinstance(outcome, Answer) else 0
+        given = {**case.given, "rng": case.given["rng"] + 1}
+        return case._replace(given=given) if which else case
 
     def fault_of_three(self, case: Case, value: Value) -> Value:
         """What is wrong with the answers or with their calls, or None."""
@@ -113,17 +135,16 @@ class DrivingPlanner(PlannerExercise):
         if isinstance(fault, TurnFault) and fault.turn:
             parts.append(self.message("answers.turn", turn=fault.turn))
         if fault is not None and len(fault.marked):
-            marked = np.round(fault.marked, 2).tolist()
-            near = isinstance(fault, TurnFault) and fault.rule == "nearest"
-            name = "answers.nearest" if near else "answers.at"
-            parts.append(
-                self.message(
-                    name,
-                    marked=marked,
-                    **(dict(zip(("target", "nearest", "q"), marked)) if near else {}),
-                )
-            )
+            parts.append(self.describe_marked(fault))
         return "; ".join(parts)
+
+    def describe_marked(self, fault: Fault | TurnFault) -> str:
+        """Describe the poses at fault."""
+        marked = np.round(fault.marked, 2).tolist()
+        if fault.rule != "nearest":
+            return self.message("answers.at", marked=marked)
+        target, nearest, q = marked
+        return self.message("answers.nearest", target=target, nearest=nearest, q=q)
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the problem, the tree, the path, and a cross at the fault."""

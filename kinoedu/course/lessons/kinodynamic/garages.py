@@ -38,5 +38,9 @@ GARAGES = {
         (50, 50, 0), (165, 165, 0.8), box(130, 130, 200, 131), box(130, 130, 131, 200)
     ),
 }
+# at the start the car points nearly the opposite way
+TURNED = {**GARAGES, "turn": make_garage((1500, 1500, -1.9), (1500, 1500, 1.2), size=3000.0)}
+# the goal is far for so few iterations, and its heading is on the other side of pi
+BEYOND_PI, FEW = make_garage((1500, 1500, 3.0), (1400, 1500, -3.0), size=3000.0), 20
 KINDS = tuple(GARAGES)
 OPEN = ("turn", "far")  # every drive is free, because no wall can be reached

@@ -29,7 +29,7 @@ from .driven_trees import (
 from .driven_turns import Turns
 from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target
 from .driving_planner import DrivingPlanner, with_logs
-from .garages import GARAGES, KINDS
+from .garages import GARAGES, KINDS, TURNED
 
 
 def grow_roadmap(problem: DrivingProblem, k: int, iterations: int, rng: int) -> Value:
@@ -68,12 +68,16 @@ class KinodynamicPrm(DrivingPlanner):
     shown = staticmethod(drive_from_nearest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield every garage twice, with two and with three drives per iteration."""
-        for k in (2, 3):
+        """Yield every garage twice, with two and with three drives per iteration.
+
+        In the last case the goal's heading is on the other side of pi.
+        """
+        for k, garages in ((2, GARAGES), (3, TURNED)):
             for kind in KINDS:
                 iterations, seed = min(100, ITERATIONS[kind]), int(rng.integers(1000))
-                question = {"problem": GARAGES[kind], "k": k, "iterations": iterations, "rng": seed}
+                question = {"problem": garages[kind], "k": k, "iterations": iterations, "rng": seed}
                 yield Case(kind, question)
+        yield self.case_beyond_pi(rng, k=2)
 
     def uses_chance(self, case: Case) -> bool:
         """Another seed always gives another answer: the roadmap does not stop at the goal."""

@@ -29,7 +29,7 @@ from .driven_trees import (
 from .driven_turns import Turns
 from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target
 from .driving_planner import DrivingPlanner, with_logs
-from .garages import GARAGES, KINDS
+from .garages import GARAGES, KINDS, TURNED
 
 
 def grow_tree(problem: DrivingProblem, iterations: int, rng: int) -> Value:
@@ -67,12 +67,13 @@ class KinodynamicRrt(DrivingPlanner):
     shown = staticmethod(grow_by_driving)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield every garage twice."""
-        for _ in range(2):
+        """Yield every garage twice, then a goal whose heading is on the other side of pi."""
+        for garages in (GARAGES, TURNED):
             for kind in KINDS:
                 seed = int(rng.integers(1000))
-                question = {"problem": GARAGES[kind], "iterations": ITERATIONS[kind], "rng": seed}
+                question = {"problem": garages[kind], "iterations": ITERATIONS[kind], "rng": seed}
                 yield Case(kind, question)
+        yield self.case_beyond_pi(rng)
 
     def tree_of(self, case: Case, answer: Value) -> DrivenTree:
         """Return the tree in an answer."""

@@ -44,6 +44,18 @@ def is_free_at_middle(problem: PlanningProblem, a: Array, b: Array) -> bool:
     return bool(problem.is_free(a) and problem.is_free(b) and problem.is_free(middle))
 
 
+def draw_far_motion(rng: np.random.Generator) -> Case:
+    """Case with a free motion between nodes of which neither is among the other's ten nearest."""
+    while True:
+        world = scattered(1, side=10.0, radius=1.0, rng=rng)
+        case = draw_case("many", Disk(0.2), world, rng, 14)
+        problem, nodes = case.given.values()
+        off = np.linalg.norm(nodes[:, None] - nodes, axis=2)
+        far = off > np.sort(off)[:, 10:11]
+        if (find_free_motions(problem.problem, nodes) * far * far.T).any():
+            return case
+
+
 def chain_nodes(problem: PlanningProblem, nodes: Array) -> Matrix:
     """Return a matrix that joins each node only to the next."""
     matrix = find_free_motions(problem, nodes)
@@ -113,6 +125,7 @@ class AdjacencyMatrix(ValueExercise):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)
             robot = (STICK, Disk(0.4))[int(rng.integers(2))]
             yield draw_case("many", robot, world, rng, int(rng.integers(6, 13)))
+        yield draw_far_motion(rng)
 
     def same(self, value: Value, truth: Value) -> bool:
         """Whether the entries are the same."""

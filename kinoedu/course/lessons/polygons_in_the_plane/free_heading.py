@@ -25,6 +25,9 @@ LEAST = 0.2  # radians: no interval of free headings is shorter
 BAR = RigidPolygon([(-0.5, -0.3), (2.5, -0.3), (2.5, 0.3), (-0.5, 0.3)])
 HOOK = RigidPolygon([(-0.4, -0.4), (1.8, -0.4), (1.8, 0.0), (0.0, 0.0), (0.0, 1.2), (-0.4, 1.2)])
 HALF = 0.56  # half the width of a dead end, in which the bar has little more than LEAST
+NARROW = 0.5525  # the same, with 0.203 to 0.204 radians
+TOO_WIDE = (2.0 * np.pi / 30, 0.205)  # steps between headings that miss a narrow dead end
+SEAM = 0.115  # a dead end so far from a whole or a half turn ends just before it
 CORNER = (1.4, 1.4, 0.0)  # the robot's start, which is free in every world
 
 
@@ -42,17 +45,18 @@ class FreeHeading(Exercise):
     shown = staticmethod(middle_of_widest)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield open places, slots at many angles, and places beside and inside obstacles."""
+        """Yield open places, slots all the way round, and places beside and inside obstacles."""
         room = PolygonWorld(SQUARE)
         yield make_case(BAR, room, (5.0, 5.0))
         yield make_case(BAR, room, (9.0, 5.0))
         for angle in (0.0, np.pi / 2, np.pi, -np.pi / 2):
             yield make_case(BAR, make_slot(angle, HALF), (5.0, 5.0))
         yield make_case(BAR, make_slot(0.0, 0.2), (5.0, 5.0))
-        for _ in range(12):
-            yield make_case(
-                BAR, make_slot(float(np.round(rng.uniform(-np.pi, np.pi), 2)), HALF), (5.0, 5.0)
-            )
+        for angle in slot_angles(rng):
+            yield make_case(BAR, make_slot(angle, HALF), (5.0, 5.0))
+        for step in TOO_WIDE:
+            for k in rng.integers(0, 30, 2).tolist():
+                yield make_case(BAR, make_slot((k + 0.5) * step, NARROW), (5.0, 5.0))
         for robot in (BAR, HOOK):
             world = scattered(12, side=10.0, radius=1.2, keep_free=[(1.4, 1.4, 2.6)], rng=rng)
             for place in np.round(rng.uniform(0.5, 9.5, (40, 2)), 2):
@@ -101,6 +105,12 @@ class FreeHeading(Exercise):
         place = (case.given["x"], case.given["y"])
         text = self.message(f"pictures.{case.kind}")
         draw_heading(case.given["problem"].problem, place, value, right, text, ax)
+
+
+def slot_angles(rng: np.random.Generator) -> list[float]:
+    """Return angles of dead ends: beside both seams, and one in each twelfth of the turn."""
+    twelfths = (np.arange(12) + rng.random(12)) * np.pi / 6.0
+    return [-SEAM, np.pi - SEAM, SEAM - np.pi, *np.round(twelfths, 2).tolist()]
 
 
 def make_case(robot: Value, world: Value, place: Value) -> Case:

@@ -85,8 +85,10 @@ class MatrixExercise(PathExercise):
         return super().truth(convert_case(case))
 
     def value_verdict(self, case: Case, value: object) -> Verdict:
-        """Judge the path on the adjacency lists."""
-        return super().value_verdict(convert_case(case), value)
+        """Judge the path on the adjacency lists; where start is goal there is a rule of its own."""
+        verdict = super().value_verdict(convert_case(case), value)
+        there = case.kind == "start_is_goal" and not verdict.is_right
+        return verdict._replace(rule="there") if there else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph, a right path and the student's."""

@@ -11,11 +11,11 @@ from ...exercise import Case
 from ...shapes import Value
 from ..shared.planned import StudentProblem
 from ..shared.small_problems import SQUARE, box
-from ..trees.rrt import Rrt, aim_at_goal
+from ..trees.rrt import Rrt, aim_at_goal, grow_tree
 
 STICK = RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
 NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002)])
-STEP, BIAS = 2.0, 0.2
+STEP, BIAS, OFTEN = 2.0, 0.2, 0.5
 
 
 def make_problem(
@@ -50,13 +50,19 @@ class RrtForPolygon(Rrt):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield every task twice, then runs straight to the goal with and without a path.
 
-        The second wall is a thin one.
+        The second wall is a thin one, and the second closed corner has a larger bias. The last run
+        has just enough iterations.
         """
-        for tasks in (TASKS, {**TASKS, "wall": SHEET}):
+        for tasks, bias in ((TASKS, BIAS), ({**TASKS, "wall": SHEET}, OFTEN)):
             for kind in tasks:
-                yield self.make_case(kind, tasks[kind], rng)
+                case = self.make_case(kind, tasks[kind], rng)
+                given = {**case.given, "goal_bias": bias if kind == "sealed" else BIAS}
+                yield case._replace(given=given)
         for kind in ("room", "sealed"):
             yield aim_at_goal(self.make_case(kind, TASKS[kind], rng))
+        straight = aim_at_goal(self.make_case("room", TASKS["room"], rng))
+        added = len(grow_tree(*straight.given.values())[0]) - 2  # start and goal are not drawn
+        yield straight._replace(given={**straight.given, "iterations": added})
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""
