@@ -39,8 +39,6 @@ class DrivingProblem(StudentProblem):
         A pose this near to the goal, in length and in radians, counts as the goal.
     """
 
-    QUERIES = (*StudentProblem.QUERIES, "near_goal", "best_drive")
-
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
         car = problem.robot

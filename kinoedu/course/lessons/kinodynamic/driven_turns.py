@@ -38,7 +38,8 @@ def read_log(problem: DrivingProblem) -> Array:
             generators.append(rng)
         number = next(i for i, one in enumerate(generators) if one is rng)
         q, target = given[:2] if name == "best_drive" else (answer, answer)
-        drive = answer if name == "best_drive" and answer is not None else (math.nan,) * 3
+        found = name == "best_drive" and answer is not None
+        drive = np.asarray(answer if found else (math.nan,) * 3, float)
         rows.append([KINDS[name], number, *q[:3], *target[:3], *drive])
     return np.array(rows).reshape(-1, 11)
 

@@ -59,7 +59,9 @@ class DrivingPlanner(PlannerExercise):
         while True:
             seed = int(rng.integers(1000))
             case = Case("far", {"problem": BEYOND_PI, **more, "iterations": FEW, "rng": seed})
-            answer = self.result.decode(self.result.encode(self.right_answer(*case.given.values())))
+            answer: Value = self.result.decode(
+                self.result.encode(self.right_answer(*case.given.values()))
+            )
             nodes = replay(BEYOND_PI, self.tree_of(case, answer))
             off = (nodes - BEYOND_PI.goal) * (1.0, 1.0, BEYOND_PI.radian)
             plain = int(np.linalg.norm(off, axis=1).argmin())

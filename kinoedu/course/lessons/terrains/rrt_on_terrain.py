@@ -1,6 +1,6 @@
 """The base class of the document's two planners on a bitmap, and the exercise on its RRT."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,8 +12,8 @@ from ....problems import Problem, Tree
 from ....problems.protocols import PlanningProblem
 from ....robots import Point
 from ....worlds import Terrain
-from ...exercise import Case
-from ...shapes import Maybe, Number, Record, Together, Value
+from ...exercise import Case, Given
+from ...shapes import Maybe, Number, Record, Together, Truth, Value
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import (
     NODES,
@@ -26,10 +26,11 @@ from ..shared.planned import (
     find_node_off_nearest,
     find_path_fault,
     find_tree_fault,
-    three_times,
 )
+from .attempts import LOG, find_attempt_fault, read_log
 
 STEP, SPACING, FAILURES = 6.0, 3.0, 400
+SELDOM = 0.3  # a goal bias that is not one half
 KINDS = ("same", "open", "thin", "bag", "sealed")
 LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 60 and more
 SMALL = 40  # cells along each side
@@ -126,13 +127,20 @@ class RrtOnTerrain(TerrainPlanner):
         rng=Integer(),
     )
     result = Together((NODES, Integers(("n",)), Maybe(PATH)))
-    answer = three_times(result)
+    answer = Together((result, result, result, Truth(), LOG, LOG))
     source = staticmethod(grow_tree)
     shown = staticmethod(grow_spaced)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield the cases of both planners, then open ground with goal bias 1."""
-        yield from super().cases(rng)
+        """Yield the cases of both planners, then open ground with goal bias 1.
+
+        The second case without a path has a smaller goal bias.
+        """
+        sealed = 0
+        for case in super().cases(rng):
+            sealed += case.kind == "sealed"
+            seldom = case.kind == "sealed" and sealed == 2
+            yield case._replace(given={**case.given, "goal_bias": SELDOM}) if seldom else case
         always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
 
@@ -141,6 +149,29 @@ class RrtOnTerrain(TerrainPlanner):
         failures = 80 if kind == "sealed" else FAILURES
         tuning = {"step": STEP, "spacing": SPACING, "goal_bias": 0.5, "failures": failures}
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
+
+    def call(self, function: Callable[..., object], given: Given) -> Value:
+        """Call the planner three times, and add the logs of the first and the third call."""
+        logs = list[Array]()
+
+        def logged(problem: StudentProblem, *others: Value) -> object:
+            answer = function(problem, *others)
+            logs.append(read_log(problem))
+            return answer
+
+        return *super().call(logged, given), logs[0], logs[2]
+
+    def fault_of_three(self, case: Case, value: Value) -> Fault | None:
+        """What is wrong with the answers, with their attempts or with their randomness, or None."""
+        log, other_log = value[4:]
+        fault = super().fault_of_three(case, value[:4])
+        if fault is not None:
+            return fault
+        later = {**case.given, "rng": case.given["rng"] + 1}
+        nodes, _, path = value[0]
+        fault = find_attempt_fault(case.given, nodes, path, log)
+        nodes, _, path = value[2]
+        return fault or find_attempt_fault(later, nodes, path, other_log)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer: not with goal bias 1."""

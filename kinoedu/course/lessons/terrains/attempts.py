@@ -1,0 +1,117 @@
+"""The judge of the attempts of an RRT on a terrain: samples, nearest nodes and failures.
+
+The problem that a student's planner gets logs each sample and each steer. So the target of an
+attempt is known, and the node from which it was made.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....geometry.checks import Array
+from ...exercise import Given
+from ...shapes import Numbers
+from ...tasks import StudentProblem
+from ..shared.planned import Fault
+
+LOG = Numbers(("calls", 6))  # kind, generator, then two places: the sample twice, or from and to
+SAMPLE, STEER = 0, 1
+SAME, FEW, SURE = 1e-7, 5, 5.0  # SURE: standard deviations of a share that chance does not explain
+NOWHERE = np.empty((0, 2))
+
+
+class Attempts(NamedTuple):
+    """What a planner drew and from where it steered; `used` tells which samples were targets."""
+
+    samples: Array
+    used: NDArray[np.bool_]
+    towards_goal: int
+    number: int
+    in_a_row: int
+    nodes: int
+
+
+def read_log(problem: StudentProblem) -> Array:
+    """Return the samples and steers that a problem has logged, one in each row."""
+    generators, rows = list[object](), []
+    for name, given, answer in problem.log:
+        if name == "sample":
+            if not any(given[0] is one for one in generators):
+                generators.append(given[0])
+            number = next(i for i, one in enumerate(generators) if one is given[0])
+            rows.append([SAMPLE, number, *np.asarray(answer)[:2], *np.asarray(answer)[:2]])
+        elif name == "steer":
+            rows.append([STEER, 0, *np.asarray(given[0])[:2], *np.asarray(given[1])[:2]])
+    return np.array(rows, float).reshape(-1, 6)
+
+
+def find_attempt_fault(given: Given, nodes: Array, path: Array | None, log: Array) -> Fault | None:
+    """Return the first rule that the attempts break, or None.
+
+    A program may steer by code of its own, or leave out an attempt that cannot succeed: then less
+    is known of it, and less is judged.
+    """
+    problem, bias = given["problem"], given["goal_bias"]
+    if log[:, 1].any():
+        return Fault("generator", NOWHERE)
+    samples = log[log[:, 0] == SAMPLE, 2:4]
+    if bias < 1.0 and len(samples) >= FEW and is_without_coins(problem, given["rng"], samples):
+        return Fault("coin", NOWHERE)
+    if not (log[:, 0] == STEER).any():
+        return None
+    done = replay(given, nodes[: len(nodes) - (path is not None)], log)
+    return done if isinstance(done, Fault) else judge_attempts(given, path, done)
+
+
+def is_without_coins(problem: StudentProblem, rng: int, samples: Array) -> bool:
+    """Whether nothing but these samples was drawn from the generator of this seed."""
+    chance = np.random.default_rng(rng)
+    return all(np.array_equal(problem.problem.sample(chance), q) for q in samples)
+
+
+def replay(given: Given, nodes: Array, log: Array) -> Fault | Attempts:
+    """Repeat all attempts, and return the first fault, or what was done."""
+    problem, used = given["problem"].problem, np.zeros(len(log), bool)
+    known, in_a_row, number, towards_goal = 1, 0, 0, 0
+    for row in np.flatnonzero(log[:, 0] == STEER):
+        begin, target = log[row, 2:4], log[row, 4:6]
+        drawn = np.flatnonzero(np.abs(log[:row, 2:4] - target).max(axis=1) <= SAME)
+        drawn = drawn[(log[drawn, 0] == SAMPLE) & ~used[drawn]]
+        at_goal = np.abs(target - problem.goal).max() <= SAME
+        if not len(drawn) and not at_goal:
+            return Fault("target", np.array([target]))
+        used[drawn[-1:]] = True
+        off = np.linalg.norm(nodes[:known] - target, axis=1)
+        if np.linalg.norm(begin - target) > off.min() + SAME:
+            return Fault("from_nearest", np.array([nodes[off.argmin()], begin]))
+        q = problem.steer(begin, target, given["step"])
+        apart = np.linalg.norm(nodes[:known] - q, axis=1).min() - given["spacing"]
+        in_a_row, number, towards_goal = in_a_row + 1, number + 1, towards_goal + at_goal
+        if known < len(nodes) and np.abs(nodes[known] - q).max() <= SAME:
+            known, in_a_row = known + 1, 0
+        elif apart > SAME and problem.is_free_path(begin, q):
+            return Fault("left_out", np.array([begin, q]))
+        if in_a_row > given["failures"]:
+            return Fault("went_on", NOWHERE)
+    kinds = log[:, 0] == SAMPLE
+    return Attempts(log[kinds, 2:4], used[kinds], towards_goal, number, in_a_row, known)
+
+
+def judge_attempts(given: Given, path: Array | None, done: Attempts) -> Fault | None:
+    """Judge the number of failures, the samples that were not used, and the share of the goal."""
+    problem, bias = given["problem"].problem, given["goal_bias"]
+    free = np.array([problem.is_free(q) for q in done.samples], bool)
+    unused = ~done.used
+    if unused.sum() >= FEW and not free[unused].any() and free[done.used].all():
+        return Fault("unfree", done.samples[unused][:1])
+    if unused.any():
+        return None
+    if path is None and done.in_a_row < given["failures"]:
+        return Fault("gave_up", NOWHERE)
+    spread = np.sqrt(done.number * bias * (1.0 - bias))
+    return (
+        Fault("share", NOWHERE)
+        if abs(done.towards_goal - bias * done.number) > SURE * spread + 1.0
+        else None
+    )
