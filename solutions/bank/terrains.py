@@ -152,6 +152,25 @@ def one_seed_for_all(problem, step, spacing, goal_bias, failures, rng):
 
 
 @wrong("rrt_on_terrain")
+def one_failure_more(problem, step, spacing, goal_bias, failures, rng):
+    """Has <= instead of < in the loop over failures."""
+    return rrt(problem, step, spacing, goal_bias, failures + 1, rng)
+
+
+@wrong("rrt_on_terrain")
+def half_the_failures(problem, step, spacing, goal_bias, failures, rng):
+    """Gives up too early, after half of the failures."""
+    return rrt(problem, step, spacing, goal_bias, failures // 2, rng)
+
+
+@wrong("rrt_on_terrain")
+def goal_too_seldom(problem, step, spacing, goal_bias, failures, rng):
+    """Takes the goal half as often, except where it is always the target."""
+    seldom = goal_bias if goal_bias == 1.0 else goal_bias / 2.0
+    return rrt(problem, step, spacing, seldom, failures, rng)
+
+
+@wrong("rrt_on_terrain")
 def path_from_the_goal(*given):
     """Returns the path in reverse."""
     nodes, parent, path = rrt(*given)
