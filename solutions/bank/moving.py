@@ -10,8 +10,12 @@ from statistics import NormalDist
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from pathlib import Path
+
+from kinoedu.course.bank import Solutions, wrong
 from kinoedu.geometry import line_through_points, point_segment_distance
+
+changed = Solutions(Path(__file__).parent.parent / "14_moving_and_uncertain.ipynb").changed
 
 # The first contact
 
@@ -158,7 +162,24 @@ def divides_by_nothing(p0, p1, c0, c1, r):
     return s if 0 <= s <= 1 else math.inf
 
 
+almost_alike = changed("first_contact", ("if a == 0 or", "if a < 1e-9 or"), slip="alike")
+rim_at_the_start = changed(
+    "first_contact", ("<= r * r", "< r * r"), ("0 <= s <= 1", "0 < s <= 1"), slip="not_at_once"
+)
+
 # The earliest arrival
+
+begins_at_zero = changed("earliest_arrival", ("begin <= 0 <= end", "begin == 0"))
+ends_after_zero = changed("earliest_arrival", ("begin <= 0 <= end", "begin <= 0 < end"))
+first_of_the_start = changed(
+    "earliest_arrival", ("enumerate(safe[start])", "enumerate(safe[start][:1])")
+)
+moments_left_out = changed(
+    "earliest_arrival", ("if there <= end and", "if begin < end and there <= end and")
+)
+nothing_later = changed(
+    "earliest_arrival", ("if there <= end and", "if there <= min(end, 100) and")
+)
 
 
 def neighbours(moves, both=True):

@@ -112,11 +112,19 @@ class EarliestArrival(Exercise):
         yield make_case(
             "go", [[(0, 4), (7, END)], always, [(0, 1), (10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
         )
+        shortcut = [(0, 1, 9), (0, 2, 1), (1, 2, 1), (1, 3, 1)]
+        yield make_case("go", [always, always, always, always], shortcut, 0, 3)
         yield make_case("go", [always], np.empty((0, 3)), 0, 0)
+        yield make_case("go", [[(-5, -1), (-0.5, 4)], always], [(0, 1, 2)], 0, 1)
+        yield make_case("go", [[(-3, 0)], always], [(0, 1, 2)], 0, 1)
+        yield make_case("go", [[(-3, 0)]], np.empty((0, 3)), 0, 0)
+        yield make_case("go", [always, [(1 / 3, 2 / 3)]], [(0, 1, 0.4)], 0, 1)
         yield make_case("wait", [always, [(0, 3), (6, END)]], [(0, 1, 4)], 0, 1)
         yield make_case(
             "wait", [always, [(0, 2), (5, 9), (11, END)], always], [(0, 1, 3), (1, 2, 1)], 0, 2
         )
+        yield make_case("wait", [[(0, 500)], [(1, 3), (400, 410)]], [(0, 1, 4)], 0, 1)
+        yield make_case("wait", [always, [(0, 1), (8, 8)]], [(0, 1, 2)], 0, 1)
         yield make_case(
             "aside", [[(0, 4), (7, END)], always, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
         )
@@ -127,6 +135,7 @@ class EarliestArrival(Exercise):
         yield make_case("none", [always, always, always], [(0, 1, 2)], 0, 2)
         yield make_case("none", [[(2, END)], always], [(0, 1, 2)], 0, 1)
         yield make_case("none", [[(2, END)]], np.empty((0, 3)), 0, 0)
+        yield make_case("none", [[], always], [(0, 1, 2)], 0, 1)
         wanted = dict.fromkeys(self.kinds, 8)
         for _ in range(4000):
             if not any(wanted.values()):
@@ -143,11 +152,13 @@ class EarliestArrival(Exercise):
         best, rows = find_schedule(safe, moves, start, goal), np.asarray(value).tolist()
         rule = find_schedule_fault(safe, moves, start, goal, rows) if rows else ""
         if best and not rows:
-            rule = "found"
+            rule = "already" if start == goal else "found"
         elif best and not rule and rows[-1][1] > best[-1][1] + LATE:
             rule = "later"
         if rule in ("later", "found"):
             rule = find_misread_rule(safe, moves, start, goal, rows) or rule
+        if rule == "found" and not is_first_from_zero(safe[start]):
+            rule = "contains"
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def describe_expected(self, case: Case) -> str:
@@ -176,6 +187,11 @@ def find_misread_rule(safe: Value, moves: Value, start: int, goal: int, rows: Ro
         if ours == theirs or abs(ours - theirs) < 2.0 * LATE:
             return rule
     return ""
+
+
+def is_first_from_zero(own: Value) -> bool:
+    """Whether the first interval of a place begins at 0, and ends later."""
+    return bool(own[0][0] == 0.0 < own[0][1])
 
 
 def find_arrival(rows: Rows) -> float:
@@ -224,19 +240,14 @@ def search_one_arrival_each(safe: Safe, moves: Value, start: int, goal: int) -> 
 def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Value, int, int]:
     """Draw places in a row or a ring with random safe intervals.
 
-    Times are multiples of 1/2, or of 1/16, so that a program with a fixed time step misses
+    Times are multiples of 4, 1/2, 1/16 or 1/128, so that a program with a fixed time step misses
     them.
     """
-    n, parts = int(rng.integers(3, 8)), int(rng.choice((2, 16)))
+    n, parts = int(rng.integers(3, 8)), float(rng.choice((0.25, 2, 16, 128)))
     safe: Safe = []
     for place in range(n):
-        ends = (
-            np.unique(rng.integers(1, parts * (int(END) - 10), 2 * int(rng.integers(0, 4)))) / parts
-        )
-        ends = ends[: len(ends) // 2 * 2]
-        marks = [0.0, *ends.tolist(), END]
-        safe.append([(a, b) for a, b in zip(marks[::2], marks[1::2])])
-        if place and rng.random() < 0.1:
+        safe.append(draw_intervals(parts, rng))
+        if rng.random() < 0.1:
             safe[-1] = safe[-1][1:]
     pairs = [(k, k + 1) for k in range(n - 1)]
     pairs += [
@@ -245,10 +256,27 @@ def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Value, int, int]:
         if abs(u - v) > 1
     ]
     moves = [
-        (u, v, float(rng.integers(1, 4 * parts + 1)) / parts)
+        (u, v, float(rng.integers(1, max(4 * parts, 4.0) + 1)) / parts)
         for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)
     ]
     return safe, moves, 0, n - 1
+
+
+def draw_intervals(parts: float, rng: np.random.Generator) -> list[tuple[float, float]]:
+    """Draw the safe intervals of a place, as multiples of 1 / parts.
+
+    Some begin before 0, and some last only for a moment.
+    """
+    end = END * max(1.0, 2.0 / parts)
+    ends = np.unique(rng.integers(1, round(parts * (end - end / 3)), 2 * int(rng.integers(0, 4))))
+    marks = [0.0, *(ends[: len(ends) // 2 * 2] / parts).tolist(), end]
+    own = [(a, a if a > 0.0 and rng.random() < 0.1 else b) for a, b in zip(marks[::2], marks[1::2])]
+    before = float(rng.integers(1, 9)) / parts
+    if rng.random() < 0.3:
+        own[0] = (-before, own[0][1])
+    if rng.random() < 0.2:
+        own.insert(0, (-before - 3.0, -before - float(rng.integers(1, 3))))
+    return own
 
 
 def make_case(kind: str, safe: Value, moves: Value, start: int, goal: int) -> Case:

@@ -71,9 +71,12 @@ def draw_schedule(
         points += [(row[1], row[0]) for row in rows[-1:]]
         x, y = np.reshape(points, (-1, 2)).T
         ax.plot(x, y, style, color=colour, linewidth=2.2, markersize=7, zorder=4)
-    latest = max([12.0, *(float(row[1]) for row in [*best, *yours.tolist()])])
+    right = max([12.0, *(float(row[1]) for row in best)])
+    latest = max([right, *(float(row[1]) for row in yours)])
     ax.set(
-        xlim=(-0.5, min(1.15 * latest, 60.0)), ylim=(-0.6, len(safe) - 0.4), yticks=range(len(safe))
+        xlim=(-0.04 * right, min(1.15 * latest, max(60.0, 2.0 * right))),
+        ylim=(-0.6, len(safe) - 0.4),
+        yticks=range(len(safe)),
     )
     ax.set_xlabel(get_message("timed_picture.time"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(
