@@ -5,11 +5,15 @@ A check must recognise the named misconception.
 
 import math
 from math import cos, hypot, pi, sin, tan
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
 from kinoedu.curves.arcs import drive_arc
+from kinoedu.curves.dubins import all_dubins_curves
+
+changed = Solutions(Path(__file__).parents[1] / "12_the_car.ipynb").changed
 
 # One control
 
@@ -146,6 +150,20 @@ def stays_on_the_first_circle(pose, v, phi, t, L):
     return drive_arc(*pose, distance, tan(phi) / L)
 
 
+small_turns_ignored = changed(
+    "move",
+    ("/ L / 2\n", "/ L / 2\n    half = 0.0 if abs(half) < 5e-5 else half\n"),
+    slip="straight_if_small",
+)
+same_side_backwards = changed(
+    "move", ("half = distance *", "half = abs(distance) *"), slip="one_way"
+)
+no_distance = changed(
+    "move",
+    ("math.sin(half) / half", "math.sin(half) / half / distance * distance"),
+    ("half == 0", "phi == 0"),
+)
+
 # Many controls
 
 
@@ -230,6 +248,20 @@ def straight_between(start, controls, durations, L):
     """Takes one Euler step for each control."""
     return replay_by(start, controls, durations, L, one_euler_step.function)
 
+
+rests_left_out = changed(
+    "replay",
+    ("        poses.append", "        if v * t:\n            poses.append"),
+)
+one_row_for_equal_angles = changed(
+    "replay",
+    (
+        "        poses.append(move(poses[-1], v, phi, t, L))",
+        "        after = move(poses[-1], v, phi, t, L)\n"
+        "        poses[len(poses) - (len(poses) > 1 and phi == last) :] = [after]\n"
+        "        last = phi",
+    ),
+)
 
 # Euler
 
@@ -417,6 +449,12 @@ def word_lengths(a, b, r, turn=wrap, words=("LSL", "RSR", "LSR", "RSL"), root=Tr
 def only_lsl(a, b, r):
     """Considers one word."""
     return min(word_lengths(a, b, r, words=("LSL",)))
+
+
+@wrong("csc_length", slip="three_arcs")
+def every_dubins_curve(a, b, r):
+    """Counts curves of three arcs as well."""
+    return min(curve.length for curve in all_dubins_curves(a, b, r))
 
 
 @wrong("csc_length", slip="outer_only")

@@ -92,6 +92,7 @@ class CscLength(ValueExercise):
         ),
         Slip("no_root", lambda a, b, r: shortest_of(without_root(a, b, r), r)),
         Slip("crossing", lambda a, b, r: shortest_of(words_to(a, b, r, crossing=True), r)),
+        Slip("three_arcs", lambda a, b, r: min(c.length for c in all_dubins_curves(a, b, r))),
         Slip("beeline", lambda a, b, r: math.dist(a[:2], b[:2])),
         Slip(
             "longest",

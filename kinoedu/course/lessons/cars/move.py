@@ -48,8 +48,21 @@ def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Va
 
 
 def straight_if_small(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
-    """A wrong program that ignores small turns that are not negligible."""
-    return pose_after(pose, v, 0.0 if abs(phi) < 0.03 else phi, t, wheelbase)
+    """A wrong program that ignores small angles and turns that are not negligible."""
+    small = min(abs(phi), abs(v * t * math.tan(phi) / wheelbase)) < 0.03
+    return pose_after(pose, v, 0.0 if small else phi, t, wheelbase)
+
+
+def turning_one_way(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Value:
+    """A wrong program whose heading turns to the same side backwards as forwards."""
+    half = abs(v) * t * math.tan(phi) / wheelbase / 2
+    chord = v * t * (math.sin(half) / half if half else 1.0)
+    heading = pose[2] + half
+    return (
+        pose[0] + chord * math.cos(heading),
+        pose[1] + chord * math.sin(heading),
+        heading + half,
+    )
 
 
 def round_the_other_side(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
@@ -85,6 +98,7 @@ class Move(PoseExercise):
         Slip("steered", steered),
         Slip("straight_if_small", straight_if_small),
         Slip("other_side", round_the_other_side),
+        Slip("one_way", turning_one_way),
         Slip(
             "forward",
             lambda pose, v, phi, t, wheelbase: pose_after(pose, abs(v), phi, t, wheelbase),
@@ -106,12 +120,18 @@ class Move(PoseExercise):
             ("nearly", (0, 0, 1), 1, 1e-12, 10, 20),
             ("left", (0, 0, 0), 1, 0.01, 30, 20),
             ("right", (0, 0, 0), 1, -0.01, 30, 20),
-            ("back", (0, 0, 0), -1, 0.02, 30, 20),
+            ("back", (0, 0, 0), -1, 0.01, 30, 20),
+            ("left", (0, 0, 0), 1, 0.01, 0.05, 50),
+            ("right", (0, 0, 0), 1, -0.01, 0.05, 50),
+            ("back", (0, 0, 0), -1, 0.01, 0.05, 50),
+            ("left", (3, 4, 1), 1, eighth, 0, 20),
+            ("right", (3, 4, 1), 0, -eighth, 5, 20),
         ):
             yield drive_case(kind, first_pose, v, phi, t, size)
         for _ in range(12):
             pose, size = a_pose(rng), np.round(rng.uniform(2, 30), 1)
-            phi, t = np.round(rng.uniform(0.05, 0.78), 2), np.round(rng.uniform(0.3, 1.5) * size, 1)
+            phi, far = np.round(rng.uniform(0.05, 0.78), 2), rng.choice([0.01, 1.0], p=[0.2, 0.8])
+            t = np.round(rng.uniform(0.3, 1.5) * far * size, 3)
             v, side = rng.choice([0.5, 1, 2]), rng.choice([-1, 1])
             yield drive_case("straight", pose, v, 0, t, size)
             yield drive_case("left", pose, v, phi, t, size)

@@ -92,10 +92,14 @@ class Replay(PoseExercise):
             20,
         )
         yield replay_case("back", (0, 0, 0), [(1, 0), (-1, math.pi / 4)], [50, 20 * quarter], 20)
+        rests = [(1, math.pi / 4), (0, math.pi / 4), (1, math.pi / 4), (1, 0)]
+        yield replay_case("many", (0, 0, 0), rests, [20 * quarter, 5, 0, 10], 20)
         for _ in range(12):
             size, n = np.round(rng.uniform(2, 30), 1), int(rng.integers(2, 6))
             v = rng.choice([0.5, 1, 2], n)
             phi = np.round(rng.uniform(0.1, 0.78, n) * rng.choice([-1, 1], n), 2)
+            if rng.random() < 0.3:
+                phi[1] = phi[0]
             controls = np.column_stack([v, phi])
             durations, back = np.round(rng.uniform(0.2, 1.5, n) * size, 1), np.array([1.0, 1.0])
             yield replay_case("none", a_pose(rng), [], [], size)
