@@ -36,6 +36,12 @@ class Drawn(NamedTuple):
         """Description of the shape, for messages."""
         return get_message("shape.drawn")
 
+    def load(self) -> None:
+        """Load matplotlib, so that it takes no time of a student's program."""
+        from ..figures.plane import plane_figure
+
+        plane_figure()
+
     def encode(self, value: Value) -> JsonObject:
         """Encode axes, a figure with one pair of axes, or a value that was decoded before.
 

@@ -14,6 +14,7 @@ from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # stages; each also shows all that the earlier ones show
 LONG_LINE, SHOWN_LETTERS = 400, 60  # a line longer than the first is shortened to the second
+IDLE_SHARE = 0.1  # a program that used less of its time computed next to nothing
 TRIES: dict[str, list[int]] = {}  # hashes of the different failures of each exercise, this session
 
 
@@ -180,6 +181,8 @@ def hint_message(exercise: Exercise, failure: JudgedCase) -> str:
     advice = find_advice(failure.outcome)
     if advice:
         return get_message(f"advice.{advice}")
+    if is_idle(failure.outcome):
+        return get_message("advice.try_again")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
     if not exercise.table_with(key):
         key = f"hints.{failure.case.kind}"
@@ -191,6 +194,11 @@ def hint_message(exercise: Exercise, failure: JudgedCase) -> str:
 def is_slow(outcome: Outcome) -> bool:
     """Whether a program was late and the lines where it spent its time are unknown."""
     return isinstance(outcome, Late) and not outcome.lines
+
+
+def is_idle(outcome: Outcome) -> bool:
+    """Whether a program was late, but computed next to nothing: the computer may be busy."""
+    return isinstance(outcome, Late) and outcome.used < IDLE_SHARE * outcome.allowed
 
 
 def advance_stage(report: Report) -> int:

@@ -4,10 +4,11 @@ A check must recognise the named misconception.
 """
 
 import math
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
 from kinoedu.course.lessons.collision_detection.arm_pictures import bar, circle
 from kinoedu.course.lessons.collision_detection.link_in_contact import ends_of_links, touched_link
 from kinoedu.geometry import (
@@ -23,6 +24,7 @@ from kinoedu.geometry import (
 )
 
 FULL = 2 * np.pi
+changed = Solutions(Path(__file__).parents[1] / "07_collision_detection.ipynb").changed
 
 
 def edges(polygon):
@@ -221,6 +223,17 @@ def by_slopes(p1, p2, p3, p4):
     return [(x, p1[1] + m * (x - p1[0]))] if len(segment_intersection(p1, p2, p3, p4)) == 1 else []
 
 
+nearly_parallel = changed(
+    "segment_intersection",
+    ("whole != 0", "abs(whole) > 0.02 * math.dist(p1, p2) * math.dist(p3, p4)"),
+)
+small_product = changed("segment_intersection", ("whole != 0", "abs(whole) > 0.1"))
+nearly_one_line = changed("segment_intersection", ("cross(u, w) != 0", "abs(cross(u, w)) > 0.5"))
+ends_with_tolerance = changed(
+    "segment_intersection",
+    ("0 <= t <= 1 and 0 <= s <= 1", "-1e-3 <= t <= 1.001 and -1e-3 <= s <= 1.001"),
+)
+
 # Two convex polygons
 
 
@@ -392,6 +405,10 @@ def one_corner_short(robot, obstacle):
     return convex_hull((obstacle[:, None] - robot).reshape(-1, 2))[:-1]
 
 
+whole_numbers = changed(
+    "c_obstacle", ("convex_hull(", "np.round(convex_hull("), ("for b in robot]", "for b in robot])")
+)
+
 # The arm among discs
 
 
@@ -519,6 +536,17 @@ def points_of_the_links(q, lengths, width, discs):
         width,
         discs,
     )
+
+
+@wrong("link_in_contact")
+def only_the_nearest_centre(q, lengths, width, discs):
+    """Tests each link with the disc whose centre is nearest, and not with larger ones."""
+    ends = ends_of_links(q, lengths)
+    for link in (1, 2):
+        away = [point_segment_distance(d[:2], ends[link - 1], ends[link]) for d in discs]
+        if len(discs) and min(away) <= width / 2 + discs[np.argmin(away)][2]:
+            return link
+    return 0
 
 
 # A drawing of the arm

@@ -136,7 +136,7 @@ def bounding_box(ring: Array) -> Array:
 def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
     """Random robot and obstacle of a kind.
 
-    The reference point is inside the robot, or outside for one kind. The polygons are boxes, have
+    Coordinates are whole for boxes, and have two decimals for the other kinds. The reference point is inside the robot, or outside for one kind. The polygons are boxes, have
     parallel edges, or neither.
     """
     robot, obstacle = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
@@ -146,4 +146,6 @@ def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple
         obstacle = convex_hull(np.vstack([robot, robot + rng.integers(1, 2 + int(size), 2)]))
     shift = 3.0 * size if kind == "off" else 0.0
     robot = robot - np.round(robot.mean(axis=0)) + np.round(shift * rng.choice([-1.0, 1.0], 2))
-    return robot + 0.0, obstacle + np.round(rng.uniform(2.0, 4.0, 2) * size) + 0.0
+    obstacle = obstacle + np.round(rng.uniform(2.0, 4.0, 2) * size)
+    scale = 1.0 if kind == "boxes" else 0.37
+    return np.round(scale * robot, 2) + 0.0, np.round(scale * obstacle, 2) + 0.0

@@ -91,6 +91,8 @@ class LinkInContact(ValueExercise):
             ("link_2", (0, np.pi / 2), (2, 1, 0.5)),
             ("free", (np.pi / 2, 0), (2, 1, 0.5)),
             ("both", (0, 0), (3, 1, 1), (1, -1, 1)),
+            ("link_1", (0, 0), (1, 0.5, 0.125), (0, -3, 2.875)),
+            ("link_2", (0, 0), (2.5, 0.5, 0.125), (3, -3, 2.875)),
             ("free", (0.5, 1.0)),
         ):
             lengths = (2.0, 1.0)
@@ -129,6 +131,8 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
         discs = np.column_stack(
             [rng.uniform(-reach, reach, (n, 2)), rng.uniform(0.05, 0.3 if n > 1 else 0.8, n)]
         )
+        if n > 1 and rng.random() < 0.5:  # a large disc, whose centre may be farther than others
+            discs[0] = *rng.uniform(-1.5 * reach, 1.5 * reach, 2), rng.uniform(0.3, 0.9) * reach
         if kind == "end":  # just beyond the tip, at the rounded end
             out = (ends[2] - ends[1]) / lengths[1]
             discs[-1, :2] = ends[2] + out * (discs[-1, 2] + width * rng.uniform(0.3, 0.45))

@@ -68,6 +68,14 @@ class SegmentIntersection(ValueExercise):
             ("overlap", (0, 0), (6, 3), (4, 2), (2, 1)),
             ("end_to_end", (0, 0), (2, 0), (5, 0), (2, 0)),
             ("touching", (0, 0), (4, 0), (4, 0), (6, 3)),
+            ("apart", (0, 0), (3, 0), (5, 5), (3, 1)),
+            ("apart", (3, 1), (5, 5), (0, 0), (3, 0)),
+            ("apart", (5, 5), (3, 1), (0, 0), (3, 0)),
+            ("crossing", (0, 0), (0.125, 0.125), (0, 0.125), (0.125, 0)),
+            ("parallel", (0, 0), (0.25, 0), (0, 0.125), (0.5, 0.125)),
+            ("crossing", (0, 0), (20000, 0), (0, -100), (20000, 100)),
+            ("apart", (0, 0), (20000, 0), (20005, -100), (20006, 100)),
+            ("apart", (0, 0), (20000, 0), (10000, 1), (10001, 20000)),
         ):
             yield case_of(kind, ends)
         for size in sizes(4):
@@ -91,6 +99,9 @@ def case_of(kind: str, ends: ArrayLike) -> Case:
 
 def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
     """Random ends of two segments that are not collinear, of a kind; shape (4, 2)."""
+    # short segments, and long ones at small angles; factors that cause no rounding
+    scale = np.array([1.0, 2.0 ** -int(rng.choice([0, 0, 0, 7]) if kind != "touching" else 0)])
+    scale = scale * 2.0 ** -int(rng.choice([0, 0, 3]))
     while True:
         ends = np.round(points(rng, 4, size)) if kind == "touching" else points(rng, 4, size)
         if kind == "upright":
@@ -107,7 +118,7 @@ def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
             if rng.random() < 0.3:
                 return on_one_line(rng, size, kind)
         if kind_of(ends) == kind:
-            return ends
+            return ends * scale
 
 
 def kind_of(ends: Array) -> str:
