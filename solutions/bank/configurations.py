@@ -5,12 +5,15 @@ A check must recognise the named misconception.
 
 import math
 from math import atan, atan2, cos, hypot, pi, sin
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
 from kinoedu.geometry.displacements import displacement, rotation
 from kinoedu.spaces import circle_distance, torus_distance
+
+changed = Solutions(Path(__file__).parents[1] / "05_configuration_spaces.ipynb").changed
 
 # Degrees of freedom
 
@@ -103,7 +106,23 @@ def in_space(bodies, joints):
     return 6 * bodies - 5 * sum(len(held) - 1 for held in joints)
 
 
+equal_pins_once = changed(
+    "degrees_of_freedom", ("for held in joints", "for held in set(map(tuple, joints))")
+)
+ground_only_if_first = changed(
+    "degrees_of_freedom", ("(len(held) - 1)", "(len(held) - 1 - (0 in held[1:]))")
+)
+three_without_pins = changed(
+    "degrees_of_freedom", ("3 * bodies -", "3 if not joints else 3 * bodies -")
+)
+
 # Rotations
+
+absolute_angle = changed(
+    "rotation",
+    ("math.cos(theta), math.sin(theta)", "math.cos(theta), math.sin(abs(theta))"),
+    slip="absolute",
+)
 
 
 @wrong("rotation", slip="clockwise")
@@ -530,6 +549,16 @@ def none_for_nothing(l1, l2, p):
     """Returns None where there is no solution."""
     return solutions(l1, l2, p) or None
 
+
+near_the_base = changed("inverse_kinematics", ("far == 0.0 and", "far < 0.1 * l1 and"))
+longer_reach = changed(
+    "inverse_kinematics",
+    ("far > l1 + l2 or", "far > 1.02 * (l1 + l2) or"),
+    (
+        "math.acos((far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))",
+        "math.acos(min(1.0, (far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2)))",
+    ),
+)
 
 # The circle
 

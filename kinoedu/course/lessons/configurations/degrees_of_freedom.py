@@ -67,6 +67,10 @@ class DegreesOfFreedom(ValueExercise):
             ("rigid", 2, [[0, 1], [1, 2], [0, 2]]),
             ("rigid", 3, [[0, 1], [1, 2], [2, 3], [0, 3], [0, 2]]),
             ("loop", 3, [[1, 2], [2, 3], [1, 3]]),
+            ("loose", 2, []),
+            ("arm", 2, [[1, 0], [1, 2]]),
+            ("shared", 2, [[1, 0, 2]]),
+            ("rigid", 2, [[0, 1], [1, 2], [1, 2]]),
         ):
             yield Case(kind, {"bodies": bodies, "joints": joints})
         for bodies in range(2, 8):
@@ -81,17 +85,19 @@ class DegreesOfFreedom(ValueExercise):
 
 
 def random_joints(rng: np.random.Generator, kind: str, bodies: int) -> Joints:
-    """Random pins that connect all bodies, and the ground unless the kind is "loose"."""
+    """Random pins that connect all bodies, and the ground unless the kind is "loose".
+
+    The bodies of a pin come in any order, and two pins may hold the same bodies.
+    """
     ground = 1 if kind == "loose" else 0
     joints = [[int(rng.integers(ground, body)), body] for body in range(ground + 1, bodies + 1)]
     while (kind == "loop" and len(joints) < bodies + 1) or (
         kind == "rigid" and freedoms(bodies, joints) > rng.integers(-1, 1)
     ):
-        pair = sorted(map(int, rng.choice(np.arange(bodies + 1), 2, replace=False)))
-        joints += [pair] if pair not in joints else []
+        joints.append(sorted(map(int, rng.choice(np.arange(bodies + 1), 2, replace=False))))
     if kind == "shared":
         held = rng.choice(
             np.arange(bodies + 1), int(rng.integers(3, min(bodies, 4) + 1)), replace=False
         )
         joints = [joint for joint in joints if joint[1] not in held] + [sorted(map(int, held))]
-    return joints
+    return [list(map(int, rng.permutation(joint))) for joint in joints]

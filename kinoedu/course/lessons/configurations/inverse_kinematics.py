@@ -91,6 +91,7 @@ class InverseKinematics(ValueExercise):
             ("inner_rim", 3, 1, (2, 0)),
             ("two", 2, 1, (-2, -1)),
             ("two", 1, 1, (0, -0.5)),
+            ("two", 1, 1, (0.03, 0.04)),
             ("outer_rim", 2, 3, (-3, 4)),
             ("inner_rim", 1, 3, (2, 0)),
             ("too_near", 1, 3, (1, 0)),
@@ -142,21 +143,23 @@ class InverseKinematics(ValueExercise):
 
 
 def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
-    """Random target of each kind: exactly on the rims with integers, else clearly off them."""
+    """Random target of each kind: exactly on the rims with integers, else off them.
+
+    Some are only a little more than a hundredth of l1 + l2 off a rim, or have equal links.
+    """
     l1, l2 = np.round(rng.uniform(0.3, 1.0, 2) * size, 2)
+    l2 = l1 if rng.random() < 0.3 else l2
     inner, outer = abs(l1 - l2), l1 + l2
     angle = rng.uniform(-pi, pi)
     direction = np.array([np.cos(angle), np.sin(angle)])
-    margin = 0.02 * outer
-    yield arm_case(
-        "two", l1, l2, p=np.round(rng.uniform(inner + margin, outer - margin) * direction, 3)
-    )
-    yield arm_case("too_far", l1, l2, p=np.round(rng.uniform(1.02, 2.0) * outer * direction, 3))
-    yield arm_case(
-        "too_near",
-        *rng.permutation([l1, l1 / 4]),
-        p=np.round(rng.uniform(0.1, 0.7) * l1 * direction, 3),
-    )
+    margin = 0.013 * outer
+    share = rng.choice([0.0, rng.random(), rng.random() ** 2, 1.0])  # 0 and 1 are near the rims
+    reach = inner + margin + share * (outer - inner - 2.0 * margin)
+    yield arm_case("two", l1, l2, p=np.round(reach * direction, 3))
+    reach = rng.choice([1.013, rng.uniform(1.013, 2.0)]) * outer
+    yield arm_case("too_far", l1, l2, p=np.round(reach * direction, 3))
+    reach = rng.choice([0.73, rng.uniform(0.1, 0.73)]) * l1
+    yield arm_case("too_near", *rng.permutation([l1, l1 / 4]), p=np.round(reach * direction, 3))
     corner = rng.choice(WHOLE_CORNERS) * rng.choice([-1, 1], 2)
     distance = int(hypot(*corner))
     first, swap = int(rng.integers(1, distance)), rng.permutation([0, 1])

@@ -32,6 +32,7 @@ class Rotation(MatrixExercise):
         Slip(
             "swapped", lambda theta: np.array([[sin(theta), cos(theta)], [-cos(theta), sin(theta)]])
         ),
+        Slip("absolute", lambda theta: rotation(abs(theta))),
         Slip("root", lambda theta: rotation(theta) if sin(theta) >= 0.0 else rotation(-theta)),
         Slip("sign", lambda theta: np.array([[cos(theta), sin(theta)], [sin(theta), cos(theta)]])),
     )
