@@ -17,7 +17,7 @@ import pytest
 from kinoedu import messages
 from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMMON_ERRORS
-from kinoedu.course.feedback import fold_line
+from kinoedu.course.feedback import Feedback, fold_line
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.outcomes import (
     Answer,
@@ -415,6 +415,15 @@ def test_a_hang_ends_with_a_message():
     assert "It was stopped" in repr(check(polygon_tangent))
     assert "no answer after" in repr(check(deaf, "polygon_tangent"))
     assert check(EXERCISES["polygon_tangent"].source).report.is_right
+
+
+@pytest.mark.parametrize(("used", "is_idle"), [(0.0, True), (5.1, False)])
+def test_a_program_that_got_no_time_to_compute_is_asked_to_try_again(used, is_idle):
+    """A time-out in which a program computed next to nothing has no hint about the program."""
+    exercise = EXERCISES["polygon_tangent"]
+    case = next(exercise.cases(np.random.default_rng(0)))
+    report = judge_outcomes(exercise, [case], [Late(False, used, 5.0, 20.0)])
+    assert ("Try again" in repr(Feedback(report))) == is_idle
 
 
 def test_a_hang_inside_callbacks_is_not_reported_as_lost():

@@ -113,7 +113,9 @@ ground_only_if_first = changed(
     "degrees_of_freedom", ("(len(held) - 1)", "(len(held) - 1 - (0 in held[1:]))")
 )
 three_without_pins = changed(
-    "degrees_of_freedom", ("3 * bodies -", "3 if not joints else 3 * bodies -")
+    "degrees_of_freedom",
+    ("3 * bodies -", "3 if not joints else 3 * bodies -"),
+    slip="no_pin",
 )
 
 # Rotations

@@ -6,16 +6,15 @@ Each is a mistake that students make; `slip` is the misconception that a check m
 import math
 import random
 from heapq import heappop, heappush
+from pathlib import Path
 from statistics import NormalDist
 
 import numpy as np
 
-from pathlib import Path
-
 from kinoedu.course.bank import Solutions, wrong
 from kinoedu.geometry import line_through_points, point_segment_distance
 
-changed = Solutions(Path(__file__).parent.parent / "14_moving_and_uncertain.ipynb").changed
+changed = Solutions(Path(__file__).parents[1] / "14_moving_and_uncertain.ipynb").changed
 
 # The first contact
 
@@ -164,7 +163,7 @@ def divides_by_nothing(p0, p1, c0, c1, r):
 
 almost_alike = changed("first_contact", ("if a == 0 or", "if a < 1e-9 or"), slip="alike")
 rim_at_the_start = changed(
-    "first_contact", ("<= r * r", "< r * r"), ("0 <= s <= 1", "0 < s <= 1"), slip="not_at_once"
+    "first_contact", ("<= r * r", "< r * r"), ("0 <= s <= 1", "0 < s <= 1"), slip="rim"
 )
 
 # The earliest arrival

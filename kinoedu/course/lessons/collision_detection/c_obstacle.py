@@ -136,8 +136,9 @@ def bounding_box(ring: Array) -> Array:
 def shapes_of(rng: np.random.Generator, n: int, size: float, kind: str) -> tuple[Array, Array]:
     """Random robot and obstacle of a kind.
 
-    Coordinates are whole for boxes, and have two decimals for the other kinds. The reference point is inside the robot, or outside for one kind. The polygons are boxes, have
-    parallel edges, or neither.
+    Coordinates are whole for boxes, and have two decimals for the other kinds. The reference
+    point is inside the robot, or outside for one kind. The polygons are boxes, have parallel
+    edges, or neither.
     """
     robot, obstacle = convex_polygon(rng, n, size), convex_polygon(rng, n + 1, size)
     if kind == "boxes":

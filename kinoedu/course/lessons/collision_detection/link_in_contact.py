@@ -71,6 +71,7 @@ class LinkInContact(ValueExercise):
         Slip("ends_only", lambda q, links, w, discs: by_distances(q, links, w, discs, nearer_end)),
         Slip("one_disc", lambda q, links, w, discs: touched_link(q, links, w, discs[:1])),
         Slip("one_disc", lambda q, links, w, discs: touched_link(q, links, w, discs[-1:])),
+        Slip("nearest", lambda *arm: nearest_centre_only(*arm)),
         Slip("second_first", lambda *arm: second_first(*arm)),
         Slip("disc_first", lambda *arm: disc_first(*arm)),
         Slip("open", lambda q, links, w, discs: touched_link(q, links, w - 1e-9, discs)),
@@ -186,6 +187,14 @@ def beside(p: Array, a: Array, b: Array) -> float:
 def nearer_end(p: Array, a: Array, b: Array) -> float:
     """Distance from a point to the nearer end of a segment."""
     return float(min(np.linalg.norm(p - a), np.linalg.norm(p - b)))
+
+
+def nearest_centre_only(q: Array, lengths: Array, width: float, discs: Array) -> int:
+    """The answer of a program that tests each link with the disc whose centre is nearest."""
+    for link, row in enumerate(gaps(q, lengths, width, discs), 1):
+        if len(discs) and row[np.argmin(row + discs[:, 2])] <= 0.0:
+            return link
+    return 0
 
 
 def second_first(q: Array, lengths: Array, width: float, discs: Array) -> int:

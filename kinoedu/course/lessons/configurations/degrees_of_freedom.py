@@ -30,6 +30,7 @@ class DegreesOfFreedom(ValueExercise):
     slips = (
         Slip("ground", lambda bodies, joints: freedoms(bodies + 1, joints)),
         Slip("less_one", lambda bodies, joints: freedoms(bodies - 1, joints)),
+        Slip("no_pin", lambda bodies, joints: freedoms(bodies, joints) if joints else 3),
         Slip("shared", lambda bodies, joints: 3 * bodies - 2 * len(joints)),
         Slip(
             "three", lambda bodies, joints: 3 * bodies - 3 * sum(len(held) - 1 for held in joints)

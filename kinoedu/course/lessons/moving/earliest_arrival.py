@@ -245,7 +245,7 @@ def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Value, int, int]:
     """
     n, parts = int(rng.integers(3, 8)), float(rng.choice((0.25, 2, 16, 128)))
     safe: Safe = []
-    for place in range(n):
+    for _ in range(n):
         safe.append(draw_intervals(parts, rng))
         if rng.random() < 0.1:
             safe[-1] = safe[-1][1:]

@@ -111,6 +111,12 @@ def miss_first_moment(x: Array, v: Array, r: float) -> float:
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
+def miss_rim(x: Array, v: Array, r: float) -> float:
+    """Miss contact at the beginning where the distance is exactly r."""
+    s = find_relative_contact(x, v, r)
+    return math.inf if s == 0.0 and x @ x == r * r else s
+
+
 class FirstContact(ValueExercise):
     """Compute when a point and a disc, both in straight motion, first touch."""
 
@@ -130,6 +136,7 @@ class FirstContact(ValueExercise):
         Slip("any_time", make_program(find_relative_motion, find_at_any_time)),
         Slip("nearest", make_program(find_relative_motion, find_nearest_moment)),
         Slip("not_at_once", make_program(find_relative_motion, miss_first_moment)),
+        Slip("rim", make_program(find_relative_motion, miss_rim)),
         Slip("alike", make_program(find_relative_motion, confuse_equal_velocities)),
         Slip("moments", make_program(find_relative_motion, miss_brief_contact)),
         Slip(
