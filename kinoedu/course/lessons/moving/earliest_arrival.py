@@ -256,7 +256,7 @@ def draw_roadmap(rng: np.random.Generator) -> tuple[Safe, Value, int, int]:
         if abs(u - v) > 1
     ]
     moves = [
-        (u, v, float(rng.integers(1, max(4 * parts, 4.0) + 1)) / parts)
+        (u, v, float(rng.integers(1, round(max(4.0 * parts, 4.0)) + 1)) / parts)
         for u, v in dict.fromkeys(tuple(sorted(pair)) for pair in pairs)
     ]
     return safe, moves, 0, n - 1
