@@ -1,12 +1,16 @@
 """Wrong answers to the exercises of lesson 2. Most walk exactly and make one mistake."""
 
+from pathlib import Path
+
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
 from kinoedu.course.lessons.bugs.exposing_problem import mended_bug0
 from kinoedu.geometry import point_polygon_distance, polygon_tangent
 from kinoedu.geometry.leash import densify_path
 from kinoedu.planners.bugs import bug0, bug1, bug2, bug2_prelim, bug_base
+
+changed = Solutions(Path(__file__).parents[1] / "02_bug_algorithms.ipynb").changed
 
 # BugBase
 
@@ -57,6 +61,13 @@ def sees_the_last_obstacle_only(start, goal, obstacles, step):
 def where_it_ends(start, goal, obstacles, step):
     """Returns the last point, not the path."""
     return bug_base(start, goal, obstacles, step).path[-1] if not obstacles else start
+
+
+@wrong("bug_base")
+def the_same_array_each_time(start, goal, obstacles, step):
+    """Uses q += ... on the array that it appends."""
+    path = bug_base(start, goal, obstacles, step).walk.points
+    return np.repeat(path[-1:], len(path), axis=0)
 
 
 @wrong("bug_base")
@@ -166,7 +177,42 @@ def goes_round_for_ever(start, goal, obstacles, step):
     return path
 
 
+# the round ends where the goal is ten steps farther than at the nearest point so far
+half_a_round = changed(
+    "bug1",
+    (
+        "len(tour) < 10 or math.dist(tour[-1], hit) > step:",
+        "min(math.dist(q, goal) for q in tour) > math.dist(tour[-1], goal) - 10 * step:",
+    ),
+    ("while math.dist(path[-1], goal) > 0:", "while 0 < math.dist(path[-1], goal) < 50:"),
+    (
+        "    path += [towards",
+        "    if len(path) > 3000:\n            break\n        path += [towards",
+    ),
+)
+
+
 # Bug 2
+
+
+LEAVES = (
+    "while len(walk) < 5 or not met or math.dist(walk[-1], goal) > math.dist(hit, goal) - step:"
+)
+# "nearer" compares the x alone
+nearer_in_x = changed(
+    "bug2",
+    (
+        LEAVES,
+        """while len(walk) < 2000 and (
+            len(walk) < 5 or not met or abs(walk[-1][0] - goal[0]) > abs(hit[0] - goal[0]) - step
+        ):""",
+    ),
+)
+# leaves where it is left of the line and nearer than the hit, far from the line too
+left_of_the_line = changed(
+    "bug2",
+    ("met = side(walk[-2]) * side(walk[-1]) <= 0 and before_goal", "met = side(walk[-1]) > 0"),
+)
 
 
 @wrong("bug2")

@@ -6,12 +6,26 @@ from itertools import product
 import numpy as np
 
 from ....geometry import point_polygon_distance
+from ....geometry.checks import Array
 from ....planners import bug1
+from ....planners.bugs.bug1 import bug1_walk
 from ....problems import Plan
 from ...exercise import Case, Given
-from .walking import BOX, ME145, TURNS, BugExercise, is_clear, walk_of, world
+from .walking import (
+    BOX,
+    ME145,
+    TURNS,
+    BugExercise,
+    Choice,
+    is_clear,
+    turned_world,
+    walk_of,
+    walk_with_choices,
+    world,
+)
 from .walks import length_of
 
+WIDE = np.array([(2, -3), (3, -3), (3, 3.6), (2, 3.6)], float)  # it leads away from the goal first
 TIED = 0.3  # ways that differ by less count as equally long
 
 
@@ -28,10 +42,12 @@ class Bug1(BugExercise):
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("one", world((0, 0), (6, 0), [WIDE]))
         yield Case("many", world((0, 0), (5, 3), ME145))
         for n in (2, 3, 2):
             yield self.random_case(rng, "one", 1)
             yield self.random_case(rng, "many", n)
+        yield Case("one", turned_world(world((0, 0), (6, 0), [WIDE]), rng.uniform(0.0, 6.0)))
 
     def plans(self, given: Given) -> list[Plan]:
         """Plans for both turns, and for both ways back: the shorter, or the same direction."""
@@ -39,6 +55,14 @@ class Bug1(BugExercise):
             bug1(*given.values(), turn=turn, way_back=back)
             for turn, back in product(self.turns, ("shorter", "same"))
         ]
+
+    def options(self) -> list[Choice]:
+        """Each turn with each way back."""
+        return [Choice(*both) for both in product(self.turns, ("shorter", "same"))]
+
+    def mixed_walk(self, given: Given, choices: list[Choice]) -> tuple[Array, int]:
+        """The walk of Bug 1 with these choices."""
+        return walk_with_choices(lambda robot: bug1_walk(robot, "shorter"), given, choices)
 
     def leaves_no_doubt(self, given: Given, plan: Plan) -> bool:
         """Whether the walk is clear, and it is also clear which way back is shorter."""

@@ -6,6 +6,8 @@ small errors, follows the exact walk.
 """
 
 from abc import abstractmethod
+from collections.abc import Callable
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +15,8 @@ from numpy.typing import ArrayLike
 from ....geometry import convex_hull, point_polygon_distance
 from ....geometry.checks import Array
 from ....geometry.polygons import locate_point
+from ....planners.bugs import BugRobot
+from ....planners.bugs.walk import plan_walk
 from ....problems import Plan, Walk
 from ...exercise import CONTRACT, Case, Given
 from .walks import Violation, WalkExercise
@@ -26,6 +30,13 @@ CLEAR = 8.0  # steps; obstacles that are not hit stay this far away
 SHORT = 2.5
 
 
+class Choice(NamedTuple):
+    """What a bug chooses at a hit: its turn, and the way back to the nearest point."""
+
+    turn: str
+    back: str = "same"
+
+
 def world(start: ArrayLike, goal: ArrayLike, obstacles: list[Array], step: float = STEP) -> Given:
     """Arguments of a case."""
     return {
@@ -37,7 +48,10 @@ def world(start: ArrayLike, goal: ArrayLike, obstacles: list[Array], step: float
 
 
 class BugExercise(WalkExercise):
-    """A bug algorithm, compared with the exact walks of all its variants."""
+    """A bug algorithm, compared with the exact walks of all its variants.
+
+    A path may follow one variant at one hit and another at the next.
+    """
 
     @property
     def turns(self) -> tuple[str, ...]:
@@ -51,6 +65,34 @@ class BugExercise(WalkExercise):
     def exact_walks(self, given: Given) -> list[Array]:
         """Walks of these plans."""
         return [walk_of(plan).points for plan in self.plans(given)]
+
+    def closest_walk(self, given: Given, path: Array) -> tuple[Array, int]:
+        """The exact walk that a path follows farthest, and the number of points that follow it.
+
+        Where the path follows no walk to its end, the choices at each hit may also differ.
+        """
+        best = super().closest_walk(given, path)
+        options, choices = self.options(), list[Choice]()
+        while options and best[1] < len(path):
+            walks = [self.mixed_walk(given, [*choices, option]) for option in options]
+            followed = [self.closest_of([walk], given, path) for walk, _ in walks]
+            best = max(best, *followed, key=lambda one: one[1])
+            chosen = int(np.argmax([reach for _, reach in followed]))
+            if walks[chosen][1] <= len(choices) + 1:
+                break
+            choices.append(options[chosen])
+        return best
+
+    def options(self) -> list[Choice]:
+        """The choices that are right at each hit, whatever was chosen at the others."""
+        return []
+
+    def mixed_walk(self, given: Given, choices: list[Choice]) -> tuple[Array, int]:
+        """The exact walk with these choices at the first hits, the last of them at the rest.
+
+        Second comes its number of hits.
+        """
+        raise NotImplementedError
 
     def find_violation(self, given: Given, path: Array) -> Violation | None:
         """First rule that a path breaks, and where.
@@ -82,6 +124,64 @@ class BugExercise(WalkExercise):
         return is_clear(given, plan)
 
 
+class ChoosingRobot:
+    """A bug robot that follows a choice of its own at each hit, the last one at all hits after it.
+
+    A robot that leaves a wall where the wall itself is in the way hits it again at once, as a robot
+    does that moves in steps.
+
+    hits : the number of hits.
+    """
+
+    def __init__(self, robot: BugRobot, choices: list[Choice]) -> None:
+        self._robot, self._choices, self.hits = robot, choices, 0
+        self._choice, self._turn = choices[0], "left"
+
+    def __getattr__(self, name: str) -> Any:
+        """Everything else is done by the robot itself."""
+        return getattr(self._robot, name)
+
+    def move_to_goal(self) -> bool:
+        """Move as the robot does; after a hit, turn to the side that was chosen."""
+        if self._robot.place.wall < 0 or self._robot.can_move_to_goal():
+            if self._robot.move_to_goal():
+                return True
+            self._turn = "left"  # the robot's own
+        self._choice = self._choices[min(self.hits, len(self._choices) - 1)]
+        self.hits += 1
+        if self._choice.turn != self._turn:
+            self._robot.turn_round()
+            self._turn = self._choice.turn
+        return False
+
+    def can_move_to_goal(self) -> bool:
+        """True, so that the robot leaves the wall, also where it hits it again at once."""
+        return True
+
+    def turn_round(self) -> None:
+        """Turn round where the choice is the shorter way back."""
+        if self._choice.back == "shorter":
+            self._robot.turn_round()
+
+
+def walk_with_choices(
+    algorithm: Callable[[BugRobot], str], given: Given, choices: list[Choice]
+) -> tuple[Array, int]:
+    """The exact walk of an algorithm whose robot chooses at each hit, and the number of hits."""
+    hits = 0
+
+    def chosen_walk(robot: BugRobot) -> str:
+        nonlocal hits
+        choosing = ChoosingRobot(robot, choices)
+        reason = algorithm(cast("BugRobot", choosing))
+        hits = choosing.hits
+        return reason
+
+    start, goal, obstacles, step = given.values()
+    plan = plan_walk("bug", chosen_walk, start, goal, obstacles, step, "left", 0.0)
+    return walk_of(plan).points, hits
+
+
 def walk_of(plan: Plan) -> Walk:
     """Walk of a bug's plan, which is never None."""
     assert plan.walk is not None
@@ -102,6 +202,21 @@ def random_world(rng: np.random.Generator, n: int) -> Given:
         obstacles.append(convex_hull(np.round(corners, 2)))
     goal = np.round((1.6 + 3.6 * n) * along + rng.uniform(-0.3, 0.3) * across, 2)
     return world((0, 0), goal, obstacles)
+
+
+def turned_world(given: Given, angle: float) -> Given:
+    """A world turned about the origin; coordinates are rounded where they are not whole."""
+    (x, y) = np.cos(angle), np.sin(angle)
+
+    def turn(points: Array) -> Array:
+        return np.round(points @ np.array([(x, y), (-y, x)]), 3) + 0.0
+
+    return {
+        "start": turn(given["start"]),
+        "goal": turn(given["goal"]),
+        "obstacles": [turn(obstacle) for obstacle in given["obstacles"]],
+        "step": given["step"],
+    }
 
 
 def is_clear(given: Given, plan: Plan) -> bool:

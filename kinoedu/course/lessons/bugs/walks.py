@@ -1,6 +1,7 @@
 """Exercises whose answer is a walk. A walk is right if it stays near an exact one throughout."""
 
 from abc import abstractmethod
+from collections.abc import Iterable
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -62,6 +63,8 @@ class WalkExercise(Exercise):
         step = given["step"]
         if len(path) == 0 or not np.isfinite(path).all():
             return Violation("start", 0)
+        if len(path) > 2 and (path == path[0]).all():
+            return Violation("same", 0)
         if np.linalg.norm(path[0] - given["start"]) > 1e-6 * step:
             return Violation("start", 0)
         strides = np.linalg.norm(np.diff(path, axis=0), axis=1)
@@ -70,14 +73,23 @@ class WalkExercise(Exercise):
         inside = first_inside(path, given["obstacles"], step)
         if inside is not None:
             return Violation("inside", inside)
-        leash = self.leash * step
-        reach = max(
-            count_followed_points(path, densify_path(walk, step), leash)
-            for walk in self.exact_walks(given)
-        )
+        _, reach = self.closest_walk(given, path)
         if reach < len(path):
             return Violation("unfinished" if reach == len(path) - 1 else "walk", reach)
         return self.end(given, path)
+
+    def closest_walk(self, given: Given, path: Array) -> tuple[Array, int]:
+        """The exact walk that a path follows farthest, and the number of points that follow it."""
+        return self.closest_of(self.exact_walks(given), given, path)
+
+    def closest_of(self, walks: Iterable[Array], given: Given, path: Array) -> tuple[Array, int]:
+        """The walk, of several, that a path follows farthest, and how many points follow it."""
+        step = given["step"]
+        followed = [
+            (walk, count_followed_points(path, densify_path(walk, step), self.leash * step))
+            for walk in walks
+        ]
+        return max(followed, key=lambda one: one[1])
 
     def end(self, given: Given, path: Array) -> Violation | None:
         """Violation where a path does not end within a step of the goal."""
@@ -91,12 +103,7 @@ class WalkExercise(Exercise):
         path = outcome.value if isinstance(outcome, Answer) else np.empty((0, 2))
         seen = path[np.isfinite(path).all(axis=1)]
         given = case.given
-        walk = max(
-            self.exact_walks(given),
-            key=lambda walk: (
-                count_followed_points(seen, walk, self.leash * given["step"]) if len(seen) else 0
-            ),
-        )
+        walk = self.closest_walk(given, seen)[0] if len(seen) else self.exact_walks(given)[0]
         plane.frame(
             np.vstack([given["start"], given["goal"], walk, *given["obstacles"]]), ax, margin=0.15
         )
