@@ -114,6 +114,19 @@ def round_and_round(parent, goal):
     return path
 
 
+circles_where_there_is_no_root = changed(  # else the last node of a walk round the circle
+    "extract_path",
+    ("return None", "return None if -1 not in parent else path[::-1]"),
+)
+
+
+@wrong("extract_path")
+def any_circle_in_the_list(parent, goal):
+    """Returns None where any node, not only the goal, is on a circle."""
+    paths = [right["extract_path"](parent, u) for u in range(len(parent))]
+    return None if None in paths else paths[goal]
+
+
 # A path of the fewest edges
 
 stack_for_a_queue_again = changed(
@@ -130,6 +143,9 @@ goal_alone_when_out_of_reach = changed(
     "bfs_path", ("path if path[0] == start else None", "path"), slip="goal_alone"
 )
 nowhere_to_go = changed("bfs_path", ("path[0] == start", "path[1:]"), slip="nowhere")
+zero_from_anywhere = changed(
+    "bfs_path", ("path[0] == start", "path[0] in (0, start)"), slip="goal_alone"
+)
 number_of_edges = changed("bfs_path", ("return path", "return len(path) - 1"))
 
 
@@ -190,6 +206,11 @@ deep_and_backwards = changed(
 )
 deep_and_nowhere_to_go = changed("dfs_path", ("goal in seen", "parent[goal] != -1"), slip="nowhere")
 never_marks_and_falls = changed("dfs_path", ("u not in seen", "True"))
+not_deep_enough = changed(
+    "dfs_path",
+    ("def visit(v):", "def visit(v, depth=0):"),
+    ("visit(u)\n", "if depth < 30:\n                    visit(u, depth + 1)\n"),
+)
 empty_when_out_of_reach = changed("dfs_path", ("else None", "else []"))
 
 
@@ -281,6 +302,15 @@ zero_for_out_of_reach = changed(
 )
 takes_negative_weights = changed(
     "dijkstra", ("any(w < 0 for row in weights for w in row)", "False")
+)
+takes_small_negative_weights = changed("dijkstra", ("w < 0", "w < -0.001"))
+looks_at_whole_numbers = changed("dijkstra", ("w < 0", "int(w) < 0"))
+looks_at_the_first_edges = changed("dijkstra", ("for w in row)", "for w in row[:1])"))
+looks_at_all_rows_but_the_last = changed("dijkstra", ("row in weights", "row in weights[:-1]"))
+a_thousand_for_infinity = changed(
+    "dijkstra",
+    ("[inf]", "[1000]"),
+    ("return cost", "return [c if c < 1000 else inf for c in cost]"),
 )
 refuses_zero_weights_too = changed("dijkstra", ("w < 0", "w <= 0"))
 weights_by_node = changed(  # as in a matrix
@@ -403,6 +433,27 @@ adds_estimates_up = changed(
     ("cost[v] = cost[u] + w", "cost[v] = cost[u] + w + estimate[v]"),
     ("(cost[v] + estimate[v], v)", "(cost[v], v)"),
     slip="summed",
+)
+whole_weights = changed("astar", (EDGES, "zip(neighbours[u], map(int, weights[u]))"))
+a_million_for_infinity = changed("astar", ("[inf]", "[10**6]"))
+three_times_at_most = changed(
+    "astar",
+    ("while", "times = [0] * len(cost)\n    while"),
+    ("if cost[u] + w < cost[v]", "if times[v] < 3 and cost[u] + w < cost[v]"),
+    ("parent[v] = u", "times[v] += 1\n                parent[v] = u"),
+)
+parent_of_the_first_way = changed(
+    "astar",
+    ("parent[v] = u", "parent[v] = u if parent[v] == -1 else parent[v]"),
+    slip="first_found",
+)
+pushed_once = changed(  # a lower cost of a waiting node does not move it in the queue
+    "astar",
+    ("heappush(", "any(v == waiting for _, waiting in heap) or heappush("),
+    slip="pushed_once",
+)
+two_nodes_for_one = changed(
+    "astar", ("    while", "    if start == goal:\n        return [start, goal]\n    while")
 )
 nodes_taken_out = changed(
     "astar",

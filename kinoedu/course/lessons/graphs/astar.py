@@ -16,6 +16,7 @@ from ..shared.graph_slips import (
     keep_closed,
     keep_first,
     path_at_sight,
+    path_pushed_once,
     tree_path,
 )
 from ..shared.random_graphs import (
@@ -23,14 +24,15 @@ from ..shared.random_graphs import (
     Weights,
     adjacency_lists,
     as_graph,
-    random_graphs,
     reachable_pair,
     unreachable_pair,
 )
 from .bfs_tree import NEIGHBOURS
 from .paths import PathExercise, convert_path
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, make_undirected
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected
 
+GAINS = [(0, i, i) for i in range(1, 6)] + [(i, 6, 20 - 3 * i) for i in range(1, 6)]  # five times
+ONE_MORE_TURN = [(0, 1, 13), (0, 2, 8), (1, 2, 2), (1, 3, 5), (2, 3, 8)]
 REOPENED = [(0, 1, 1), (0, 2, 3), (1, 2, 1), (2, 3, 4)]
 
 
@@ -55,6 +57,7 @@ class Astar(PathExercise):
         Slip(
             "first_found", lambda n, w, estimate, s, g: astar_path(n, w, estimate, s, g, keep_first)
         ),
+        Slip("pushed_once", path_pushed_once),
         Slip(
             "summed",
             lambda n, w, estimate, s, g: astar_path(
@@ -88,7 +91,10 @@ class Astar(PathExercise):
             ("small", 3, DETOUR, [0, 0, 0], 0, 2),
             ("estimate", 3, DETOUR, [2, 1, 0], 0, 2),
             ("estimate", 4, LATE_GAIN, [3, 2, 1, 0], 0, 3),
+            ("estimate", 3, [(0, 1, 0.26), (1, 2, 0.26), (0, 2, 0.54)], [0.5, 0.25, 0], 0, 2),
             ("inconsistent", 4, REOPENED, [0, 5, 0, 0], 0, 3),
+            ("inconsistent", 4, ONE_MORE_TURN, [0, 5, 7, 0], 0, 3),
+            ("estimate", 7, GAINS, [10, 1, 1, 1, 1, 1, 0], 0, 6),
             ("start_is_goal", 2, [(0, 1, 3)], [3, 0], 1, 1),
             ("directed", 3, [(0, 1, 1), (1, 2, 1), (2, 0, 1)], [2, 1, 0], 0, 2),
             ("directed", 3, [(0, 1, 2), (1, 2, 2), (2, 0, 1)], [0, 0, 0], 1, 0),
@@ -99,7 +105,7 @@ class Astar(PathExercise):
                 kind,
                 dict(zip(self.given.fields, (*both, [float(h) for h in estimate], start, goal))),
             )
-        for shape, neighbours, weights in random_graphs(rng):
+        for shape, neighbours, weights in graphs_in_units(rng):
             start, goal = (unreachable_pair if shape == "parts" else reachable_pair)(
                 neighbours, rng
             )

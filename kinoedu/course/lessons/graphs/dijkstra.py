@@ -19,11 +19,12 @@ from ..shared.graph_slips import (
     overwrite,
     queue_costs,
 )
-from ..shared.random_graphs import Neighbours, Weights, adjacency_lists, as_graph, random_graphs
+from ..shared.random_graphs import Neighbours, Weights, adjacency_lists, as_graph
 from .bfs_tree import NEIGHBOURS
 from .pictures import draw_costs
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, make_undirected
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected
 
+NEGATIVE = (3.0, 1.0, 0.25, 1e-5)
 LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
 
 
@@ -109,6 +110,9 @@ class Dijkstra(ValueExercise):
             ("detour", 3, [(0, 1, 0), (1, 2, 0.5), (0, 2, 1)], 2),
             ("negative", 3, [(0, 1, 2), (1, 2, -1)], 0),
             ("negative", 4, [(0, 1, 2), (2, 3, -1)], 0),
+            ("negative", 2, [(0, 1, -0.5)], 0),
+            ("negative", 3, [(0, 1, 1), (0, 2, -1)], 0),
+            ("negative", 3, [(0, 1, 2), (1, 2, 1), (2, 0, -0.001)], 0),
             ("unreachable", 1, [], 0),
         ):
             directed = kind in ("directed", "negative")
@@ -116,13 +120,14 @@ class Dijkstra(ValueExercise):
                 kind,
                 dict(zip(self.given.fields, (*adjacency_lists(n, rows, directed=directed), start))),
             )
-        for shape, neighbours, weights in random_graphs(rng):
+        for shape, neighbours, weights in graphs_in_units(rng):
             kind = {"tree": "small", "cycle": "detour", "parts": "unreachable"}.get(shape, shape)
             start = int(rng.integers(len(neighbours)))
             yield Case(kind, {"neighbours": neighbours, "weights": weights, "start": start})
             if kind == "directed":
                 spoilt = [row.copy() for row in weights]
-                spoilt[int(rng.integers(len(spoilt)))][0] = -float(rng.integers(1, 4))
+                row = spoilt[int(rng.integers(len(spoilt)))]
+                row[int(rng.integers(len(row)))] = -float(rng.choice(NEGATIVE))
                 yield Case(
                     "negative", {"neighbours": neighbours, "weights": spoilt, "start": start}
                 )

@@ -25,13 +25,16 @@ class ExtractPath(GraphExercise):
     shown = staticmethod(graphs.extract_path)
     slips = (
         Slip("reversed", lambda parent, goal: (followed(parent, goal) or [])[::-1] or None),
-        Slip("no_goal", lambda parent, goal: (followed(parent, goal) or [])[:-1]),
-        Slip("no_root", lambda parent, goal: (followed(parent, goal) or [])[1:]),
+        Slip("no_goal", lambda parent, goal: shortened(followed(parent, goal), slice(0, -1))),
+        Slip("no_root", lambda parent, goal: shortened(followed(parent, goal), slice(1, None))),
         Slip(
             "root_none", lambda parent, goal: None if parent[goal] == -1 else followed(parent, goal)
         ),
         Slip("one_step", lambda parent, goal: [p for p in (parent[goal], goal) if p != -1]),
-        Slip("parents", lambda parent, goal: [parent[u] for u in followed(parent, goal) or []]),
+        Slip(
+            "parents",
+            lambda parent, goal: [parent[u] for u in followed(parent, goal) or []] or None,
+        ),
     )
 
     @staticmethod
@@ -56,19 +59,40 @@ class ExtractPath(GraphExercise):
             ("circle", [1, 0], 0),
             ("circle", [0], 0),
             ("circle", [1, 2, 1, 0], 3),
+            ("circle", [-1, 2, 1], 1),
+            ("tree", [-1, 0, 3, 2], 1),
         ):
             yield Case(kind, {"parent": parent, "goal": goal})
-        for n in (4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
+        for i, n in enumerate((4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)):
             for kind in self.kinds:
-                yield Case(
-                    kind, {"parent": (found := draw_parents(kind, n, rng))[0], "goal": found[1]}
-                )
+                parent, goal = (draw_in_company if i % 2 else draw_parents)(kind, n, rng)
+                yield Case(kind, {"parent": parent, "goal": goal})
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw an arrow from each parent to its child, the right path and the student's."""
         draw_pointers(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
+
+
+def shortened(path: list[int] | None, part: slice) -> list[int] | None:
+    """Return a part of a path; None stays None."""
+    return None if path is None else path[part]
+
+
+def draw_in_company(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:
+    """Draw parents of n nodes and a goal, as `draw_parents` does, of which some stand apart.
+
+    A tree stands beside a cycle that leads to the goal, and a cycle beside anything else.
+    """
+    name, size = rng.permutation(n), n - n // 4
+    parent, goal = draw_parents(kind, size, rng)
+    apart, _ = draw_parents("tree" if kind == "circle" else "circle", n - size, rng)
+    joined = [*parent, *(p if p == -1 else p + size for p in apart)]
+    renamed = [-1] * n
+    for u, p in enumerate(joined):
+        renamed[name[u]] = p if p == -1 else int(name[p])
+    return renamed, int(name[goal])
 
 
 def draw_parents(kind: str, n: int, rng: np.random.Generator) -> tuple[list[int], int]:

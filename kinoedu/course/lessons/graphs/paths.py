@@ -26,6 +26,7 @@ from .on_graphs import NODES, GraphExercise
 from .pictures import draw_path_answer
 
 FORK = [(0, 1), (1, 2), (0, 3)]
+MOST_NODES = 60
 KINDS = ("small", "cycle", "directed", "unreachable", "start_is_goal")
 
 
@@ -36,6 +37,7 @@ class PathExercise(GraphExercise):
     given: ClassVar[Record] = Record(neighbours=NEIGHBOURS, start=Integer(), goal=Integer())
     answer = Maybe(NODES)
     last_rule: ClassVar[str] = ""
+    shared: ClassVar[tuple[str, ...]] = ("path_in_graph", "exercise")
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield graphs that can be searched by hand, then random ones."""
@@ -59,6 +61,7 @@ class PathExercise(GraphExercise):
             )
         # the only edge leads the other way
         yield from self.make_case("unreachable", [[], [0]], 0, 1)
+        yield from self.make_case("unreachable", [[1], []], 1, 0)
         for shape, neighbours, _ in random_graphs(rng):
             kind = {"tree": "small", "parts": "unreachable"}.get(shape, shape)
             yield from self.make_case(
@@ -70,6 +73,8 @@ class PathExercise(GraphExercise):
                 yield from self.make_case(
                     "start_is_goal", neighbours, *(int(rng.integers(len(neighbours))),) * 2
                 )
+        longest = adjacency_lists(MOST_NODES, [(u, u + 1) for u in range(MOST_NODES - 1)])[0]
+        yield from self.make_case("small", longest, 0, MOST_NODES - 1)
 
     def make_case(self, kind: str, neighbours: Neighbours, start: int, goal: int) -> Iterator[Case]:
         """The case of a question."""
@@ -106,17 +111,18 @@ def find_path_fault(case: Case, path: list[int] | None, truth: list[int] | None)
     """Return the rule that a path from start to goal breaks, or ""."""
     neighbours, start, goal = (case.given[name] for name in ("neighbours", "start", "goal"))
     if path is None:
-        return "" if truth is None else "missing"
+        return "" if truth is None else "alone" if start == goal else "missing"
     if truth is None:
         return "unreachable"
     if not path or path[0] != start or path[-1] != goal:
         return "ends"
+    if start == goal and len(path) > 1:
+        return "alone"
     n = len(neighbours)
-    return (
-        ""
-        if all(0 <= u < n and v in neighbours[u] for u, v in zip(path[:-1], path[1:]))
-        else "edge"
-    )
+    for u, v in zip(path[:-1], path[1:]):
+        if not (0 <= u < n and v in neighbours[u]):
+            return "one_way" if 0 <= v < n and u in neighbours[v] else "edge"
+    return ""
 
 
 def convert_path(path: Value) -> list[int] | None:

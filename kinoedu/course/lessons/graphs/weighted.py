@@ -3,13 +3,27 @@
 Bullo & Smith, chapter 2; LaValle, section 2.2.
 """
 
+from collections.abc import Iterator
+
+import numpy as np
+
 from ...shapes import Listed, Number
 from ..shared.graph_slips import undirected, undirected_weights
-from ..shared.random_graphs import Neighbours, Weights
+from ..shared.random_graphs import Neighbours, Weights, random_graphs
 
 WEIGHTS = Listed(Listed(Number()))
 DETOUR = [(0, 1, 1), (1, 2, 1), (0, 2, 5)]
 LATE_GAIN = [(0, 1, 1), (0, 2, 4), (1, 2, 2), (2, 3, 1)]
+
+
+UNITS = (1.0, 0.737, 1e7)
+
+
+def graphs_in_units(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours, Weights]]:
+    """Yield the random graphs with weights that are small, not whole, or very large, in turn."""
+    for i, (shape, neighbours, weights) in enumerate(random_graphs(rng)):
+        unit = UNITS[i % len(UNITS)]
+        yield shape, neighbours, [[round(w * unit, 6) for w in row] for row in weights]
 
 
 def make_undirected(neighbours: Neighbours, weights: Weights) -> tuple[Neighbours, Weights]:

@@ -233,6 +233,24 @@ def path_at_sight(
     return astar_path(neighbours, weights, eager, start, goal)
 
 
+def path_pushed_once(
+    neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int
+) -> list[int] | None:
+    """Path of A* that does not push a waiting node again, so that it keeps its first priority."""
+    cost, parent = [inf] * len(neighbours), [-1] * len(neighbours)
+    cost[start], waiting = 0.0, {start: estimate[start]}
+    while waiting:
+        u = min(waiting, key=lambda v: (waiting[v], v))
+        if u == goal:
+            return followed(parent, goal)
+        del waiting[u]
+        for v, weight in zip(neighbours[u], weights[u]):
+            if cost[u] + weight < cost[v]:
+                cost[v], parent[v] = cost[u] + weight, u
+                waiting.setdefault(v, cost[v] + estimate[v])
+    return None
+
+
 def fewest_edges(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
     """Path with the fewest edges; ties go to the lower index."""
     neighbours = [graph.neighbours(u).tolist() for u in range(graph.size)]
