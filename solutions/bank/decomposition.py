@@ -3,9 +3,13 @@
 A check must recognise the named misconception.
 """
 
+from pathlib import Path
+
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
+
+changed = Solutions(Path(__file__).parents[1] / "03_decomposition.ipynb").changed
 
 
 def height(x, edge):
@@ -102,6 +106,15 @@ def numbers_from_one(x, edges):
     return [i + 1 for i in status(x, edges)]
 
 
+heights_to_one_digit = changed(
+    "crossings", ("height(edges[i], x))", "round(height(edges[i], x), 1))")
+)
+steep_edges_left_out = changed(
+    "crossings",
+    ("!= (edges[i][2] < x)", "!= (edges[i][2] < x) and abs(edges[i][2] - edges[i][0]) > 0.01"),
+)
+
+
 # The free stretches
 
 
@@ -173,6 +186,15 @@ def unclosed_rings(x, boundary, obstacles):
 def one_ring_after_the_other(x, boundary, obstacles):
     """Does not sort the heights of different rings."""
     return np.vstack([np.reshape(levels(x, ring, []), (-1, 2)) for ring in [boundary, *obstacles]])
+
+
+thin_stretches_left_out = changed(
+    "free_intervals",
+    (
+        "list(zip(levels[::2], levels[1::2]))",
+        "[(a, b) for a, b in zip(levels[::2], levels[1::2]) if b - a > 0.05]",
+    ),
+)
 
 
 # Trapezoids
@@ -278,6 +300,11 @@ def no_cells_at_all(boundary, obstacles):
     return []
 
 
+x_to_three_digits = changed(
+    "trapezoidation", ("cells.append((x0, x,", "cells.append((round(x0, 3), round(x, 3),")
+)
+
+
 # Neighbours
 
 
@@ -374,6 +401,14 @@ def an_end_inside(trapezoids):
     return pairs_if(
         trapezoids, lambda a, b: a[1] == b[0] and (a[4] < b[2] < a[5] or a[4] < b[3] < a[5])
     )
+
+
+OVERLAP = "max(left[4], right[2]) < min(left[5], right[3])"
+touching_from_above = changed("neighbours", (OVERLAP, f"({OVERLAP} or left[4] == right[3])"))
+tips_count = changed(  # a tip of one cell on the wall of the other
+    "neighbours", (OVERLAP, f"({OVERLAP} or right[2] == right[3] and left[4] < right[2] < left[5])")
+)
+thin_walls_left_out = changed("neighbours", (OVERLAP, OVERLAP.replace("<", "+ 0.001 <")))
 
 
 # The path
@@ -523,6 +558,12 @@ def gives_up_beyond_the_neighbour(start, goal, trapezoids, pairs):
     """Tests only the neighbours of the start's cell."""
     path = plan(start, goal, trapezoids, pairs)
     return path if path is not None and len(path) <= 5 else None
+
+
+middles_to_three_digits = changed(
+    "plan_by_decomposition",
+    ("(left[1], (low + high) / 2)", "(left[1], round((low + high) / 2, 3))"),
+)
 
 
 # Break it

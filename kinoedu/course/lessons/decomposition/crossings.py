@@ -11,7 +11,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...whole_shapes import Integers
 from ..shared.random_shapes import sizes
-from ..shared.random_worlds import between_vertices, edges_round, general_world
+from ..shared.random_worlds import beside_vertex, between_vertices, edges_round, general_world
 from .pictures import draw_crossed, set_title
 from .sweep_line import crossed_edges, heights
 
@@ -52,12 +52,16 @@ class Crossings(ValueExercise):
             "slanted",
             {"x": 7.0, "edges": np.array([(0, 0, 8, 8), (10, 2, 5, 3), (0, 1, 6, 9)], float)},
         )
+        steep = np.array([(1.9995, 0, 2.0005, 10), (0, 4, 4, 4)], float)
+        yield Case("slanted", {"x": 2.0, "edges": steep})
         yield Case("none", {"x": 5.0, "edges": pair})
         yield Case("many", {"x": 2.0, "edges": np.vstack([[(5, 1, 8, 1), (0, 4, 4, 4)], pair])})
-        for size in sizes(6):
+        near = np.array([(0, 9000.01, 9000, 9000.01), (0, 9000, 9000, 9000.02)], float)
+        yield Case("two", {"x": 4498.0, "edges": near})
+        for i, size in enumerate(sizes(6)):
             world = general_world(rng, int(rng.integers(1, 4)), size)
             edges = rng.permutation(edges_round(**world))
-            x = between_vertices(rng, edges)
+            x = (beside_vertex if i % 2 else between_vertices)(rng, edges)
             found = crossed_edges(x, edges)
             yield Case("many" if len(found) > 2 else "two", {"x": x, "edges": edges})
             yield Case("two", {"x": x, "edges": edges[rng.permutation(found[:2])]})
@@ -85,8 +89,10 @@ def steep_edges(rng: np.random.Generator, x: float, size: float) -> Array:
     """Random steep edges that do not cross, one above the other at x, in random order."""
     rows = []
     for level in range(3):
-        slope = rng.choice([-3.0, -2.0, 2.0, 3.0]) if level else 2.5
-        left, right = rng.uniform(0.05, 0.3 if level else 0.9, 2) * size
+        slope = rng.choice([-60.0, -3.0, -2.0, 2.0, 3.0, 60.0]) if level else 2.5
+        left, right = (
+            rng.uniform(0.05, 0.3 if level else 0.9, 2) * size * min(1.0, 3.0 / abs(slope))
+        )
         y = level * 2.5 * size
         row = [x - left, y - slope * left, x + right, y + slope * right]
         rows.append(row if rng.random() < 0.5 else row[2:] + row[:2])

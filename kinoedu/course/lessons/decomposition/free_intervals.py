@@ -9,7 +9,7 @@ from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 from ..shared.random_shapes import sizes
-from ..shared.random_worlds import between_vertices, edges_round, general_world
+from ..shared.random_worlds import beside_vertex, between_vertices, edges_round, general_world
 from .pictures import draw_intervals, set_title
 from .sweep_line import crossed_edges, heights
 
@@ -50,18 +50,22 @@ class FreeIntervals(ValueExercise):
         for kind, x, boundary, obstacles in (
             ("convex", 4.0, [(0, 0), (6, 0), (8, 4), (1, 4)], []),
             ("convex", 6.0, KITE, []),
+            ("convex", 0.01, KITE, []),
             ("bays", 8.0, BAY, []),
+            ("bays", 6.01, BAY, []),
             ("one", 5.0, KITE, [WEDGE]),
             ("one", 2.0, KITE, [WEDGE]),
+            ("one", 3.01, KITE, [WEDGE]),
             ("several", 5.0, KITE, [WEDGE, WEDGE + np.array([0.5, 4.0])]),
         ):
             yield Case(
                 kind, {"x": x, "boundary": np.array(boundary, float), "obstacles": obstacles}
             )
-        for size in sizes(4):
+        for i, size in enumerate(sizes(4)):
+            choose_x = beside_vertex if i % 2 else between_vertices
             for kind, number in (("convex", 0), ("bays", 0), ("one", 1), ("several", 3)):
                 world = general_world(rng, number, size, convex=kind == "convex")
-                yield Case(kind, {"x": between_vertices(rng, edges_round(**world)), **world})
+                yield Case(kind, {"x": choose_x(rng, edges_round(**world)), **world})
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the world, the line, its free intervals, and the student's beside them."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ....decomposition.cells import share_walls
 from ....geometry.checks import Array
@@ -22,13 +22,17 @@ from .slips import (
     nearly,
     nested_walls,
     only_later,
+    right_walls,
     touching,
     touching_in_a_point,
 )
 
 THIN_PLATE = np.array(  # attached to the ceiling
-    [(0, 1000, 0, 900, 0, 900), (1000, 1000.005, 0, 300, 0, 300), (1000.005, 2000, 0, 900, 0, 900)]
+    [(0, 1000, 0, 900, 0, 900), (1000, 1000.001, 0, 300, 0, 300), (1000.001, 2000, 0, 900, 0, 900)]
 )
+
+
+UPSIDE_DOWN, FLIPPED = [0, 1, 3, 2, 5, 4], np.array([1, 1, -1, -1, -1, -1])
 
 
 def neighbouring(trapezoids: Array) -> NDArray[np.int64]:
@@ -56,6 +60,7 @@ class Neighbours(ValueExercise):
         ),
         Slip("same_x", lambda trapezoids: np.argwhere(trapezoids[:, None, 1] == trapezoids[:, 0])),
         Slip("left_wall", left_walls),
+        Slip("right_wall", right_walls),
         Slip("reversed", lambda trapezoids: touching(trapezoids)[:, ::-1]),
         Slip(
             "twice",
@@ -86,19 +91,27 @@ class Neighbours(ValueExercise):
         yield Case("apart", {"trapezoids": np.array(three, float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
+        yield Case("side", {"trapezoids": np.array([one, [2, 5, 3.9999, 7, 3, 7]], float)})
+        tip = [2, 5, 1, 1, 0, 4]
+        yield Case("point", {"trapezoids": np.array([one, tip], float)})
+        yield Case("point", {"trapezoids": np.array([mirrored(tip, 4), mirrored(one, 4)], float)})
+        yield Case("point", {"trapezoids": np.array([tip, mirrored(tip, 4)], float)})
         yield Case("world", {"trapezoids": THIN_PLATE})
-        for size in sizes(4):
+        for i, size in enumerate(sizes(4)):
             low, high, far = np.sort(rng.choice(np.arange(1, 60), 3, replace=False)) * size / 100
             left = np.array([[-size, 0, -low, high / 3, low, high]])
             for kind, floor, ceiling in (
                 ("side", (low + high) / 2, far),
                 ("apart", high + 1, far + 2),
                 ("point", high, far),
+                ("point", (low + high) / 2, (low + high) / 2),
+                ("side", high - 0.001, far),
             ):
                 right = np.array([[0, size, floor, ceiling, floor, floor + 1]])
-                yield Case(
-                    kind, {"trapezoids": rng.permutation(np.round(np.vstack([left, right]), 3))}
-                )
+                both = np.round(np.vstack([left, right]), 3)
+                both = both[:, UPSIDE_DOWN] * FLIPPED if i % 2 else both
+                both = np.array([mirrored(cell, 0) for cell in both]) if i % 4 > 1 else both
+                yield Case(kind, {"trapezoids": rng.permutation(both + 0.0)})
             yield Case("world", {"trapezoids": rng.permutation(box_world(rng, size))})
 
     def same(self, value: object, truth: object) -> bool:
@@ -126,6 +139,12 @@ class Neighbours(ValueExercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_pairs(case.given["trapezoids"], self.truth(case), value, ax)
         set_title(self, case, ax)
+
+
+def mirrored(cell: ArrayLike, x: float) -> list[float]:
+    """Reflect a trapezoid left to right, so that x, twice the middle, moves to 0 and 0 to x."""
+    x0, x1, *heights = np.asarray(cell, float).tolist()
+    return [x - x1, x - x0, *heights[2:], *heights[:2]]
 
 
 def box_world(rng: np.random.Generator, size: float) -> Array:

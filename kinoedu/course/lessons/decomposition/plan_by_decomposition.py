@@ -24,6 +24,12 @@ HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 # a bar from the left wall: the only way is round its right end
 BAR = np.array([(0, 4), (14, 4), (14, 6), (0, 6)], float)
 FENCE = np.array([(7, 0), (9, 0), (9, 10), (7, 10)], float)  # from floor to ceiling
+# the way round its end is narrow
+LONG_BAR = np.array([(0, 4), (15.995, 4), (15.995, 6), (0, 6)], float)
+SLIT = [FENCE * [1, 0.5], FENCE * [1, 0.4999] + [0, 5.001]]
+DIAMONDS = [  # with some thirty cells on the way
+    np.array([(x - 0.4, 5), (x, 4.5), (x + 0.4, 5), (x, 5.5)], float) for x in range(2, 15)
+]
 # neither wall at x = 5 contains the other
 STEP = np.array([(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float)
 
@@ -125,6 +131,9 @@ class PlanByDecomposition(Exercise):
             (HALL, [BAR], (3, 2), (3, 8)),
             (HALL, [FENCE], (3, 5), (13, 5)),
             (HALL, [mirror(BAR)], (13, 8), (13, 2)),
+            (HALL, [LONG_BAR], (3, 2), (3, 8)),
+            (HALL, SLIT, (3, 2), (13, 8)),
+            (HALL, DIAMONDS, (0.5, 5), (15.5, 5)),
         ):
             cells, pairs = shuffled_cells(rng, boundary, obstacles, shuffle=False)
             yield case(np.array(start, float), np.array(goal, float), cells, pairs)
@@ -166,7 +175,8 @@ class PlanByDecomposition(Exercise):
         for a, b in zip(value, value[1:]):
             if not is_free(a, b, given["trapezoids"]):
                 along = a[0] == b[0] and a[0] in given["trapezoids"][:, :2]
-                return Verdict(0.0, "wall" if along else "free", wanted)
+                rule = "wall" if along else "cell" if case.kind == "same" else "free"
+                return Verdict(0.0, rule, wanted)
         return RIGHT
 
     def describe_expected(self, case: Case) -> str:

@@ -89,6 +89,15 @@ def left_walls(cells: Array) -> Pairs:
     return sorted_pairs(np.argwhere(adjoining(cells) & (low < high)))
 
 
+def right_walls(cells: Array) -> Pairs:
+    """Pairs computed with the right wall of both cells."""
+    low, high = (
+        np.maximum(cells[:, None, 4], cells[:, 4]),
+        np.minimum(cells[:, None, 5], cells[:, 5]),
+    )
+    return sorted_pairs(np.argwhere(adjoining(cells) & (low < high)))
+
+
 def only_later(cells: Array) -> Pairs:
     """Pairs in which the left cell has the smaller index."""
     pairs = left_cell_first(cells)

@@ -17,6 +17,9 @@ from .free_intervals import BAY, KITE, RING, WEDGE
 from .pictures import draw_cells, set_title
 from .slips import hollow, slabs, without_last, without_triangles
 
+# low cells, one of them very narrow, and numbers of many digits
+LOW = np.array([(0, 0), (4.00012345, -0.01), (8, 0.02), (4.00091234, 0.015)], float)
+
 
 class TrapezoidsOfWorld(ValueExercise):
     """All trapezoids of a world in general position, in any order."""
@@ -47,6 +50,7 @@ class TrapezoidsOfWorld(ValueExercise):
         for kind, world in (
             ("convex", {"boundary": np.array([(0, 0), (4, -2), (8, 4)], float), "obstacles": []}),
             ("convex", {"boundary": KITE, "obstacles": []}),
+            ("convex", {"boundary": LOW, "obstacles": []}),
             ("bays", bay),
             ("bays", mirrored(bay)),
             ("one", {"boundary": KITE, "obstacles": [WEDGE]}),

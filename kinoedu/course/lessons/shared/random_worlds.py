@@ -66,3 +66,10 @@ def between_vertices(rng: np.random.Generator, edges: Array) -> float:
     gaps = np.flatnonzero(np.diff(x) > 0.015)
     i = int(rng.choice(gaps))
     return float(round((x[i] + x[i + 1]) / 2, 3))
+
+
+def beside_vertex(rng: np.random.Generator, edges: Array) -> float:
+    """Random x just right of a vertex that has two decimals, where edges lie close together."""
+    x = np.unique(edges[:, 0])
+    i = int(rng.choice(np.flatnonzero(np.diff(x) > 0.015)))
+    return float(round(x[i] + 0.003, 3))
