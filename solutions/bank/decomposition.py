@@ -106,9 +106,6 @@ def numbers_from_one(x, edges):
     return [i + 1 for i in status(x, edges)]
 
 
-heights_to_one_digit = changed(
-    "crossings", ("height(edges[i], x))", "round(height(edges[i], x), 1))")
-)
 steep_edges_left_out = changed(
     "crossings",
     ("!= (edges[i][2] < x)", "!= (edges[i][2] < x) and abs(edges[i][2] - edges[i][0]) > 0.01"),
@@ -194,6 +191,7 @@ thin_stretches_left_out = changed(
         "list(zip(levels[::2], levels[1::2]))",
         "[(a, b) for a, b in zip(levels[::2], levels[1::2]) if b - a > 0.05]",
     ),
+    slip="solid",
 )
 
 
@@ -404,11 +402,9 @@ def an_end_inside(trapezoids):
 
 
 OVERLAP = "max(left[4], right[2]) < min(left[5], right[3])"
-touching_from_above = changed("neighbours", (OVERLAP, f"({OVERLAP} or left[4] == right[3])"))
-tips_count = changed(  # a tip of one cell on the wall of the other
-    "neighbours", (OVERLAP, f"({OVERLAP} or right[2] == right[3] and left[4] < right[2] < left[5])")
+touching_from_above = changed(
+    "neighbours", (OVERLAP, f"({OVERLAP} or left[4] == right[3])"), slip="point"
 )
-thin_walls_left_out = changed("neighbours", (OVERLAP, OVERLAP.replace("<", "+ 0.001 <")))
 
 
 # The path
