@@ -192,7 +192,7 @@ from kinoedu.support.time_limit import TimeUp
 
 def report(work):
     try:
-        return inside.by_alarm(0.1, work)
+        return inside.run_with_alarm(0.1, work)
     except TimeUp as over:
         return over.used >= 0.09, over.allowed, over.passed >= 0.39
 

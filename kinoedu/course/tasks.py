@@ -49,7 +49,7 @@ class StudentProblem(Recorder):
     def sample(self, rng: Any) -> Array:
         """A configuration drawn from the whole space, free or not."""
         before = state_of(rng)
-        q: Array = self._recorded("sample", self.problem.sample)(rng)
+        q = np.asarray(self._recorded("sample", self.problem.sample)(rng))
         self.draws.append(Draw(rng, before, state_of(rng), q.copy()))
         return q
 
