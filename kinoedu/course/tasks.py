@@ -4,6 +4,8 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from ..files.scene_robots import describe_for_scene
 from ..files.scenes import parse_problem
 from ..geometry.checks import Array
