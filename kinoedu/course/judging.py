@@ -185,8 +185,23 @@ def make_report(exercise: Exercise, cases: list[Case], seen: list[JudgedCase]) -
 
 
 def find_slip(exercise: Exercise, seen: list[JudgedCase]) -> str:
-    """Key of the misconception that explains most of the cases seen, or ""."""
-    likely = likely_slips(exercise, seen)
+    """Key of the misconception that explains most of the cases seen, or "".
+
+    Where some wrong answers have values, it explains one of those: many mistakes give empty
+    answers.
+    """
+    wrong_values = [
+        one
+        for one in seen
+        if not one.verdict.is_right
+        and isinstance(one.outcome, Answer)
+        and is_definite(one.outcome.value)
+    ]
+    likely = [
+        slip
+        for slip in likely_slips(exercise, seen)
+        if not wrong_values or any(explains(exercise, slip.answer, one) for one in wrong_values)
+    ]
     if not likely:
         return ""
     return max(
@@ -226,6 +241,7 @@ def is_unwritten(outcome: Outcome) -> bool:
     return isinstance(outcome, Raised) and outcome.is_unwritten
 
 
+@np.errstate(all="ignore")
 def explains(exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase) -> bool:
     """Whether a misconception gives the same value as the student's program."""
     found = value_of_slip(exercise, mistaken, judged)
@@ -235,6 +251,7 @@ def explains(exercise: Exercise, mistaken: Callable[..., object], judged: Judged
     return exercise.same(judged.outcome.value, found.value)
 
 
+@np.errstate(all="ignore")
 def contradicts(exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase) -> bool:
     """Whether a misconception gives another value than a program that is right.
 
@@ -264,8 +281,7 @@ def value_of_slip(
         return None
     if isinstance(exercise.truth(judged.case), ValueError):
         return None
-    with np.errstate(all="ignore"):
-        try:
-            return Answer(mistaken(*judged.case.given.values()))
-        except (ValueError, ZeroDivisionError):
-            return None
+    try:
+        return Answer(mistaken(*judged.case.given.values()))
+    except (ValueError, ZeroDivisionError):
+        return None

@@ -109,7 +109,7 @@ def old_heading(pose, v, phi, t, L):
     return *drive_arc(*pose, v * t, tan(phi) / L)[:2], pose[2]
 
 
-@wrong("move")
+@wrong("move", slip="straight_if_small")
 def straight_below_a_fiftieth(pose, v, phi, t, L):
     """Ignores turns that are too large to ignore."""
     return drive_arc(*pose, v * t, tan(phi) / L if abs(phi) >= 0.02 else 0.0)
@@ -153,7 +153,6 @@ def stays_on_the_first_circle(pose, v, phi, t, L):
 small_turns_ignored = changed(
     "move",
     ("/ L / 2\n", "/ L / 2\n    half = 0.0 if abs(half) < 5e-5 else half\n"),
-    slip="straight_if_small",
 )
 same_side_backwards = changed(
     "move", ("half = distance *", "half = abs(distance) *"), slip="one_way"

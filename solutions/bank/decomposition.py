@@ -191,7 +191,6 @@ thin_stretches_left_out = changed(
         "list(zip(levels[::2], levels[1::2]))",
         "[(a, b) for a, b in zip(levels[::2], levels[1::2]) if b - a > 0.05]",
     ),
-    slip="solid",
 )
 
 
