@@ -335,6 +335,12 @@ def only_x(trapezoids):
     return pairs_if(trapezoids, lambda a, b: a[1] == b[0])
 
 
+@wrong("neighbours", slip="right_wall")
+def right_walls(trapezoids):
+    """Uses the right wall of the right cell."""
+    return pairs_if(trapezoids, lambda a, b: a[1] == b[0] and min(a[5], b[5]) > max(a[4], b[4]))
+
+
 @wrong("neighbours", slip="left_wall")
 def left_walls(trapezoids):
     """Uses the left wall of the left cell."""
