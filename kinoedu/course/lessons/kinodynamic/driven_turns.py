@@ -4,7 +4,6 @@ The problem that a student's planner gets logs each random pose and each best dr
 of every turn is known, the node from which it drove, and what `best_drive` returned.
 """
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -14,34 +13,12 @@ from ....geometry.checks import Array
 from ....robots.trajectory import DrivenTree
 from ...drivable import DrivingProblem, distance_of_poses
 from ...shapes import Numbers
+from ...watching import DRIVE, NEAR_GOAL, SAMPLE
 from .driven_trees import GOAL_EVERY, NOWHERE, REGION_EVERY, TurnFault, find_near_goal
 
-SAMPLE, NEAR_GOAL, DRIVE = 0, 1, 2
-KINDS = {"sample": SAMPLE, "near_goal": NEAR_GOAL, "best_drive": DRIVE}
 LOG = Numbers(("calls", 11))  # kind, generator, then q, target and drive: three numbers each
 SAME = 1e-6  # poses and controls that differ by less are the same
 MISSED = {SAMPLE: "chance", NEAR_GOAL: "region"}  # the rule that a wrong target breaks
-
-
-def read_log(problem: DrivingProblem) -> Array:
-    """Return the calls that a problem has logged, one in each row; nan stands for None.
-
-    Generators are numbered in the order in which they were first used. For a sample or a pose near
-    the goal, q and target are the pose.
-    """
-    generators, rows = list[object](), []
-    for name, given, answer in problem.log:
-        if name not in KINDS:
-            continue
-        rng = given[-1]
-        if not any(rng is one for one in generators):
-            generators.append(rng)
-        number = next(i for i, one in enumerate(generators) if one is rng)
-        q, target = given[:2] if name == "best_drive" else (answer, answer)
-        found = name == "best_drive" and answer is not None
-        drive = np.asarray(answer if found else (math.nan,) * 3, float)
-        rows.append([KINDS[name], number, *q[:3], *target[:3], *drive])
-    return np.array(rows).reshape(-1, 11)
 
 
 class Turns(NamedTuple):
@@ -50,7 +27,7 @@ class Turns(NamedTuple):
     Attributes
     ----------
     tree : its nodes, replayed, with parents, controls and durations.
-    log : its calls, as `read_log` returns them.
+    log : its calls, as `read_drives` returns them.
     k : number of drives in each turn.
     stops : whether the search ends at the goal.
     """

@@ -1,6 +1,5 @@
 """What the exercises on planners that drive have in common: calls, faults and pictures."""
 
-import random
 from abc import abstractmethod
 from collections.abc import Callable
 
@@ -12,9 +11,10 @@ from ....robots.trajectory import DrivenTree
 from ...exercise import Axes, Case, Given
 from ...outcomes import Answer, Outcome
 from ...shapes import Shape, Together, Truth, Value
+from ...watching import call_three_times, read_drives
 from ..shared.planned import Fault, PlannerExercise
 from .driven_trees import NOWHERE, TurnFault, find_drive_fault, find_near_goal, replay
-from .driven_turns import LOG, Turns, find_turn_fault, read_log
+from .driven_turns import LOG, Turns, find_turn_fault
 from .garages import BEYOND_PI, FEW
 
 
@@ -69,22 +69,11 @@ class DrivingPlanner(PlannerExercise):
                 return case
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner with the seeds rng, rng and rng + 1.
+        """Call the planner three times, and read the drives of the first and the third call.
 
-        Returns
-        -------
-        The three answers, whether Python's and numpy's global generators were left unused, and the
-        logs of the first and the third call.
+        This method runs in the sandbox alone, without the rest of its class.
         """
-        before, answers, logs = (random.getstate(), np.random.get_state()), [], []
-        for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            problem = given["problem"].fresh_copy()
-            answers.append(function(*{**given, "problem": problem, "rng": rng}.values()))
-            logs.append(read_log(problem))
-        after = random.getstate(), np.random.get_state()
-        random.setstate(before[0])
-        np.random.set_state(before[1])
-        return *answers, repr(before) == repr(after), logs[0], logs[2]
+        return call_three_times(function, given, read_drives)
 
     def find_fault(self, case: Case, value: Value) -> tuple[Fault | TurnFault | None, int]:
         """Return the first fault, or None, and which of the three answers has it."""

@@ -15,7 +15,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
-from ..shared.planned import Fault, PlannerExercise, ProblemShape, Run, watched_three_times
+from ..shared.planned import Fault, PlannerExercise, ProblemShape, Run, Watched, watched_three_times
 from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
 from .joining import are_pairs, keep_free
 from .rules import Pairs, join_k_closest
@@ -34,7 +34,7 @@ def build_roadmap(problem: PlanningProblem, n: int, k: int, rng: int) -> tuple[A
     return np.array(nodes), join_k_closest(problem, np.array(nodes), k)
 
 
-class SampledRoadmap(PlannerExercise):
+class SampledRoadmap(Watched, PlannerExercise):
     """Build a probabilistic roadmap: nodes and edges."""
 
     name = "sampled_roadmap"
@@ -42,7 +42,6 @@ class SampledRoadmap(PlannerExercise):
     kinds = ("none", "room", "wall", "several", "many")
     given = Record(problem=ProblemShape(), n=Integer(), k=Integer(), rng=Integer())
     result = BUILT
-    watched = True
     answer = watched_three_times(BUILT)
     source = staticmethod(build_roadmap)
 

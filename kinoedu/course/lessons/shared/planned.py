@@ -4,7 +4,7 @@ A planner exercise is a `PlannerExercise`. Its `given` begins with `problem=Prob
 with `rng=Integer()`, a seed; `result` is the shape of one answer. The planner is called three
 times, twice with the same seed and once with another, each time with a new problem that records its
 calls. `fault` finds what is wrong with one answer, by `find_path_fault` and `find_tree_fault`;
-these check every motion again with the course's own collision code. Where `watched` is true,
+these check every motion again with the course's own collision code. Of a `Watched` planner,
 `fault_of_run` also knows what was drawn in that call. Whether all randomness comes from `rng` is
 judged here.
 
@@ -12,7 +12,6 @@ Messages that planner exercises share are in messages.toml of this folder; an ex
 messages come first.
 """
 
-import random
 from abc import abstractmethod
 from collections.abc import Callable
 from typing import ClassVar, NamedTuple
@@ -27,6 +26,7 @@ from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_valu
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Shape, Together, Truth, Value
 from ...tasks import ProblemShape, StudentProblem, problem_of
+from ...watching import Run, call_three_times, read_nothing, read_samples
 from ...whole_shapes import Integer
 from .small_problems import TRAPS
 
@@ -39,6 +39,7 @@ __all__ = [
     "ProblemShape",
     "Run",
     "StudentProblem",
+    "Watched",
     "empty_boxes",
     "find_motion_off_tree",
     "find_node_off_nearest",
@@ -65,21 +66,6 @@ class Fault(NamedTuple):
     rule: str
     marked: Array
     call: int = 0
-
-
-class Run(NamedTuple):
-    """What one call of a planner drew.
-
-    Attributes
-    ----------
-    samples : (m, d), what `problem.sample` returned, in order.
-    generators : number of different generators that it was given.
-    others : number of samples before which its generator was also used for something else.
-    """
-
-    samples: Array
-    generators: int
-    others: int
 
 
 RUN = Together((Numbers(("m", "d")), Integer(), Integer()))
@@ -211,17 +197,27 @@ def empty_boxes(nodes: Array, lo: Array, hi: Array, k: int) -> int:
     return k * k - len(np.unique(places, axis=0))
 
 
+class Watched:
+    """A planner exercise that also judges what was drawn in each call."""
+
+    def call(self, function: Callable[..., object], given: Given) -> Value:
+        """Call the planner three times, and read the samples of the first and the third call.
+
+        This method runs in the sandbox alone, without the rest of its class.
+        """
+        return call_three_times(function, given, read_samples)
+
+
 class PlannerExercise(Exercise):
     """A planner to write, called three times.
 
-    Subclasses declare `result`, and `answer = three_times(result)`; or, to judge what was drawn,
-    `watched = True` and `answer = watched_three_times(result)`.
+    Subclasses declare `result`, and `answer = three_times(result)`. To judge what was drawn as
+    well, they are `Watched` and declare `answer = watched_three_times(result)`.
     """
 
     result: ClassVar[Shape]
     shared: ClassVar[tuple[str, ...]] = ("planner", "exercise")
     seconds = 20.0
-    watched: ClassVar[bool] = False
 
     def fault(self, case: Case, answer: Value) -> Fault | None:
         """What is wrong with one answer, or None."""
@@ -240,24 +236,11 @@ class PlannerExercise(Exercise):
         return case.kind not in ("same", "trivial")
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner with the seeds rng, rng and rng + 1.
+        """Call the planner three times: three answers, and whether global generators were unused.
 
-        Returns
-        -------
-        The three answers, and whether Python's and numpy's global generators were left unused;
-        where the calls are watched, also what the first and the third drew.
+        This method runs in the sandbox alone, without the rest of its class.
         """
-        before = random.getstate(), np.random.get_state()
-        answers, runs = [], []
-        for rng in (given["rng"], given["rng"], given["rng"] + 1):
-            problem = given["problem"].fresh_copy()
-            answers.append(function(*{**given, "problem": problem, "rng": rng}.values()))
-            runs.append(run_of(problem, rng))
-        after = random.getstate(), np.random.get_state()
-        random.setstate(before[0])
-        np.random.set_state(before[1])
-        drawn = (runs[0], runs[2]) if self.watched else ()
-        return *answers, repr(before) == repr(after), *drawn
+        return call_three_times(function, given, read_nothing)[:4]
 
     def right_answer(self, *given: Value) -> Value:
         """The library's own answer to one call."""
@@ -327,17 +310,6 @@ class PlannerExercise(Exercise):
 def with_next_seed(case: Case) -> Case:
     """The case of the third call."""
     return case._replace(given={**case.given, "rng": case.given["rng"] + 1})
-
-
-def run_of(problem: StudentProblem, rng: int) -> Run:
-    """What was drawn from a problem in one call with a seed."""
-    state: object = np.random.default_rng(rng).bit_generator.state
-    others = 0
-    for draw in problem.draws:
-        others += draw.before != state
-        state = draw.after
-    samples = [draw.sample for draw in problem.draws]
-    return Run(np.array(samples), len({id(draw.generator) for draw in problem.draws}), others)
 
 
 def three_times(result: Shape) -> Together:

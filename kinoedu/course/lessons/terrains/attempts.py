@@ -13,10 +13,10 @@ from ....geometry.checks import Array
 from ...exercise import Given
 from ...shapes import Numbers
 from ...tasks import StudentProblem
+from ...watching import SAMPLE, STEER
 from ..shared.planned import Fault
 
 LOG = Numbers(("calls", 6))  # kind, generator, then two places: the sample twice, or from and to
-SAMPLE, STEER = 0, 1
 SAME, FEW, SURE = 1e-7, 5, 5.0  # SURE: standard deviations of a share that chance does not explain
 NOWHERE = np.empty((0, 2))
 
@@ -30,20 +30,6 @@ class Attempts(NamedTuple):
     number: int
     in_a_row: int
     nodes: int
-
-
-def read_log(problem: StudentProblem) -> Array:
-    """Return the samples and steers that a problem has logged, one in each row."""
-    generators, rows = list[object](), []
-    for name, given, answer in problem.log:
-        if name == "sample":
-            if not any(given[0] is one for one in generators):
-                generators.append(given[0])
-            number = next(i for i, one in enumerate(generators) if one is given[0])
-            rows.append([SAMPLE, number, *np.asarray(answer)[:2], *np.asarray(answer)[:2]])
-        elif name == "steer":
-            rows.append([STEER, 0, *np.asarray(given[0])[:2], *np.asarray(given[1])[:2]])
-    return np.array(rows, float).reshape(-1, 6)
 
 
 def find_attempt_fault(given: Given, nodes: Array, path: Array | None, log: Array) -> Fault | None:

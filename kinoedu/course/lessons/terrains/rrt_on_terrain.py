@@ -14,6 +14,7 @@ from ....robots import Point
 from ....worlds import Terrain
 from ...exercise import Case, Given
 from ...shapes import Maybe, Number, Record, Together, Truth, Value
+from ...watching import call_three_times, read_attempts
 from ...whole_shapes import Integer, Integers
 from ..shared.planned import (
     NODES,
@@ -27,7 +28,7 @@ from ..shared.planned import (
     find_path_fault,
     find_tree_fault,
 )
-from .attempts import LOG, find_attempt_fault, read_log
+from .attempts import LOG, find_attempt_fault
 
 STEP, SPACING, FAILURES = 6.0, 3.0, 400
 SELDOM = 0.3  # a goal bias that is not one half
@@ -151,15 +152,11 @@ class RrtOnTerrain(TerrainPlanner):
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner three times, and add the logs of the first and the third call."""
-        logs = list[Array]()
+        """Call the planner three times, and read the attempts of the first and the third call.
 
-        def logged(problem: StudentProblem, *others: Value) -> object:
-            answer = function(problem, *others)
-            logs.append(read_log(problem))
-            return answer
-
-        return *super().call(logged, given), logs[0], logs[2]
+        This method runs in the sandbox alone, without the rest of its class.
+        """
+        return call_three_times(function, given, read_attempts)
 
     def fault_of_three(self, case: Case, value: Value) -> Fault | None:
         """What is wrong with the answers, with their attempts or with their randomness, or None."""

@@ -20,6 +20,7 @@ from ..shared.planned import (
     ProblemShape,
     Run,
     StudentProblem,
+    Watched,
     find_motion_off_tree,
     find_tree_fault,
     same_configuration,
@@ -61,7 +62,7 @@ def grow_tree(
     return nodes, parent, None
 
 
-class Rrt(TreeExercise):
+class Rrt(Watched, TreeExercise):
     """Grow one tree."""
 
     name = "rrt"
@@ -73,7 +74,6 @@ class Rrt(TreeExercise):
         rng=Integer(),
     )
     result = Together((NODES, PARENTS, Maybe(PATH)))
-    watched = True
     answer = watched_three_times(result)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow)

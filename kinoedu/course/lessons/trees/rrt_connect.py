@@ -20,6 +20,7 @@ from ..shared.planned import (
     ProblemShape,
     Run,
     StudentProblem,
+    Watched,
     find_motion_off_tree,
     find_tree_fault,
     watched_three_times,
@@ -61,13 +62,12 @@ def grow_two_trees(problem: PlanningProblem, step: float, iterations: int, rng: 
     return *trees[0], *trees[1], None
 
 
-class RrtConnect(TreeExercise):
+class RrtConnect(Watched, TreeExercise):
     """Grow two trees."""
 
     name = "rrt_connect"
     given = Record(problem=ProblemShape(), step=Number(), iterations=Integer(), rng=Integer())
     result = Together((NODES, PARENTS, NODES, PARENTS, Maybe(PATH)))
-    watched = True
     answer = watched_three_times(result)
     source = staticmethod(grow_two_trees)
     shown = staticmethod(grow_both)
