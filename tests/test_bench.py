@@ -23,7 +23,7 @@ from kinoedu.figures.growth import save_growth
 BENCHMARKS = Path(__file__).resolve().parent.parent / "benchmarks"
 sys.path.insert(0, str(BENCHMARKS))
 
-from growing import GROWTHS, Asked  # noqa: E402 - the benchmarks are scripts beside each other
+from growing import GROWTHS, Task  # noqa: E402 - the benchmarks are scripts beside each other
 from growth import exponents, timed, write_csv  # noqa: E402
 
 sys.path.remove(str(BENCHMARKS))
@@ -356,7 +356,7 @@ def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatc
             ticks[0] += n / 100
             return n
 
-        return Asked(n, work, judged.append)
+        return Task(n, work, judged.append)
 
     monkeypatch.setitem(
         GROWTHS, "work", GROWTHS["RRT"]._replace(ask=ask, first=2, clock=lambda: ticks[0])
