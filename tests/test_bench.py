@@ -331,7 +331,7 @@ def test_the_exponent_is_the_slope_of_the_last_sizes():
 def test_a_wrong_answer_is_not_timed(name):
     """Each judge accepts the right answer, and rejects incomplete ones and ones of another size."""
     growth = GROWTHS[name]
-    small, large = growth.ask(growth.first), growth.ask(4 * growth.first)
+    small, large = growth.make_task(growth.first), growth.make_task(4 * growth.first)
     answer = small.work()
     small.judge(answer)
     with pytest.raises((AssertionError, IndexError)):
@@ -351,7 +351,7 @@ def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatc
     """With a simulated clock the exponent is 1, and the last n first takes half the limit."""
     ticks, judged = [0.0], []
 
-    def ask(n):
+    def make_task(n):
         def work():
             ticks[0] += n / 100
             return n
@@ -359,7 +359,9 @@ def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatc
         return Task(n, work, judged.append)
 
     monkeypatch.setitem(
-        GROWTHS, "work", GROWTHS["RRT"]._replace(ask=ask, first=2, clock=lambda: ticks[0])
+        GROWTHS,
+        "work",
+        GROWTHS["RRT"]._replace(make_task=make_task, first=2, clock=lambda: ticks[0]),
     )
     curve = timed("work", 2.0, 3)
     assert curve.n.tolist() == judged == [2, 4, 8, 16, 32, 64, 128]
