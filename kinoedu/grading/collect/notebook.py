@@ -3,24 +3,20 @@
 The file may be empty, cut off, not a notebook, or made to break its reader.
 """
 
-import ast
 import json
 import os
 import stat
-import warnings
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...errors import KinoeduError
 from ...support.json_fields import JsonObject
+from .notebook_python import PythonReader
 
 MOST_BYTES = 60 * 2**20  # of a notebook with its pictures
 MOST_PARTS = 2**21  # commas and brackets; each may be a value, which takes far more than a byte
 MOST_SOURCE = 2**20  # characters of code
 MOST_CELLS = 2_000
-UNHEARD = ("%", "!", "?")  # the starts of lines that only a notebook understands
-ALL_THE_SAME = ("%%time", "%%capture")  # first lines of cells that otherwise are Python
-LONGEST = 200_000  # characters of a cell that is parsed
 
 
 class Cell(NamedTuple):
@@ -63,6 +59,8 @@ def read_bytes(file: Path) -> bytes:
 def read_cells(data: bytes) -> list[Cell]:
     """The code cells of a notebook that are not empty, numbered among all cells from 1.
 
+    Commands that only a notebook understands are calls of get_ipython(), as IPython makes them.
+
     Raises
     ------
     UnreadableSubmission
@@ -73,7 +71,7 @@ def read_cells(data: bytes) -> list[Cell]:
     >>> cell = b'{"cell_type": "code", "source": ["x = 1\\\\n", "%time x"]}'
     >>> book = b'{"nbformat": 4, "cells": [' + cell + b"]}"
     >>> read_cells(book)
-    [Cell(number=1, source='x = 1\\n')]
+    [Cell(number=1, source="x = 1\\nget_ipython().run_line_magic('time', 'x')\\n")]
     """
     cells = parse_notebook(data)["cells"]
     if not isinstance(cells, list) or len(cells) > MOST_CELLS:
@@ -90,7 +88,8 @@ def read_cells(data: bytes) -> list[Cell]:
         raise UnreadableSubmission(
             f"the notebook holds more than {MOST_SOURCE:,} characters of code"
         )
-    return [cell for cell in found if cell.source.strip()]
+    reader = PythonReader()
+    return [Cell(cell.number, reader.read(cell.source)) for cell in found if cell.source.strip()]
 
 
 def parse_notebook(data: bytes) -> JsonObject:
@@ -116,33 +115,8 @@ def parse_notebook(data: bytes) -> JsonObject:
 
 
 def extract_source(cell: JsonObject) -> str:
-    """A cell's code without notebook commands, with characters that no file can hold replaced."""
-    lines = (
-        join_text(cell.get("source"))
-        .encode("utf-8", "replace")
-        .decode("utf-8")
-        .splitlines(keepends=True)
-    )
-    if lines and lines[0].startswith("%%"):
-        lines = lines[1:] if lines[0].split()[0] in ALL_THE_SAME else []
-    # the first that Python can parse: within brackets or text such lines belong to Python
-    left = [lines, [line for line in lines if not line.startswith(UNHEARD)]]
-    left += [[line for line in lines if not line.lstrip().startswith(UNHEARD)]]
-    sources = list(dict.fromkeys(map("".join, left)))
-    return next(filter(is_python, sources[:-1]), sources[-1])
-
-
-def is_python(source: str) -> bool:
-    """Whether Python can parse the source."""
-    if len(source) > LONGEST:
-        return False
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True
+    """A cell's source, with characters that no file can hold replaced."""
+    return join_text(cell.get("source")).encode("utf-8", "replace").decode("utf-8")
 
 
 def join_text(text: Any) -> str:
