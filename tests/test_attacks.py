@@ -166,7 +166,7 @@ builtins.left = kinoedu.left = 1
 import os, builtins, kinoedu
 places = ("/tmp/left", "/dev/shm/left", "/dev/left", "/left")
 HARM += [place for place in places if os.path.exists(place)]
-HARM += [place for place in ("/tmp", "/dev/shm") for name in os.listdir(place)]
+HARM += os.listdir("/tmp")
 HARM += ["environment"] * ("LEFT" in os.environ)
 HARM += ["modules"] * (hasattr(builtins, "left") or "left" in vars(kinoedu))
 """

@@ -19,6 +19,7 @@ from kinoedu.course import EXERCISES, ValueExercise, check
 from kinoedu.course.advice import COMMON_ERRORS
 from kinoedu.course.feedback import Feedback, fold_line
 from kinoedu.course.judging import judge_outcomes, run_case
+from kinoedu.course.lent_problem import LentProblem
 from kinoedu.course.outcomes import (
     Answer,
     Changed,
@@ -43,9 +44,15 @@ def short_time():
 
 
 def judged(exercise, function, seed=0):
-    """Report on a function."""
+    """Report on a function of the course, which may look behind what a problem lends."""
+
+    def called(*given):
+        return function(
+            *(one._ask.__self__ if isinstance(one, LentProblem) else one for one in given)
+        )
+
     cases = list(exercise.cases(np.random.default_rng(seed)))
-    return judge_outcomes(exercise, cases, (run_case(exercise, function, case) for case in cases))
+    return judge_outcomes(exercise, cases, (run_case(exercise, called, case) for case in cases))
 
 
 @pytest.mark.parametrize(

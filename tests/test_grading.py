@@ -96,7 +96,7 @@ def test_a_cell_that_fails_does_not_lose_the_others(box, bad):
 
 
 @needs_sandbox
-def test_what_is_asked_for_is_withheld_with_a_message(box):
+def test_what_is_asked_for_is_not_lent_and_a_message_says_so(box):
     result = graded(
         box,
         "import kinoedu as ke\ndef point_line_distance(q, a, b): return "
@@ -104,7 +104,7 @@ def test_what_is_asked_for_is_withheld_with_a_message(box):
     )
     failed = result["point_line_distance"]
     assert failed["score"] == 0.0
-    assert "withheld" in failed["failure"]["outcome"]["message"]
+    assert "not lent" in failed["failure"]["outcome"]["message"]
 
 
 @needs_sandbox

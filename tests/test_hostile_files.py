@@ -13,7 +13,7 @@ import pytest
 
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
-from kinoedu.course.outcomes import Late, Misshapen, Raised
+from kinoedu.course.outcomes import Late, Raised
 from kinoedu.grading.collect.found import MOST_OF_ONE
 from kinoedu.grading.collect.handing_in import find_answers
 from kinoedu.grading.collect.marks import choose_by_marks, count_shared_marks
@@ -195,14 +195,6 @@ class Liar:
 def question(name: str) -> Question:
     """A question with its cases."""
     return Question(find(name), list(find(name).cases(np.random.default_rng(0))), 2)
-
-
-def test_a_reply_that_ends_early_has_an_answer_of_the_wrong_shape():
-    line = {"question": EXERCISE.name, "case": 0, "outcome": {"kind": "Answer", "value": 0.0}}
-    found = run_program(
-        Liar([[{"ready": True}], [line], []], "done"), [], [question(EXERCISE.name)]
-    ).outcomes
-    assert isinstance(found[EXERCISE.name][-1], Misshapen) and len(found[EXERCISE.name]) == 2
 
 
 def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):

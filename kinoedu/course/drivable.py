@@ -15,6 +15,7 @@ from ..problems import ProblemRecord
 from ..problems.recorder import Question
 from ..support.json_fields import Field, Json
 from .plain import WrongShape
+from .poses import distance_of_poses
 from .tasks import ProblemShape, StudentProblem, scene_of
 
 TRIALS, STEPS, BATCHES = 20, 30, 4
@@ -39,12 +40,19 @@ class DrivingProblem(StudentProblem):
         A pose this near to the goal, in length and in radians, counts as the goal.
     """
 
+    QUESTIONS = (
+        *StudentProblem.QUESTIONS,
+        *("control", "move", "is_free_drive", "near_goal", "best_drive"),
+    )
+    NUMBERS = ("radian", "longest", "tolerance", "turn_tolerance")
+
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
         car = problem.robot
         self.radian = self.tolerance = 0.25 * car.wheelbase
         self.turn_tolerance = math.radians(15.0)
         self.longest = 0.75 * car.wheelbase / float(np.abs(car.speeds).max())
+        self.metric = self.radian
         self.distance = partial(distance_of_poses, radian=self.radian)
 
     def __repr__(self) -> str:
@@ -126,12 +134,6 @@ class DrivingProblem(StudentProblem):
                 q[2] + 2.0 * half,
             ]
         )
-
-
-def distance_of_poses(a: Any, b: Any, radian: float) -> Any:
-    """Distance between poses, with heading differences wrapped; coordinates may be arrays."""
-    turn = (b[2] - a[2] + math.pi) % (2.0 * math.pi) - math.pi
-    return ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (radian * turn) ** 2) ** 0.5
 
 
 def drivable(scene: dict[str, Any]) -> DrivingProblem:

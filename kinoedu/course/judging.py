@@ -6,6 +6,7 @@ a sandbox, or from a file.
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -85,9 +86,23 @@ def run_case(
 def run_encoded_case(
     exercise: Exercise, function: Callable[..., object], data: JsonObject, bounded: Limiter
 ) -> Outcome:
-    """Call a student's function on a case's arguments, given as JSON data.
+    """Call a student's function in this process on a case's arguments, given as JSON data.
 
-    This is the only place that runs student code.
+    Returns
+    -------
+    Outcome
+    """
+
+    def called(*given: Any) -> object:
+        return function(*(one.lend() if hasattr(one, "lend") else one for one in given))
+
+    return run_called(exercise, called, data, bounded)
+
+
+def run_called(
+    exercise: Exercise, called: Callable[..., object], data: JsonObject, bounded: Limiter
+) -> Outcome:
+    """Call a function, which lends problems and axes itself, on a case's arguments.
 
     Returns
     -------
@@ -95,7 +110,7 @@ def run_encoded_case(
     """
     given = exercise.given.decode(data)
     outcome = outcome_of(
-        lambda: exercise.call(function, dict(given)), exercise.answer, exercise.seconds, bounded
+        lambda: exercise.call(called, dict(given)), exercise.answer, exercise.seconds, bounded
     )
     changed = [
         name

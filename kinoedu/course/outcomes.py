@@ -8,13 +8,13 @@ import linecache
 import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from types import FrameType, TracebackType
 from typing import Any, NamedTuple
 
 from ..messages import get_message
 from ..support.json_fields import JsonObject
 from ..support.time_limit import Limiter, SeenLines, TimeUp, run_within_processor_time
-from .plain import WrongShape, class_name, wrong_shape
+from .exceptions import MAX_NAMES, describe_exception
+from .plain import WrongShape, wrong_shape
 from .shapes import Listed, Record, Shape, Text, Truth, Value
 
 HERE = str(Path(__file__).resolve().parent.parent)
@@ -97,7 +97,14 @@ class Seconds(NamedTuple):
         return data
 
 
-MAX_NAMES = 32  # base classes of an exception, or changed arguments
+class Elsewhere(BaseException):
+    """A call went to another process, and ended there with an outcome that is no answer."""
+
+    def __init__(self, outcome: "Outcome") -> None:
+        super().__init__()
+        self.outcome = outcome
+
+
 MOST_SECONDS = 1e6
 Outcome = Answer | Misshapen | Changed | Raised | Late
 SHAPES: dict[type, Record] = {
@@ -134,6 +141,8 @@ def outcome_of(
             return Answer(shape.decode(shape.encode(call())))
         except TimeUp:
             raise
+        except Elsewhere as ended:
+            return ended.outcome
         except WrongShape as misfit:
             return Misshapen(str(misfit))
         # anything that a program raises is an outcome; even its message may run student code
@@ -167,40 +176,7 @@ def seen_lines(seen: SeenLines) -> list[str]:
 
 def raised_outcome(error: BaseException) -> Raised:
     """Plain data of an exception."""
-    above = type.__dict__["__mro__"].__get__(type(error))
-    kinds = [class_name(kind) for kind in above if kind not in (object, BaseException)][:MAX_NAMES]
-    own = own_steps(error.__traceback__)
-    return Raised(kinds, message_of(error), lines_of(own), own[-1][0].f_code.co_name if own else "")
-
-
-def message_of(error: BaseException) -> str:
-    """Message of an exception; "" where its own code fails."""
-    try:
-        return str(str(error))[:2000]
-    except BaseException:
-        return ""
-
-
-def own_steps(trace: TracebackType | None) -> list[tuple[FrameType, int]]:
-    """Frames of the student's own functions in a traceback, outermost first, with line numbers."""
-    return [
-        (frame, number)
-        for frame, number in traceback.walk_tb(trace)
-        if is_students(frame.f_code.co_filename)
-    ]
-
-
-def lines_of(steps: list[tuple[FrameType, int]]) -> list[str]:
-    """Lines of code as "line 3: return 1 / 0"; repeated lines of a recursion appear once."""
-    lines = [
-        f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()}"
-        for frame, number in steps
-    ]
-    return [
-        line
-        for line, after in zip(lines, [*lines[1:], ""])
-        if line != after and not line.endswith(": ")
-    ][-5:]
+    return Raised(*describe_exception(error, is_students))
 
 
 def is_students(file: str) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..messages import get_message
 from ..support.json_fields import Json
+from .exceptions import class_name
 
 
 class WrongShape(Exception):
@@ -75,11 +76,6 @@ def describe_value(value: Any) -> str:
     if type(value) in (list, tuple, dict):
         return get_message("shape.sized", kind=kind, length=len(value))
     return get_message("shape.other", kind=kind)
-
-
-def class_name(kind: type) -> str:
-    """Name of a class, at most 100 characters, read without running the class's own code."""
-    return str(type.__dict__["__name__"].__get__(kind))[:100]
 
 
 def encode_float(number: float) -> float | str:

@@ -12,6 +12,7 @@ from ..geometry.checks import Array
 from ..messages import get_message
 from ..problems import ProblemRecord, Recorder
 from ..support.json_fields import Field, Json, JsonObject
+from .lent_problem import LentProblem, Metric
 from .plain import WrongShape, wrong_shape
 
 
@@ -36,9 +37,13 @@ class StudentProblem(Recorder):
 
     # distance is not recorded: it is called too often
     QUERIES = ("sample", "steer", "is_free", "is_free_path")
+    # what a student's planner may use beside start, goal and distance
+    QUESTIONS: tuple[str, ...] = ("sample", "steer", "is_free", "is_free_path", "is_semi_free_path")
+    NUMBERS: tuple[str, ...] = ()
 
     def __init__(self, problem: ProblemRecord) -> None:
         super().__init__(problem)
+        self.metric: Metric = problem.space
         self.distance = problem.distance
         self.draws: list[Draw] = []
 
@@ -54,6 +59,26 @@ class StudentProblem(Recorder):
         q = np.asarray(self._recorded("sample", self.problem.sample)(rng))
         self.draws.append(Draw(rng, before, state_of(rng), q.copy()))
         return q
+
+    def ask(self, name: str, *given: Any) -> Any:
+        """Answer a question of a student's planner.
+
+        Raises
+        ------
+        AttributeError
+            Where it is not one of QUESTIONS.
+        """
+        if name == "__repr__":
+            return repr(self)
+        if name not in self.QUESTIONS:
+            raise AttributeError(name)
+        return getattr(self, name)(*given)
+
+    def lend(self) -> LentProblem:
+        """The problem as a student's planner has it."""
+        numbers = {name: getattr(self, name) for name in self.NUMBERS}
+        ends = self.start, self.goal
+        return LentProblem(self.ask, self.QUESTIONS, numbers, ends, self.metric)
 
     def fresh_copy(self) -> "StudentProblem":
         """The same problem without recorded calls."""

@@ -1,6 +1,6 @@
 """Call a student's planner three times, and read what it drew each time.
 
-This module goes into the sandbox with the student's program, so it knows no right answer.
+It knows no right answer.
 """
 
 import math

@@ -52,17 +52,3 @@ NAMED = {
 def axes_or_new(ax: Axes | None, size: tuple[float, float]) -> Axes:
     """The axes given, or those of a new figure of a size in inches."""
     return plt.subplots(figsize=size, dpi=72, layout="constrained")[1] if ax is None else ax
-
-
-def hex_of(colour: Any) -> str:
-    """A matplotlib colour as "#rrggbb", or "none" where it is none or fully transparent.
-
-    Examples
-    --------
-    >>> hex_of("red"), hex_of((0, 0, 1, 0.5)), hex_of("none")
-    ('#ff0000', '#0000ff', 'none')
-    """
-    from matplotlib.colors import to_hex, to_rgba
-
-    red, green, blue, opacity = to_rgba(colour)
-    return to_hex((red, green, blue)) if opacity > 0.0 else "none"

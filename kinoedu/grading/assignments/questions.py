@@ -23,9 +23,9 @@ from ...course.release import HOUSE, solution_path
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
 
-LENT = re.compile(
-    r"^from (kinoedu\.course\.lessons\.\w+\.\w+) import (\w+(?: *, *\w+)*)$", re.MULTILINE
-)
+IMPORT = re.compile(r"^from (kinoedu(?:\.\w+)+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
+# these only show something in a notebook, and do nothing in the sandbox
+FOR_NOTEBOOKS = ("kinoedu.course:", "kinoedu.figures", "kinoedu.boards")
 
 
 class AssignmentQuestion(NamedTuple):
@@ -39,7 +39,7 @@ class Assignment(NamedTuple):
     """An assignment: its name, its questions, and what else its solution says.
 
     by_hand : the names of the answers that people grade, with their points.
-    lent : the functions that it uses from the exercises' own modules, as "module:name".
+    lent : what it imports from kinoedu, as "module:name"; programs get nothing else of it.
     """
 
     name: str
@@ -73,11 +73,12 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
     sources = "".join(
         "".join(cell["source"]) + "\n" for cell in book["cells"] if cell["cell_type"] == "code"
     )
-    lent = tuple(
+    imported = (
         f"{home}:{thing}"
-        for home, things in LENT.findall(sources)
+        for home, things in IMPORT.findall(sources)
         for thing in things.replace(" ", "").split(",")
     )
+    lent = tuple(place for place in imported if not place.startswith(FOR_NOTEBOOKS))
     return Assignment(
         name,
         tuple(AssignmentQuestion(find(question), points) for question, points in tests.items()),

@@ -1,40 +1,39 @@
 """Run a student's cells and functions in the sandbox, and read the outcomes.
 
-If a program ends the sandbox, the remaining cells and questions are run in a new one. Nothing that
-comes back is trusted. Each line is read by the shapes that the exercise declares; a line that does
-not fit counts as no answer, and a line that no question needs is ignored. A request has three
-parts: the cells, the cases that everybody has seen, and the hidden cases. So what a student may
-read, such as an exception's message, is sent before the program has seen a hidden case.
+A program runs twice: on the cases that everybody has seen, and in a new sandbox on the hidden ones.
+A student may read what the first run says, such as an exception's message. Of the second one only
+the judgement remains. Where a program ends its sandbox, what it did so in is not run again; the
+remaining cells and questions are run in a new one.
 """
 
+import builtins
 import time
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from ...course import drawn, drivable, expansions, shapes, tasks, whole_shapes
+from ...course.drawn import Drawn
 from ...course.exercise import Case, Exercise
-from ...course.judging import is_unwritten
+from ...course.judging import ends_a_run
 from ...course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
 from ...course.plain import WrongShape
 from ...course.shapes import Maybe, Shape, Truth
-from ...errors import InvalidParameter
+from ...course.tasks import ProblemShape
 from ...messages import get_message
 from ...support.json_fields import JsonObject
-from ...support.time_limit import MAX_WAIT_FACTOR, slowdown
+from ...support.time_limit import slowdown
 from ..collect.notebook import Cell
 from ..sandbox.sandbox import Reply, Sandbox
 from ..sandbox.talk import LONGEST
 
-MEMORY = 2**30  # bytes, beyond those of Python and the library
+MEMORY = 2**30  # bytes, beyond those of Python and numpy
 FILES = 16 * 2**20
 CELL_SECONDS = 10.0
-GRACE = 2.0  # seconds for inside.py to report what it stopped itself
-DRAWING = ("kinoedu.figures.plane", "matplotlib.pyplot")  # loaded once for all programs
+GRACE = 10.0  # seconds for runner.py to report what it stopped itself
+MOST_TIMES = 15.0  # times the limit of a call, for the call and for all its questions
+# what programs that draw or plan need, loaded once for all of them
+DRAWING = ("matplotlib.pyplot", "kinoedu.course.axes_contents")
+PLANNING = ("kinoedu.course.lent_problem",)
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
-KNOWN = {
-    name
-    for module in (shapes, whole_shapes, drawn, tasks, drivable, expansions)
-    for name in vars(module)
-}
+NO_VALUE = Maybe(Truth())
 
 
 class Question(NamedTuple):
@@ -50,19 +49,36 @@ class Question(NamedTuple):
         return self.exercise.name
 
 
+class Trouble(NamedTuple):
+    """What failed in a cell: the outcome, its line, and the names that are not defined by it."""
+
+    outcome: Outcome
+    line: int
+    defines: list[str]
+
+
 class Answers(NamedTuple):
     """What came back from a program.
 
     outcomes : for each question the outcomes of its cases in order, or None if there is no such
         function.
-    troubles : the outcome of each cell that failed, by its number.
+    troubles : what failed in each cell, by its number.
     """
 
     outcomes: dict[str, list[Outcome] | None]
-    troubles: dict[int, Outcome]
+    troubles: dict[int, list[Trouble]]
+
+    def stopped(self) -> set[int]:
+        """The numbers of the cells that could not be stopped."""
+        return {
+            number
+            for number, troubles in self.troubles.items()
+            for trouble in troubles
+            if isinstance(trouble.outcome, Late) or is_stopped(trouble.outcome)
+        }
 
 
-CELLS, SHOWN, HIDDEN = range(3)  # the parts of a request
+CELLS, CASES = range(2)  # the parts of a request
 
 
 def run_program(
@@ -77,7 +93,7 @@ def run_program(
 
     Parameters
     ----------
-    lent : the functions that the assignment uses from the exercises' modules, as "module:name".
+    lent : what the assignment lends of the library, as "module:name".
     patience : a factor on every time limit; slow computers raise it further. Questions that are
         left when the total time is over count as late, however often the program broke off.
 
@@ -86,136 +102,114 @@ def run_program(
     NoSandbox
         Where the sandbox does not start or breaks.
     """
-    patience *= slowdown()
-    found = Answers({}, {})
-    cells, questions = list(cells), list(questions)
-    until = time.monotonic() + LONGEST * patience
-    while questions:
-        if time.monotonic() > until:
-            found.outcomes.update(
-                {question.name: [Late(left_running=False)] for question in questions}
+    run = Run(sandbox, lent, patience * slowdown(), Answers({}, {}))
+    shown = [Question(one.exercise, one.cases[: one.shown], one.shown) for one in questions]
+    run.ask(list(cells), shown)
+    hidden = [
+        Question(one.exercise, one.cases[one.shown :], 0)
+        for one in questions
+        if is_open(one, run.found.outcomes.get(one.name, []))
+    ]
+    later = run._replace(found=Answers({}, {}))
+    later.ask([cell for cell in cells if cell.number not in run.found.stopped()], hidden)
+    for one in hidden:
+        outcomes = later.found.outcomes.get(one.name) or []
+        before = run.found.outcomes.setdefault(one.name, [])
+        if before is not None:
+            before += [forget_words(outcome) for outcome in outcomes]
+    return run.found
+
+
+class Run(NamedTuple):
+    """One run of a program: on the shown cases, or on the hidden ones.
+
+    seconds : the time at which it must have ended.
+    """
+
+    sandbox: Sandbox
+    lent: tuple[str, ...]
+    patience: float
+    found: Answers
+
+    def ask(self, cells: list[Cell], questions: list[Question]) -> None:
+        """Run the cells and ask the questions, and store what is found."""
+        until = time.monotonic() + LONGEST * self.patience
+        while questions:
+            if time.monotonic() > until:
+                self.found.outcomes.update({one.name: [Late(False)] for one in questions})
+                return
+            longest = max([CELL_SECONDS, *(one.exercise.seconds for one in questions)])
+            reply = self.sandbox.ask(
+                make_request(cells, questions, self.lent, self.patience),
+                MOST_TIMES * longest * self.patience + GRACE,
+                list_modules(questions),
             )
-            break
-        longest = (
-            max([CELL_SECONDS, *(question.exercise.seconds for question in questions)]) * patience
-        )
-        drawn = any(name_own_call(question.exercise) for question in questions)
-        request = make_request(cells, questions, patience)
-        request[CELLS]["lent"] = lent
-        reply = sandbox.ask(request, MAX_WAIT_FACTOR * longest + GRACE, DRAWING if drawn else ())
-        store_reply(reply, questions, found)
-        if reply.end == "done":
-            break
-        cells, questions = find_remaining(reply, cells, questions, found)
-    return found
+            store_reply(reply, questions, self.found)
+            if reply.end == "done":
+                return
+            cells, questions = find_remaining(reply, cells, questions, self.found)
 
 
-def make_request(cells: list[Cell], questions: list[Question], patience: float) -> list[JsonObject]:
-    """The request that inside.py reads, in its three parts."""
-    sources = [question.exercise.source for question in questions]
+def make_request(
+    cells: list[Cell], questions: list[Question], lent: tuple[str, ...], patience: float
+) -> list[JsonObject]:
+    """The request that runner.py reads, in its two parts."""
     seconds = sum(CELL_SECONDS for _ in cells) + sum(
-        len(q.cases) * q.exercise.seconds for q in questions
+        len(one.cases) * one.exercise.seconds for one in questions
     )
     first = {
-        "cells": [{**cell._asdict(), "seconds": CELL_SECONDS * patience} for cell in cells],
-        "questions": [encode_question(question.exercise, patience) for question in questions],
-        "withheld": [
-            f"{source.__module__}:{source.__name__}" for source in sources if source is not None
-        ],
+        "cells": [{**cell._asdict(), "seconds": CELL_SECONDS} for cell in cells],
+        "questions": [{"name": one.name, "variant": one.exercise.variant} for one in questions],
+        "lent": lent,
+        "drawing": DRAWING[0] in list_modules(questions),
+        "patience": patience,
         "limits": {
             "memory": MEMORY,
             "cpu": int(min(seconds, LONGEST) * patience) + 1,
             "files": FILES,
         },
     }
-    return [
-        first,
-        *(
-            {question.name: encode_cases(question, part) for question in questions}
-            for part in (SHOWN, HIDDEN)
-        ),
-    ]
-
-
-def encode_question(exercise: Exercise, patience: float) -> JsonObject:
-    """A question without its cases: its name, shapes, time limit, and how it is called.
-
-    Raises InvalidParameter where a shape is not one of kinoedu.course.
-    """
-    if not (is_known(exercise.given) and is_known(exercise.answer)):
-        raise InvalidParameter(
-            f"{exercise.name} has a shape of its own; only those of kinoedu.course are known "
-            "where it is graded"
-        )
-    return {
-        "name": exercise.name,
-        "call": name_own_call(exercise),
-        "given": repr(exercise.given),
-        "answer": repr(exercise.answer),
-        "seconds": exercise.seconds * patience,
+    given = {
+        one.name: [one.exercise.given.encode(case.given) for case in one.cases] for one in questions
     }
+    return [first, given]
 
 
-def name_own_call(exercise: Exercise) -> str:
-    """Where an exercise's own `call` is defined, as "module:name"; "" where it has none."""
-    call = type(exercise).call
-    return "" if call is Exercise.call else f"{call.__module__}:{call.__qualname__}"
-
-
-def encode_cases(question: Question, part: int) -> list[Any]:
-    """The encoded cases of one part of the request."""
-    cases = question.cases[: question.shown] if part == SHOWN else question.cases[question.shown :]
-    return [question.exercise.given.encode(case.given) for case in cases]
-
-
-def is_known(shape: Any) -> bool:
-    """Whether a shape is made of shapes that all exercises share, so that its repr is complete."""
-    if isinstance(shape, shapes.Record):
-        parts = tuple(shape.fields.values())
-    elif isinstance(shape, tuple):
-        parts = shape
-    else:
-        parts = ()
-    return type(shape).__name__ in KNOWN and all(
-        is_known(part) for part in parts if hasattr(part, "encode")
+def list_modules(questions: list[Question]) -> tuple[str, ...]:
+    """The modules that the student's process needs for some questions."""
+    draws = any(isinstance(one.exercise.answer, Drawn) for one in questions)
+    plans = any(
+        isinstance(shape, ProblemShape)
+        for one in questions
+        for shape in one.exercise.given.fields.values()
     )
+    return DRAWING * draws + PLANNING * plans
 
 
 def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None:
-    """Store the outcomes of the cells and questions in a reply.
-
-    Only lines for these questions are read, each in its part of the reply and in order.
-    """
+    """Store the outcomes of the cells and questions in a reply."""
     by_name = {question.name: question for question in questions}
-    for part, lines in enumerate(reply.parts):
-        for line in lines:
-            name = line.get("question")
-            if part == CELLS:
-                if type(line.get("cell")) is int and line.get("trouble") is not None:
-                    found.troubles[line["cell"]] = decode_line(line["trouble"], Maybe(Truth()))
-            elif isinstance(name, str) and name in by_name:
-                store_outcome(line, by_name[name], part, found)
-    if reply.end == "done":
-        found.outcomes.update({name: found.outcomes.get(name) for name in by_name})
-        for outcomes in (
-            found.outcomes[question.name]
-            for question in questions
-            if is_open(question, found, HIDDEN)
-        ):
-            if outcomes is not None:  # the program ended its reply before all cases
-                outcomes.append(Misshapen(get_message("grading.no_outcome")))
+    for line in (line for lines in reply.parts for line in lines):
+        if "cell" in line:
+            found.troubles[line["cell"]] = [
+                Trouble(decode_line(one["outcome"], NO_VALUE), one["line"], one["defines"])
+                for one in line["troubles"]
+            ]
+        elif line.get("missing"):
+            found.outcomes[line["question"]] = explain_missing(line["question"], found)
+        elif "question" in line:
+            question = by_name[line["question"]]
+            outcome = decode_line(line["outcome"], question.exercise.answer)
+            found.outcomes.setdefault(question.name, []).append(outcome)  # type: ignore[union-attr]
 
 
-def store_outcome(line: JsonObject, question: Question, part: int, found: Answers) -> None:
-    """Store the outcome of a case, if it is the next case and belongs to this part."""
-    outcomes = found.outcomes.setdefault(question.name, [])
-    if outcomes is None:
-        return
-    first, end = (0, question.shown) if part == SHOWN else (question.shown, len(question.cases))
-    if line.get("missing") is True and not outcomes:
-        found.outcomes[question.name] = None
-    elif line.get("case") == len(outcomes) and first <= len(outcomes) < end:
-        outcomes.append(decode_line(line.get("outcome"), question.exercise.answer))
+def explain_missing(name: str, found: Answers) -> list[Outcome] | None:
+    """What keeps a function from being there: a line that Python cannot read, or nothing at all."""
+    for troubles in found.troubles.values():
+        for trouble in troubles:
+            if name in trouble.defines:
+                return [trouble.outcome]
+    return None
 
 
 def decode_line(data: object, shape: Shape) -> Outcome:
@@ -231,27 +225,19 @@ def find_remaining(
 ) -> tuple[list[Cell], list[Question]]:
     """The cells and questions to run again, after a program ended the sandbox.
 
-    The cell or question that did so gets that outcome and is left out.
+    The cell or question that did so gets that outcome and is not run again.
     """
     end = describe_end(reply)
-    part = len(reply.parts) - 1
-    if part == CELLS:
-        done = {line["cell"] for line in reply.parts[CELLS] if type(line.get("cell")) is int}
+    if len(reply.parts) - 1 == CELLS:
+        done = {line["cell"] for line in reply.parts[CELLS] if "cell" in line}
         culprit = next((cell for cell in cells if cell.number not in done), None)
         if culprit is not None:
-            found.troubles[culprit.number] = end
+            found.troubles[culprit.number] = [Trouble(end, 0, [])]
             return drop_cell(culprit, cells, done, found), questions
-    at = next((question for question in questions if is_open(question, found, part)), questions[0])
-    if is_open(at, found, HIDDEN):
-        found.outcomes[at.name] = [*(found.outcomes.get(at.name) or []), end]
-    left = [
-        question
-        for question in questions
-        if question is not at and is_open(question, found, HIDDEN)
-    ]
-    for question in left:
-        found.outcomes.pop(question.name, None)
-    return cells, left
+    left = [one for one in questions if is_open(one, found.outcomes.get(one.name, []))]
+    if left:
+        found.outcomes.setdefault(left[0].name, []).append(end)  # type: ignore[union-attr]
+    return cells, left[1:]
 
 
 def drop_cell(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
@@ -259,22 +245,17 @@ def drop_cell(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) 
 
     After BROKEN_CELLS such cells only those that finished before are run.
     """
-    broken = sum(
-        isinstance(trouble, Late) or is_stopped(trouble) for trouble in found.troubles.values()
-    )
-    return [
-        cell for cell in cells if cell != culprit and (broken < BROKEN_CELLS or cell.number in done)
-    ]
+    is_broken = len(found.stopped()) >= BROKEN_CELLS
+    return [cell for cell in cells if cell != culprit and (not is_broken or cell.number in done)]
 
 
-def is_open(question: Question, found: Answers, part: int) -> bool:
-    """Whether a question has more cases to ask, up to the end of a part."""
-    outcomes = found.outcomes.get(question.name, [])
-    if outcomes is None or (
-        outcomes and (isinstance(outcomes[-1], Late) or is_unwritten(outcomes[-1]))
-    ):
+def is_open(question: Question, outcomes: list[Outcome] | None) -> bool:
+    """Whether a question has more cases to ask."""
+    if outcomes is None:
         return False
-    return len(outcomes) < (len(question.cases) if part == HIDDEN else question.shown)
+    if outcomes and (ends_a_run(outcomes[-1]) or is_stopped(outcomes[-1])):
+        return False
+    return len(outcomes) < len(question.cases)
 
 
 def describe_end(reply: Reply) -> Outcome:
@@ -282,8 +263,8 @@ def describe_end(reply: Reply) -> Outcome:
     if reply.end == "late":
         return Late(left_running=False)
     key = "grading.ended" if reply.status >= 0 else "grading.stopped"
-    if reply.end == "flood":
-        key = "grading.flood"
+    if reply.end in ("flood", "unasked"):
+        key = f"grading.{reply.end}"
     return Raised([STOPPED], get_message(key, status=reply.status), [], "")
 
 
@@ -293,3 +274,16 @@ STOPPED = "Stopped"
 def is_stopped(outcome: Outcome) -> bool:
     """Whether a program ended the process that ran it."""
     return isinstance(outcome, Raised) and outcome.kinds == [STOPPED]
+
+
+def forget_words(outcome: Outcome) -> Outcome:
+    """An outcome without what a program could say by it of a hidden case.
+
+    Answers remain, since they are judged; exceptions keep the names that Python has for them.
+    """
+    if isinstance(outcome, Raised) and not is_stopped(outcome):
+        known = [kind for kind in outcome.kinds if hasattr(builtins, kind)]
+        return Raised(known, "", [], "")
+    if isinstance(outcome, Misshapen):
+        return Misshapen(get_message("grading.misshapen"))
+    return Late(left_running=False) if isinstance(outcome, Late) else outcome

@@ -25,7 +25,7 @@ from ...support.completed_futures import CompletedFutures
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
-from ..sandbox.sandbox import NoSandbox, Sandbox, trusted_command
+from ..sandbox.sandbox import NoSandbox, Sandbox
 from .contracts import apply_contracts
 from .submission import Grade, grade, is_late
 
@@ -252,7 +252,7 @@ class ThreadSandboxes(threading.local):
     """
 
     def __init__(self) -> None:
-        self.sandboxes = {False: Sandbox(), True: Sandbox(trusted_command)}
+        self.sandboxes = {trusted: Sandbox(trusted) for trusted in (False, True)}
         for sandbox in self.sandboxes.values():
             atexit.register(sandbox.close)
 

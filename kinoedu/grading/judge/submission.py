@@ -6,12 +6,11 @@ from typing import Any
 from ...course.feedback import hint_message, rule_message
 from ...course.judging import JudgedCase, Report, judge_outcomes
 from ...course.outcomes import Late, Outcome, encode_outcome
-from ...course.shapes import Maybe, Truth
 from ...messages import get_message
 from ..assignments.questions import Assignment, AssignmentQuestion, Cases, draw_cases
 from ..collect.notebook import Cell, UnreadableSubmission, read_cells
 from ..sandbox.sandbox import Sandbox
-from .answers import Answers, Question, is_stopped, run_program
+from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
 
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
 UNANSWERED, LATE, STOPPED = "not answered", "too late", "stopped"
@@ -51,7 +50,7 @@ def grade(
         "status": "graded",
         "message": "",
         "questions": [
-            judge_question(question, drawn, answers.outcomes[question.exercise.name])
+            judge_question(question, drawn, answers.outcomes.get(question.exercise.name))
             for question, drawn in zip(task.questions, cases, strict=True)
         ],
         "cells": encode_troubles(answers, cells),
@@ -139,12 +138,16 @@ def encode_failure(report: Report) -> Grade:
 
 
 def encode_troubles(answers: Answers, cells: list[Cell]) -> list[Grade]:
-    """The cells that failed, for the student."""
+    """What failed in the cells, for the student."""
     numbers = {cell.number for cell in cells}
-    nothing = Maybe(Truth())
     return [
-        {"cell": number, "trouble": encode_outcome(outcome, nothing)}
-        for number, outcome in sorted(answers.troubles.items())
+        {
+            "cell": number,
+            "line": trouble.line,
+            "trouble": encode_outcome(trouble.outcome, NO_VALUE),
+        }
+        for number, troubles in sorted(answers.troubles.items())
+        for trouble in troubles
         if number in numbers
     ]
 

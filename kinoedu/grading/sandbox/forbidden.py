@@ -1,7 +1,8 @@
 """System calls that a student's program may not make.
 
-They start processes, reach other processes, open networks or shared memory, or ask the kernel for
-more than a calculation needs. Most of them are prevented by something else as well. Two are
+They start processes, reach other processes, open networks or shared memory, ask what others have
+done, such as which pages of a file are in memory, or ask the kernel for more than a calculation
+needs. Most of them are prevented by something else as well. Two are
 prevented only here: memory that no limit counts (System V's, memfd), and new user namespaces, in
 which every user is root. Linux filters system calls by a small program; see seccomp(2).
 """
@@ -16,8 +17,9 @@ LOAD, JUMP_IF_EQUAL, JUMP_IF_AT_LEAST, RETURN = 0x20, 0x15, 0x35, 0x06
 ALLOW, KILL, REFUSE = 0x7FFF_0000, 0x8000_0000, 0x0005_0000 | errno.EPERM
 OTHER_CALLS = 0x4000_0000  # x86_64 repeats all its calls from this number on
 
-# io_uring, mounts, pidfd_open, clone3: their numbers are the same on every machine
-NEW = (425, 427, 428, 429, 430, 432, 433, 434, 435, 442)
+# pidfd_send_signal, io_uring, mounts, pidfd_open, clone3, pidfd_getfd, process_madvise, cachestat:
+# their numbers are the same on every machine
+NEW = (424, 425, 427, 428, 429, 430, 432, 433, 434, 435, 438, 440, 442, 451)
 # for each machine: its mark, the number of clone, and the numbers of refused calls
 CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {
     "x86_64": (
@@ -34,9 +36,13 @@ CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {
             *(135, 155, 161, 165, 166, 272, 308),
             # add_key, request_key, keyctl, perf_event_open, bpf, userfaultfd
             *(248, 249, 250, 298, 321, 323),
+            # fadvise64, mincore, preadv2, readahead, flock, inotify_init, inotify_init1
+            *(221, 27, 327, 187, 73, 253, 294),
+            # fanotify_init, name_to_handle_at, open_by_handle_at, syslog
+            *(300, 303, 304, 103),
         ),
     ),
-    "aarch64": (  # the same calls, but for fork and vfork, which it lacks
+    "aarch64": (  # the same calls, but for fork, vfork and inotify_init, which it lacks
         0xC000_00B7,
         220,
         (
@@ -45,10 +51,13 @@ CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {
             *(194, 190, 186, 180, 279, 447),
             *(92, 41, 51, 40, 39, 97, 268),
             *(217, 218, 219, 241, 280, 282),
+            *(223, 232, 286, 213, 32, 26),
+            *(262, 264, 265, 116),
         ),
     ),
 }
 MARK, FORK, REFUSED = CALLS.get(platform.machine(), (0, -1, ()))
+PIVOT_ROOT = {"x86_64": 155, "aarch64": 41}.get(platform.machine(), -1)
 
 
 class Filter(ctypes.Structure):

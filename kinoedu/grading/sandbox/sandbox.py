@@ -1,11 +1,11 @@
 """The sandbox: students' programs run in it and can do no harm.
 
-bubblewrap isolates Python. There is no network, nothing of the machine but Python and the library
-(both read-only), and no secret: judges, answers, grades and other students' files are never there.
-Inside, `inside.py` loads the library once. For each request it forks a process that sees no other
-process, and whose few megabytes of files vanish with it. So every program has a sandbox of its own,
-and none waits for the library to load. Linux only; elsewhere `explain_no_sandbox` says how to get a
-sandbox.
+There are two sandboxes of bubblewrap, without network and without a secret. In one, `student.py`
+has loaded numpy. For each request it forks a process that sees no other process and has an empty
+disk, and runs the student's program there. In the other, `runner.py` has loaded the library. It
+sends that process one call at a time, and answers its questions about what the exercise lends. So
+the library is not where the program is, every program has a sandbox of its own, and none waits for
+a library to load. Linux only; elsewhere `explain_no_sandbox` says how to get a sandbox.
 """
 
 import contextlib
@@ -18,7 +18,7 @@ import socket
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Callable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -27,7 +27,7 @@ from .talk import START, Talk
 
 PACKAGE = Path(__file__).resolve().parent.parent.parent
 LIBRARY = "/course/kinoedu"  # where the library is inside
-INSIDE = f"{LIBRARY}/grading/sandbox/inside.py"
+HERE = Path(__file__).resolve().parent
 NOBODY = 61_184  # a user id that no system uses
 ENVIRONMENT = {
     "HOME": "/tmp",
@@ -53,8 +53,9 @@ class Reply(NamedTuple):
     """What the sandbox returned.
 
     parts : the lines after each part of the request.
-    end : "done", "late" (a line did not come in time), "flood", or "died".
-    status : the exit code of the program, negative for a signal.
+    end : "done", "late" (a line did not come in time), "flood", "unasked" (a line came that nobody
+        had asked for), or "died".
+    status : the exit code of the student's process, negative for a signal.
     """
 
     parts: list[list[dict[str, Any]]]
@@ -80,7 +81,7 @@ def explain_no_sandbox() -> str:
             "sudo dnf install bubblewrap)"
         )
     trial = subprocess.run(
-        sandbox_command("-c", "print(6 * 7)"),
+        [*sandboxed_python(), "-c", "print(6 * 7)"],
         capture_output=True,
         text=True,
         timeout=START,
@@ -110,7 +111,7 @@ def bubblewrap_arguments() -> tuple[str, ...]:
     command += ["--unshare-cgroup-try", "--die-with-parent", "--new-session", "--clearenv"]
     command += ["--cap-drop", "ALL"]
     if os.geteuid() == 0:
-        # inside.py becomes another user, since the kernel does not count root's processes
+        # student.py becomes another user, since the kernel does not count root's processes
         for right in ("CAP_SETUID", "CAP_SETGID", "CAP_KILL"):
             command += ["--cap-add", right]
     else:
@@ -156,10 +157,13 @@ def list_readable_places() -> dict[Path, str]:
 
 
 class Sandbox:
-    """Runs requests one after another, each isolated from the others."""
+    """Runs requests one after another, each isolated from the others.
 
-    def __init__(self, program: Callable[[], list[str]] | None = None) -> None:
-        self.program = program or functools.partial(sandbox_command, INSIDE)
+    is_trusted : run students' programs without walls, for `kinoedu grade --trust`.
+    """
+
+    def __init__(self, is_trusted: bool = False) -> None:
+        self.is_trusted = is_trusted
         self.user = NOBODY if os.geteuid() == 0 else 0
         self.started: dict[tuple[str, ...], Started] = {}
 
@@ -171,7 +175,7 @@ class Sandbox:
         Parameters
         ----------
         patience : the seconds within which each line must come, once the program has started.
-        modules : modules to load in advance.
+        modules : modules to load in advance where the student's program is.
 
         Raises
         ------
@@ -179,22 +183,35 @@ class Sandbox:
             Where the sandbox does not start or breaks.
         """
         first = {**parts[0], "limits": {**parts[0]["limits"], "user": self.user}}
-        inside = self.started.get(modules) or self.started.setdefault(
-            modules, start(self.program(), modules)
-        )
         try:
-            received, end = exchange(
-                inside.grader, [encode_part(part) for part in (first, *parts[1:])], patience
-            )
-            status = inside.grader.recv(16)
+            runner, student = self.start("runner.py"), self.start(self.student, *modules)
+            with join_processes(runner.grader, student.grader) as pipes:
+                received, end = exchange_lines(
+                    Talk(*pipes, patience), [encode_part(part) for part in (first, *parts[1:])]
+                )
+            end_status = [one.grader.recv(16) for one in (runner, student)]
         except OSError as error:
             self.close()
             raise NoSandbox(f"the sandbox broke: {error}") from error
-        if not status or not received or received[0][:1] != [{"ready": True}]:
-            # no program was run yet, so none is at fault
+        is_broken = any("broken" in line for lines in received for line in lines)
+        if is_broken or not all(end_status) or received[0][:1] != [{"ready": True}]:
+            # no program is at fault
             self.close()
-            raise NoSandbox(f"the sandbox broke before a program was run: {str(received)[:300]}")
-        return Reply(received, end, int(status))
+            raise NoSandbox(f"the sandbox broke: {str(received)[-300:]}")
+        return Reply(received, end, int(end_status[1]))
+
+    @property
+    def student(self) -> str:
+        """The program that runs students' programs."""
+        return "trusted.py" if self.is_trusted else "student.py"
+
+    def start(self, program: str, *modules: str) -> "Started":
+        """A program of this folder, started if it does not run yet. Raises NoSandbox."""
+        key = (program, *modules)
+        if key not in self.started:
+            command = trusted_command if self.is_trusted else sandbox_command
+            self.started[key] = start(command(program), modules)
+        return self.started[key]
 
     def close(self) -> None:
         """End all processes that were started."""
@@ -206,32 +223,62 @@ class Sandbox:
 
 
 class Started(NamedTuple):
-    """A running inside.py, and the grader's end of its socket."""
+    """A running program, and the grader's end of its socket."""
 
     process: "subprocess.Popen[bytes]"
     grader: socket.socket
 
 
-def sandbox_command(*program: str) -> list[str]:
-    """The command that runs a Python program in the sandbox; arguments may be appended."""
+@contextlib.contextmanager
+def join_processes(runner: socket.socket, student: socket.socket) -> Iterator[tuple[int, int]]:
+    """Give a runner and a student's process their pipes, and stop what still runs at the end.
+
+    Yields the grader's ends of its own two pipes to the runner: for requests, and for replies.
+    """
+    (from_grader, requests), (replies, to_grader) = os.pipe(), os.pipe()
+    (from_runner, to_student), (from_student, to_runner) = os.pipe(), os.pipe()
+    theirs = {
+        runner: [from_grader, to_grader, to_student, from_student],
+        student: [from_runner, to_runner],
+    }
+    try:
+        for one, ends in theirs.items():
+            socket.send_fds(one, [b"ask"], ends)
+            for end in ends:
+                os.close(end)
+        yield requests, replies
+    finally:
+        os.close(requests)
+        os.close(replies)
+        for one in theirs:
+            one.send(b"end")
+
+
+def sandbox_command(program: str) -> list[str]:
+    """The command that runs a program of this folder in a sandbox; arguments may be appended."""
+    return [*sandboxed_python(), f"{LIBRARY}/grading/sandbox/{program}"]
+
+
+def sandboxed_python() -> list[str]:
+    """The command of Python in a sandbox."""
     # the Python of a virtual environment may be a copy, which is not inside
     base = getattr(sys, "_base_executable", None) or sys.executable
-    return [*bubblewrap_arguments(), *python_command(os.path.realpath(base)), *program]
+    return [*bubblewrap_arguments(), *python_command(os.path.realpath(base))]
 
 
-def trusted_command() -> list[str]:
-    """The command that runs trusted.py, inside.py without walls; arguments may be appended."""
+def trusted_command(program: str) -> list[str]:
+    """The command that runs a program of this folder without a sandbox."""
     return [
         "env",
         "-i",
         *(f"{name}={value}" for name, value in ENVIRONMENT.items()),
         *python_command(sys.executable),
-        str(PACKAGE / "grading" / "sandbox" / "trusted.py"),
+        str(HERE / program),
     ]
 
 
-def start(program: list[str], modules: tuple[str, ...]) -> Started:
-    """Start inside.py with some more modules loaded. Raises NoSandbox."""
+def start(program: list[str], modules: Iterable[str]) -> Started:
+    """Start a program with its end of a socket, and some more modules. Raises NoSandbox."""
     ours, theirs = socket.socketpair()
     command = [*program, str(theirs.fileno()), *modules]
     process = subprocess.Popen(
@@ -258,30 +305,8 @@ def start(program: list[str], modules: tuple[str, ...]) -> Started:
 
 
 def encode_part(part: dict[str, Any]) -> bytes:
-    """A part of a request as a line that inside.py reads."""
+    """A part of a request as a line that runner.py reads."""
     return json.dumps(part).encode() + b"\n"
-
-
-def exchange(
-    grader: socket.socket, parts: list[bytes], patience: float
-) -> tuple[list[list[dict[str, Any]]], str]:
-    """Send a request part by part, return the lines after each part, and stop what still runs."""
-    with contextlib.ExitStack() as files:
-        (requests, request_end), (answer_end, replies) = (
-            [
-                files.enter_context(os.fdopen(end, mode, buffering=0))
-                for end, mode in zip(os.pipe(), ("rb", "wb"), strict=True)
-            ]
-            for _ in range(2)
-        )
-        socket.send_fds(grader, [b"ask"], [requests.fileno(), replies.fileno()])
-        requests.close()
-        replies.close()
-        received, end = exchange_lines(
-            Talk(request_end.fileno(), answer_end.fileno(), patience), parts
-        )
-    grader.send(b"end")
-    return received, end
 
 
 def exchange_lines(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, Any]]], str]:
@@ -299,6 +324,8 @@ def exchange_lines(talk: Talk, parts: list[bytes]) -> tuple[list[list[dict[str, 
                 return received, "died"
             if answer == {"done": True}:
                 break
+            if "ended" in answer:
+                return received, str(answer["ended"])
             received[-1].append(answer)
         else:
             return received, talk.end

@@ -14,7 +14,8 @@ from pathlib import Path
 import forbidden  # beside this file; loaded before a program runs
 
 NEW_MOUNTS, NEW_IPC, NEW_PROCESSES = 0x0002_0000, 0x0800_0000, 0x2000_0000
-READ_ONLY, NO_SUID, NO_DEVICES, NO_PROGRAMS, AND_BELOW, PRIVATE = 1, 2, 4, 8, 1 << 14, 1 << 18
+NO_SUID, NO_PROGRAMS, BIND, AND_BELOW, PRIVATE = 2, 8, 1 << 12, 1 << 14, 1 << 18
+DETACH = 2  # an argument of umount2
 NO_NEW_RIGHTS = 38
 CAPABILITIES_OF_SELF = (ctypes.c_uint32 * 2)(0x2008_0522, 0)
 
@@ -39,37 +40,27 @@ def fork_alone() -> int:
     return child
 
 
-def isolate_files(files: int, hidden: list[str]) -> None:
-    """Give this process new, empty /tmp and /dev/shm, and hide folders.
+def leave_disk(files: int) -> None:
+    """Give this process an empty disk of its own, of at most `files` bytes.
 
-    /tmp holds at most `files` bytes, /dev/shm 1 MB. /proc, /dev/pts and the folders `hidden` are
-    empty.
+    It has /tmp and /dev/null, and nothing else: no library, no program, nothing that others use.
     """
     check_call(LIBC.mount(None, b"/", None, AND_BELOW | PRIVATE, None))
-    for place, most in ((b"/tmp", files), (b"/dev/shm", 2**20)):
-        check_call(
-            LIBC.mount(
-                b"tmpfs",
-                place,
-                b"tmpfs",
-                NO_SUID | NO_DEVICES | NO_PROGRAMS,
-                b"mode=1777,size=%d" % most,
-            )
-        )
-    for folder in ("/proc", "/dev/pts", *hidden):
-        check_call(
-            LIBC.mount(
-                b"tmpfs",
-                folder.encode(),
-                b"tmpfs",
-                READ_ONLY | NO_SUID | NO_DEVICES | NO_PROGRAMS,
-                b"size=4096",
-            )
-        )
+    options = b"mode=755,size=%d" % files
+    check_call(LIBC.mount(b"tmpfs", b"/tmp", b"tmpfs", NO_SUID | NO_PROGRAMS, options))
+    for folder, mode in (("/tmp/tmp", 0o1777), ("/tmp/dev", 0o755), ("/tmp/old", 0o700)):
+        os.mkdir(folder)
+        os.chmod(folder, mode)
+    Path("/tmp/dev/null").touch()
+    check_call(LIBC.mount(b"/dev/null", b"/tmp/dev/null", None, BIND, None))
+    check_call(LIBC.syscall(forbidden.PIVOT_ROOT, b"/tmp", b"/tmp/old"))
+    os.chdir("/")
+    check_call(LIBC.umount2(b"/old", DETACH))
+    os.rmdir("/old")
     os.chdir("/tmp")
 
 
-def give_up_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list[str]) -> None:
+def give_up_rights(user: int, *, memory: int, cpu: int, files: int) -> None:
     """Give up every right, for good.
 
     No capability is left, and no file of others. Bounded are memory, processor time and files; no
@@ -80,10 +71,9 @@ def give_up_rights(user: int, *, memory: int, cpu: int, files: int, hidden: list
     memory : bytes beyond what is mapped now.
     cpu : seconds.
     files : bytes.
-    hidden : folders that are empty from now on.
     """
     mapped = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
-    isolate_files(files, hidden)
+    leave_disk(files)
     if user:
         os.setgroups([])
         os.setresgid(user, user, user)

@@ -1,6 +1,6 @@
-"""inside.py without walls, for instructors who trust every submission: `kinoedu grade --trust`.
+"""student.py without walls, for instructors who trust every submission: `kinoedu grade --trust`.
 
-`python trusted.py SOCKET [...]` takes the place of `shut_in.py` and runs inside.py otherwise
+`python trusted.py SOCKET [...]` takes the place of `shut_in.py` and runs student.py otherwise
 unchanged. A program has bounded time, memory and files, and starts in an empty folder. But it can
 read what you can read, and it reaches the network. Linux and macOS.
 """
@@ -26,7 +26,7 @@ def find_folder(process: int) -> Path:
     return PLACE / f"kinoedu-trusted-{process}"
 
 
-def give_up_rights(user: int, *, memory: int, cpu: int, files: int, hidden: object = ()) -> None:
+def give_up_rights(user: int, *, memory: int, cpu: int, files: int) -> None:
     """Bound memory, processor time and files, as far as the system can.
 
     If this process is root, it becomes a user that the system does not know.
@@ -61,20 +61,20 @@ def give_up_rights(user: int, *, memory: int, cpu: int, files: int, hidden: obje
 
 
 def main() -> None:
-    """Run inside.py with this module in the place of its walls."""
+    """Run student.py with this module in the place of its walls."""
     sys.path.insert(0, str(Path(__file__).resolve().parent))
     sys.modules["shut_in"] = sys.modules[__name__]
-    import inside
+    import student
 
-    inside_end_child = inside.end_child
+    student_end_child = student.end_child
 
     def end_child(child: int, *others: Any) -> int:
-        status = inside_end_child(child, *others)
+        status = student_end_child(child, *others)
         shutil.rmtree(find_folder(child), ignore_errors=True)
         return int(status)
 
-    inside.end_child = end_child
-    inside.main()
+    student.end_child = end_child
+    student.main()
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...drawn import Drawn
+from ...drawn import Canvas, Drawn
 from ...exercise import Given, ValueExercise
 from ...shapes import Value
 
@@ -18,12 +18,10 @@ class DrawnExercise(ValueExercise):
     answer = Drawn()
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the function with new axes as its last argument, and return the axes."""
-        from ....figures.plane import plane_figure
-
-        _, ax = plane_figure()
-        function(*given.values(), ax)
-        return ax
+        """Call the function with new axes as its last argument, and return what it drew."""
+        canvas = Canvas()
+        function(*given.values(), canvas)
+        return canvas
 
 
 def same_dots(found: object, wanted: object, *, modulo: bool = False) -> bool:

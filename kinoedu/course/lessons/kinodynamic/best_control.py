@@ -10,9 +10,10 @@ from ....geometry.checks import Array
 from ....planners.driving.common import free_drive
 from ....problems.protocols import PlanningProblem, ProblemLike
 from ....spaces.angles import wrap_angle
-from ...drivable import DrivenProblemShape, DrivingProblem, distance_of_poses
+from ...drivable import DrivenProblemShape, DrivingProblem
 from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
+from ...poses import distance_of_poses
 from ...shapes import Maybe, Number, Numbers, Record, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers

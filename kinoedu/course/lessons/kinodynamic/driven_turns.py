@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....robots.trajectory import DrivenTree
-from ...drivable import DrivingProblem, distance_of_poses
+from ...drivable import DrivingProblem
+from ...poses import distance_of_poses
 from ...shapes import Numbers
 from ...watching import DRIVE, NEAR_GOAL, SAMPLE
 from .driven_trees import GOAL_EVERY, NOWHERE, REGION_EVERY, TurnFault, find_near_goal

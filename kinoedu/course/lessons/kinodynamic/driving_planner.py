@@ -69,10 +69,7 @@ class DrivingPlanner(PlannerExercise):
                 return case
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner three times, and read the drives of the first and the third call.
-
-        This method runs in the sandbox alone, without the rest of its class.
-        """
+        """Call the planner three times, and read the drives of the first and the third call."""
         return call_three_times(function, given, read_drives)
 
     def find_fault(self, case: Case, value: Value) -> tuple[Fault | TurnFault | None, int]:

@@ -201,10 +201,7 @@ class Watched:
     """A planner exercise that also judges what was drawn in each call."""
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner three times, and read the samples of the first and the third call.
-
-        This method runs in the sandbox alone, without the rest of its class.
-        """
+        """Call the planner three times, and read the samples of the first and the third call."""
         return call_three_times(function, given, read_samples)
 
 
@@ -236,10 +233,7 @@ class PlannerExercise(Exercise):
         return case.kind not in ("same", "trivial")
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner three times: three answers, and whether global generators were unused.
-
-        This method runs in the sandbox alone, without the rest of its class.
-        """
+        """Call the planner three times: the answers, and whether global generators were unused."""
         return call_three_times(function, given, read_nothing)[:4]
 
     def right_answer(self, *given: Value) -> Value:

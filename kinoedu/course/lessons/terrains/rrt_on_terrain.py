@@ -152,10 +152,7 @@ class RrtOnTerrain(TerrainPlanner):
         return Case(kind, {"problem": problem, **tuning, "rng": rng})
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the planner three times, and read the attempts of the first and the third call.
-
-        This method runs in the sandbox alone, without the rest of its class.
-        """
+        """Call the planner three times, and read the attempts of the first and the third call."""
         return call_three_times(function, given, read_attempts)
 
     def fault_of_three(self, case: Case, value: Value) -> Fault | None:

@@ -1,0 +1,70 @@
+"""A problem as a student's planner has it: its questions, and nothing behind them."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ..geometry.checks import Array
+from ..spaces.interface import distance
+from ..spaces.real import RealSpace
+from ..spaces.wrapping import WrappingSpace
+from .poses import distance_of_poses
+
+Metric = RealSpace | WrappingSpace | float  # a space, or the length of a radian for a car's poses
+
+
+def distance_in(metric: Metric) -> Callable[[Any, Any], Any]:
+    """The distance of a metric."""
+    if isinstance(metric, float):
+        return partial(distance_of_poses, radian=metric)
+    return partial(distance, metric)
+
+
+class LentProblem:
+    """The start, the goal and the questions of a problem.
+
+    The problem itself may be in another process. `distance` is computed here, since planners ask it
+    more often than all else.
+
+    Attributes
+    ----------
+    start, goal : (d,) configurations.
+    distance : the distance between two configurations.
+    """
+
+    def __init__(
+        self,
+        ask: Callable[..., Any],
+        questions: tuple[str, ...],
+        numbers: dict[str, float],
+        ends: tuple[Array, Array],
+        metric: Metric,
+    ) -> None:
+        self._ask, self._questions, self._numbers, self._ends = ask, questions, numbers, ends
+        self._metric, self.distance = metric, distance_in(metric)
+
+    @property
+    def start(self) -> Array:
+        """A new array at each use, so that no program changes the problem."""
+        return np.array(self._ends[0])
+
+    @property
+    def goal(self) -> Array:
+        """A new array at each use, as for the start."""
+        return np.array(self._ends[1])
+
+    def __getattr__(self, name: str) -> Any:
+        """A question, or one of the problem's numbers."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name in self._questions:
+            return lambda *given: self._ask(name, *given)
+        if name in self._numbers:
+            return self._numbers[name]
+        names = ("start", "goal", "distance", *self._questions, *self._numbers)
+        raise AttributeError(f"a problem has no {name}; it has {', '.join(names)}")
+
+    def __repr__(self) -> str:
+        return str(self._ask("__repr__"))

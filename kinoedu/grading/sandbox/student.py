@@ -1,0 +1,259 @@
+"""The program of the sandbox in which students' programs run, and nothing else does.
+
+`python student.py SOCKET [MODULE...]` is started by `sandbox.py`. It loads numpy and those modules
+once, and waits. For each request of the grader it forks a process, which gives up every right and
+its disk, and then does what the runner says, one line for each:
+
+    {"lend": {module: {name: value}}}                 make these names importable
+    {"cell": name, "source": ..., "seconds": ...}     run a cell
+    {"defined": name}                                 is there such a function?
+    {"call": name, "given": [...], "seconds": ...}    call it
+
+Each line is answered by one line. Before the answer the program may ask the runner what was lent:
+{"ask": [number, question, given, named]}. Values are written as in `wire.py`. There is nothing here
+that a program could find out: no judge, no further case, no library, no file.
+"""
+
+import builtins
+import contextlib
+import gc
+import importlib
+import linecache
+import os
+import random
+import signal
+import socket
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+COURSE = HERE.parent.parent.parent
+sys.path[:0] = [str(HERE), str(COURSE)]
+sys.path += map(str, COURSE.glob("site-packages-*"))
+PACKAGES = ("kinoedu", "kinoedu.course", "kinoedu.geometry", "kinoedu.spaces", "kinoedu.support")
+for package in PACKAGES:  # their own files would load the library
+    sys.modules[package] = ModuleType(package)
+    sys.modules[package].__path__ = [str(COURSE.joinpath(*package.split(".")))]
+# without numba the library gives the same answers, and starts at once
+sys.modules["numba"] = None  # type: ignore[assignment]
+
+# These are beside this file, which is run where there is no kinoedu.
+import cells  # noqa: E402
+import imports  # noqa: E402
+import numpy as np  # noqa: E402
+import shut_in  # noqa: E402
+import stand_ins  # noqa: E402
+import wire  # noqa: E402
+from lent import LentModules, LentValues, take_from_library  # noqa: E402
+
+from kinoedu.course.exceptions import describe_exception  # noqa: E402
+
+# numpy loads these at their first use
+USUAL = ("numpy.fft", "numpy.linalg", "numpy.ma", "numpy.polynomial", "numpy.random", "secrets")
+ALARMS = {signal.SIGPROF: signal.ITIMER_PROF, signal.SIGALRM: signal.ITIMER_REAL}
+MOST_WAITS = 4.0  # times its limit of computing that a program may wait
+AGAIN = 0.05  # seconds until an alarm is repeated
+
+
+def main() -> None:
+    """Load what programs use, and serve requests until the grader closes the socket."""
+    grader = socket.socket(fileno=int(sys.argv[1]))
+    for name in (*USUAL, *sys.argv[2:]):
+        importlib.import_module(name)
+    imports.keep_libraries()
+    take_from_library()
+    forget_library()
+    gc.freeze()
+    grader.send(b"ready")
+    while True:
+        message, files, _, _ = socket.recv_fds(grader, 16, 2)
+        if not message:
+            return
+        child = shut_in.fork_alone()
+        if child == 0:
+            grader.close()
+            serve(*files)
+        for file in files:
+            os.close(file)
+        grader.send(str(end_child(child, grader)).encode())
+
+
+def forget_library() -> None:
+    """Let programs find no module of kinoedu but those that are lent."""
+    for name in [name for name in sys.modules if name.partition(".")[0] == "kinoedu"]:
+        del sys.modules[name]
+    del sys.modules["numba"]
+
+
+def end_child(child: int, grader: socket.socket) -> int:
+    """Wait until the grader has read enough, kill what still runs, and return its exit code."""
+    grader.recv(16)
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(child, signal.SIGKILL)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+def serve(requests: int, replies: int) -> None:
+    """Run a student's program in this process. Never returns."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    with contextlib.suppress(BaseException):
+        for number in (0, 1, 2):
+            os.dup2(nowhere, number)
+        Program(requests, replies).obey()
+    os._exit(0)  # so functions that a program registered for the exit are not called
+
+
+class TimeUp(BaseException):
+    """A cell or a call computed for too long: seconds used, allowed, and passed on the clock."""
+
+
+class Program:
+    """A student's program, and its line to the runner."""
+
+    def __init__(self, requests: int, replies: int) -> None:
+        self.requests, self.replies = os.fdopen(requests, "rb"), os.fdopen(replies, "wb", 0)
+        self.lent = LentValues(self.ask)
+        self.space: dict[str, Any] = {"__name__": "__main__", "__builtins__": builtins}
+        self.compiler = cells.Compiler()
+        self.is_asking, self.asked = False, 0.0  # seconds in which the runner answered
+
+    def obey(self) -> None:
+        """Do what each line says."""
+        limits = self.receive()
+        shut_in.give_up_rights(**limits)
+        self.send(ready=True)
+        random.seed(0)
+        np.random.seed(0)
+        for request in iter(self.receive, None):
+            if "lend" in request:
+                reply = self.lend(request["lend"], request["drawing"])
+            elif "cell" in request:
+                reply = self.run_cell(request)
+            elif "defined" in request:
+                reply = {"defined": callable(self.space.get(request["defined"]))}
+            else:
+                reply = self.call(request)
+            self.send(**reply)
+
+    def receive(self) -> Any:
+        """The next line of the runner; None where it has ended."""
+        line = self.requests.readline()
+        return wire.read_line(line) if line else None
+
+    def send(self, **message: Any) -> None:
+        """Write a line."""
+        self.replies.write(wire.write_line(message))
+
+    def ask(self, number: int, question: str, given: tuple[Any, ...], named: Any = None) -> Any:
+        """Ask the runner about what it has lent, and return or raise what it answers."""
+        began, self.is_asking = time.monotonic(), True
+        try:
+            encoded = [self.lent.encode(part) for part in (given, dict(named or {}))]
+            self.send(ask=[number, question, *encoded])
+            reply = self.receive()
+        finally:
+            self.asked += time.monotonic() - began
+            self.is_asking = False
+        return self.lent.take(reply)
+
+    def lend(self, names: dict[str, dict[str, Any]], drawing: bool) -> dict[str, Any]:
+        """Make names importable, and everything else that a notebook has."""
+        modules = {
+            module: {name: self.lent.decode(value) for name, value in values.items()}
+            for module, values in names.items()
+        }
+        sys.meta_path.insert(0, LentModules(modules))
+        stand_ins.install(self.space, has_pictures=drawing)
+        return {"lent": True}
+
+    def run_cell(self, request: dict[str, Any]) -> dict[str, Any]:
+        """Run a cell, and say what failed in it."""
+        name, source = request["cell"], request["source"]
+        linecache.cache[name] = (len(source), None, source.splitlines(True), name)
+        troubles: list[Any] = []
+
+        def work() -> None:
+            for failure in cells.run_cell(source, name, self.space, self.compiler):
+                described = describe_exception(failure.error, is_students)
+                troubles.append([failure.line, failure.names, *described])
+
+        try:
+            self.run_with_alarm(request["seconds"], work)
+        except TimeUp as over:
+            return {"troubles": troubles, "late": over.args}
+        return {"troubles": troubles}
+
+    def call(self, request: dict[str, Any]) -> dict[str, Any]:
+        """Call a function; what it returns, and which arguments it has changed."""
+        function, chance = self.space.get(request["call"]), generators_state()
+        given = [self.lent.decode(value) for value in request["given"]]
+
+        def work() -> dict[str, Any]:
+            try:
+                return {"value": self.lent.encode(function(*given))}  # type: ignore[misc]
+            except TimeUp:
+                raise
+            except BaseException as error:
+                return {"raised": describe_exception(error, is_students)}
+
+        try:
+            reply = self.run_with_alarm(request["seconds"], work)
+        except TimeUp as over:
+            return {"late": over.args}
+        changed = dict(self.find_changed(given, request["given"]))
+        return {**reply, "changed": changed, "chance": generators_state() != chance}
+
+    def find_changed(self, given: list[Any], sent: list[Any]) -> Iterator[tuple[int, Any]]:
+        """Yield the number of each argument that is not as it was sent, and how it is now."""
+        for number, (value, before) in enumerate(zip(given, sent, strict=True)):
+            if isinstance(value, list | dict | np.ndarray) or self.lent.is_axes(value):
+                now = self.lent.encode(self.lent.read(value))
+                if now != before:
+                    yield number, now
+
+    def run_with_alarm(self, seconds: float, work: Callable[[], Any]) -> Any:
+        """Run `work`, and return what it returns or raise what it raises.
+
+        Raises TimeUp if it computes for more than `seconds`, or waits for MOST_WAITS times that.
+        The time in which the runner answers does not count. No thread may be started here, so
+        signals are used. They are sent again and again until Python code stops; code that never
+        handles them is killed from outside.
+        """
+        wall, processor, self.asked = time.monotonic(), time.process_time(), 0.0
+
+        def ring(*_: object) -> None:
+            used, passed = time.process_time() - processor, time.monotonic() - wall - self.asked
+            if not self.is_asking and (used >= seconds or passed >= MOST_WAITS * seconds):
+                raise TimeUp(used, seconds, passed)
+
+        for alarm, limit in ((signal.SIGPROF, seconds), (signal.SIGALRM, MOST_WAITS * seconds)):
+            signal.signal(alarm, ring)
+            signal.setitimer(ALARMS[alarm], limit, AGAIN)
+        try:
+            return work()
+        finally:
+            while any(signal.getitimer(timer)[1] for timer in ALARMS.values()):
+                try:
+                    for timer in ALARMS.values():
+                        signal.setitimer(timer, 0.0)
+                except TimeUp:  # the alarm rang just now
+                    continue
+
+
+def generators_state() -> Any:
+    """The state of the generators that all of Python and of numpy share."""
+    state: Any = np.random.get_state(legacy=False)
+    return random.getstate(), state["state"]["key"].tobytes(), state["state"]["pos"]
+
+
+def is_students(file: str) -> bool:
+    """Whether a file is a cell of the notebook."""
+    return file.startswith("cell ")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,156 @@
+"""Values as lines of JSON, between a student's program and the library that answers it.
+
+Only plain data pass: numbers, text, truth values, None, lists, tuples, dicts and arrays of numbers.
+What is not plain stays where it is, and only its number passes: a function or a problem of the
+library is `lent`, and the program asks it by its number. So neither side ever runs what the other
+one sends. Needs Python and numpy alone.
+
+A list is written as a list. Everything else that JSON lacks is written as {mark: content}.
+"""
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+TUPLE, DICT, ARRAY, COMPLEX, LENT, GENERATOR, OTHER = "t", "d", "a", "c", "h", "g", "o"
+KINDS = {"f": float, "i": int, "u": int, "b": bool}  # numpy's kinds of numbers
+DTYPES = {"f": np.float64, "i": np.int64, "u": np.int64, "b": np.bool_}
+MOST_DIGITS = 4000  # bits of an integer
+MOST_DEEP = 40  # lists within lists
+
+
+class Unfit(ValueError):
+    """A line is not what `encode` writes."""
+
+
+class Other:
+    """Something that cannot pass; only the name of its class is known."""
+
+
+def make_other(name: str) -> Other:
+    """An object whose class has a name."""
+    return type(str(name)[:100], (Other,), {})()
+
+
+def write_line(data: object) -> bytes:
+    """Data of `encode` as a line."""
+    return json.dumps(data).encode() + b"\n"
+
+
+def read_line(line: bytes) -> dict[str, Any]:
+    """The message in a line. Raises Unfit."""
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError) as error:
+        raise Unfit("not JSON") from error
+    if not isinstance(message, dict):
+        raise Unfit("not a message")
+    return message
+
+
+def encode(value: Any, lend: Callable[[Any], dict[str, Any] | None], deep: int = 0) -> Any:
+    """A value as JSON data.
+
+    lend : gives the mark of a value that is lent, or None where it is not lent.
+    """
+    kind = type(value)
+    if value is None or kind in (bool, str, float):
+        return value
+    if kind is int and value.bit_length() < MOST_DIGITS:
+        return value
+    if isinstance(value, np.ndarray) and value.dtype.kind in KINDS:
+        return {ARRAY: [list(value.shape), value.dtype.kind, np.asarray(value).ravel().tolist()]}
+    if isinstance(value, np.generic) and value.dtype.kind in KINDS:
+        return {ARRAY: [[], value.dtype.kind, [value.item()]]}
+    if deep < MOST_DEEP:
+        if kind is list or kind is tuple:
+            items = [encode(item, lend, deep + 1) for item in value]
+            return items if kind is list else {TUPLE: items}
+        if kind is dict:
+            pairs = [[encode(part, lend, deep + 1) for part in pair] for pair in value.items()]
+            return {DICT: pairs}
+    lent = lend(value)
+    if lent is not None:
+        return lent
+    if isinstance(value, list | tuple) and deep < MOST_DEEP:  # such as a NamedTuple
+        items = [encode(item, lend, deep + 1) for item in value]
+        return items if isinstance(value, list) else {TUPLE: items}
+    return {OTHER: str(type.__dict__["__name__"].__get__(kind))[:100]}
+
+
+def decode(data: Any, find: Callable[[str, Any], Any]) -> Any:
+    """The value of JSON data. Raises Unfit.
+
+    find : gives the value of the marks LENT and GENERATOR.
+    """
+    if isinstance(data, list):
+        return [decode(item, find) for item in data]
+    if not isinstance(data, dict):
+        return data
+    if len(data) != 1:
+        raise Unfit("not a marked value")
+    [(mark, content)] = data.items()
+    if mark in (LENT, GENERATOR):
+        return find(mark, content)
+    if mark == OTHER:
+        return make_other(content)
+    if mark in (TUPLE, DICT) and isinstance(content, list):
+        items = [decode(item, find) for item in content]
+        return tuple(items) if mark == TUPLE else as_dict(items)
+    if mark == ARRAY:
+        return as_array(content)
+    raise Unfit(f"no mark {str(mark)[:20]!r}")
+
+
+def as_dict(pairs: list[Any]) -> dict[Any, Any]:
+    """A dict of its pairs. Raises Unfit."""
+    try:
+        return dict(pairs)
+    except (TypeError, ValueError) as error:
+        raise Unfit("not a dict") from error
+
+
+def as_array(content: Any) -> Any:
+    """An array of its shape, kind and numbers; without dimensions, a number. Raises Unfit."""
+    try:
+        shape, kind, numbers = content
+        if not all(type(number) in (float, int, bool) for number in numbers):
+            raise Unfit("not numbers")
+        array = np.array(numbers, DTYPES[kind]).reshape(shape)
+    except (TypeError, ValueError, KeyError, OverflowError, MemoryError) as error:
+        raise Unfit("not an array") from error
+    return array if array.ndim else array[()]
+
+
+def encode_state(state: Any) -> Any:
+    """The state of a generator's bits as JSON data."""
+    if isinstance(state, dict):
+        return {name: encode_state(part) for name, part in state.items()}
+    return state.tolist() if isinstance(state, np.ndarray | np.generic) else state
+
+
+def generator_of(state: Any) -> np.random.Generator:
+    """A new generator with the kind of bits of a state. Raises Unfit."""
+    kinds = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
+    if not isinstance(state, dict) or state.get("bit_generator") not in kinds:
+        raise Unfit("not the state of a generator")
+    generator = np.random.Generator(getattr(np.random, state["bit_generator"])(0))
+    set_state(generator, state)
+    return generator
+
+
+def set_state(generator: np.random.Generator, state: Any) -> None:
+    """Give a generator a state. Raises Unfit."""
+    try:
+        generator.bit_generator.state = restore_arrays(state)
+    except (TypeError, ValueError, KeyError, OverflowError) as error:
+        raise Unfit("not the state of a generator") from error
+
+
+def restore_arrays(state: Any) -> Any:
+    """The state that `encode_state` wrote."""
+    if isinstance(state, dict):
+        return {name: restore_arrays(part) for name, part in state.items()}
+    return np.array(state, np.uint64) if isinstance(state, list) else state

@@ -1,0 +1,201 @@
+"""The sandbox: what a student's program has of the library, and how values pass."""
+
+import contextlib
+import json
+import string
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kinoedu.course.lessons import EXERCISES
+from kinoedu.course.release import assignments
+from kinoedu.grading.assignments.questions import read_assignment
+from kinoedu.grading.judge.answers import DRAWING, PLANNING
+from kinoedu.grading.sandbox import sandbox, wire
+from kinoedu.grading.sandbox.sandbox import Sandbox
+
+NO_SANDBOX = sandbox.explain_no_sandbox()
+needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
+LIMITS = {"memory": 2**30, "cpu": 60, "files": 2**24}
+# modules of kinoedu that may be in the memory of a student's process, for problems and drawings
+LOADED = (
+    *("kinoedu.errors", "kinoedu.support", "kinoedu.compiled", "kinoedu.spaces"),
+    *("kinoedu.geometry.checks", "kinoedu.geometry.exact"),
+    *("kinoedu.course.lent_problem", "kinoedu.course.poses", "kinoedu.course.exceptions"),
+    "kinoedu.course.axes_contents",
+)
+
+
+@pytest.fixture(scope="module")
+def box():
+    """One sandbox for all tests of this file."""
+    one = Sandbox()
+    yield one
+    one.close()
+
+
+def say(box: Sandbox, source: str, lent: tuple[str, ...] = (), modules: tuple[str, ...] = ()):
+    """What a program says of a value: it runs in the sandbox, and raises ValueError(text)."""
+    cell = {"number": 1, "source": source, "seconds": 20.0}
+    first = {"cells": [cell], "questions": [], "lent": lent, "drawing": DRAWING[0] in modules}
+    reply = box.ask([{**first, "patience": 1.0, "limits": LIMITS}, {}], 100.0, modules)
+    (line,) = (line for line in reply.parts[0] if "cell" in line)
+    (trouble,) = line["troubles"]
+    assert trouble["outcome"]["kinds"][0] == "ValueError", trouble
+    return json.loads(trouble["outcome"]["message"])
+
+
+@needs_sandbox
+@pytest.mark.parametrize("modules", [(), PLANNING, DRAWING])
+def test_nothing_of_the_library_is_in_memory_but_what_is_lent(box, modules):
+    """Every function and class in memory is looked at, wherever it hides."""
+    source = """
+import gc, json, sys, types
+homes = {
+    str(getattr(thing, "__module__", ""))
+    for thing in gc.get_objects()
+    if isinstance(thing, types.FunctionType | type)
+}
+modules = [thing for thing in gc.get_objects() if isinstance(thing, types.ModuleType)]
+homes |= {str(getattr(module, "__name__", "")) for module in modules}
+raise ValueError(json.dumps(sorted(home for home in homes if home.startswith("kinoedu"))))
+"""
+    homes = say(box, source, modules=modules)
+    assert [home for home in homes if not home.startswith(LOADED)] == []
+
+
+@needs_sandbox
+def test_the_disk_is_empty(box):
+    source = """
+import json, os
+found = [os.path.join(folder, name) for folder, _, names in os.walk("/") for name in names]
+raise ValueError(json.dumps(found))
+"""
+    assert say(box, source) == ["/dev/null"]
+
+
+@needs_sandbox
+def test_pythons_library_and_numpy_are_there_without_a_disk(box):
+    source = """
+import json, collections, dataclasses, fractions, functools, heapq, itertools, statistics, decimal
+import enum, typing, copy, random, bisect, operator, string, textwrap, time, datetime, re, abc
+import numpy as np, numpy.random, numpy.linalg, numpy.polynomial, numpy.ma, numpy.testing
+import xml.dom, html.parser, unittest, doctest, cmath, array, queue, secrets, hashlib, zlib
+rng = np.random.default_rng(0)
+raise ValueError(json.dumps([int(rng.integers(1000)), statistics.median([1, 2, 3])]))
+"""
+    assert say(box, source) == [int(np.random.default_rng(0).integers(1000)), 2]
+
+
+@needs_sandbox
+def test_what_an_assignment_lends_answers_and_the_rest_says_that_it_is_not_lent(box):
+    source = """
+import json, kinoedu as ke
+import numpy as np
+from kinoedu.geometry import convex_hull, minkowski_sum
+from kinoedu.planners.trees.rrt import grow
+hull = convex_hull([(0, 0), (2, 0), (1, 1), (1, 0.5), (1, 3)])
+said = [np.asarray(hull).tolist(), ke.geometry.convex_hull is convex_hull]
+for absent in (minkowski_sum, grow, ke.rrt, ke.geometry.point_in_polygon):
+    try:
+        absent(hull, hull)
+    except Exception as error:
+        said.append(type(error).__name__)
+try:
+    convex_hull([(0, float('nan'))])
+except ValueError as error:
+    said.append(type(error).__name__)
+raise ValueError(json.dumps(said))
+"""
+    hull, same, *errors = say(box, source, ("kinoedu.geometry:convex_hull",))
+    assert sorted(hull) == [[0.0, 0.0], [1.0, 3.0], [2.0, 0.0]]
+    assert same and errors == ["NotLentError"] * 4 + ["InvalidPoint"]
+
+
+@pytest.mark.parametrize("name", assignments())
+def test_no_assignment_lends_what_it_asks_for(name):
+    """Nor a function of an exercise's module, but a wrong program that students must expose."""
+    assignment = read_assignment(name)
+    asked = {question.exercise.name for question in assignment.questions}
+    sources = {
+        f"{source.__module__}:{source.__name__}"
+        for one in assignment.questions
+        if (source := one.exercise.source) is not None
+    }
+    names = {place.partition(":")[2] for place in assignment.lent}
+    assert not asked & names and not sources & set(assignment.lent)
+    book = json.loads((Path("exercises") / f"{name}.ipynb").read_text(encoding="utf-8"))
+    text = "".join("".join(cell["source"]) for cell in book["cells"])
+    assert all(lent in text for lent in names)
+
+
+def test_every_exercise_is_known_where_its_cases_are_run():
+    """The runner finds an exercise by its name."""
+    assert all(exercise.name == name for name, exercise in EXERCISES.items())
+
+
+plain = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers(-(2**60), 2**60)
+    | st.floats(allow_nan=False)
+    | st.text(string.printable, max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.lists(inner, max_size=4).map(tuple)
+        | st.dictionaries(st.text(max_size=3), inner, max_size=3)
+    ),
+    max_leaves=12,
+)
+
+
+@given(plain)
+def test_plain_values_pass_unchanged(value):
+    line = wire.write_line({"value": wire.encode(value, lambda one: None)})
+    there = wire.decode(wire.read_line(line)["value"], lambda mark, content: None)
+    assert there == value and repr(there) == repr(value)
+
+
+@pytest.mark.parametrize(
+    "array",
+    [np.eye(2), np.array([]), np.zeros((0, 2)), np.array([[1, 2]]), np.array(True), np.float64(3)],
+)
+def test_arrays_pass_with_their_shapes_and_kinds(array):
+    there = wire.decode(wire.encode(array, lambda one: None), lambda mark, content: None)
+    assert np.array_equal(there, array) and np.shape(there) == np.shape(array)
+    assert np.asarray(there).dtype == np.asarray(array).dtype
+
+
+@given(
+    st.recursive(
+        st.none() | st.integers() | st.text("acdhgot", max_size=2),
+        lambda inner: (
+            st.lists(inner, max_size=3)
+            | st.dictionaries(st.sampled_from("acdhgot"), inner, max_size=2)
+        ),
+    )
+)
+def test_a_line_of_nonsense_is_refused_by_name(data):
+    """Whatever comes is decoded, or is Unfit."""
+    with contextlib.suppress(wire.Unfit):
+        wire.decode(data, lambda mark, content: content)
+
+
+def test_what_does_not_pass_is_named_and_never_run():
+    class Bomb:
+        def __repr__(self):
+            raise RuntimeError
+
+    there = wire.decode(wire.encode([Bomb(), {1, 2}], lambda one: None), lambda *_: None)
+    assert [type(one).__name__ for one in there] == ["Bomb", "set"]
+
+
+def test_generators_pass_with_their_states():
+    for bits in (np.random.PCG64, np.random.MT19937, np.random.Philox, np.random.SFC64):
+        here = np.random.Generator(bits(3))
+        here.random(5)
+        state = json.loads(json.dumps(wire.encode_state(here.bit_generator.state)))
+        assert wire.generator_of(state).random() == here.random()
