@@ -52,7 +52,8 @@ def class_of(
         if number < attackers * size:
             text = rng.choice(files).read_text(encoding="utf-8")
             first = "HARM = []\ndef fails(words, action): pass\n"
-            sources = [first, *text.split("# %%\n")]
+            # the check shows that it is no wrong file
+            sources = [first, *text.split("# %%\n"), "check(line_through_points)"]
             book["cells"] = [
                 {"cell_type": "code", "metadata": {}, "outputs": [], "source": source}
                 for source in sources

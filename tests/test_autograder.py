@@ -141,12 +141,17 @@ def test_a_submission_is_graded_in_the_sandbox(root):
 
 
 def test_the_wrong_file_is_named(tmp_path):
-    """Cells of another assignment are refused, as `grade` does; cells without any marks are run."""
+    """Cells of another assignment, or of none, are refused, as `grade` does.
+
+    Cells without any marks are run.
+    """
     other = (HOUSE / "solutions" / "02_bug_algorithms.ipynb").read_bytes()
     for data, output in (
         (other, "wrong file"),
         (SOLUTION.read_bytes(), ""),
-        (notebook("x = 1").encode(), ""),
+        (notebook("def point_line_distance(q, a, b): pass").encode(), ""),
+        (notebook("x = 1").encode(), "wrong file"),
+        ((HOUSE / "notebooks" / f"{NAME}.ipynb").read_bytes(), "wrong file"),
     ):
         (tmp_path / f"{NAME}.ipynb").write_bytes(data)
         trouble = find_submission(tmp_path, NAME).trouble

@@ -15,14 +15,23 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.course.lessons import EXERCISES, find
+from kinoedu.course.release import assignments
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.collect.handing_in import hand_in
+from kinoedu.grading.collect.marks import count_shared, find_questions
 from kinoedu.grading.collect.notebook import UnreadableSubmission
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
-from kinoedu.grading.judge.class_list import Class, Entry, add_earlier, read_class, write_class
-from kinoedu.grading.judge.running import write_result
+from kinoedu.grading.judge.class_list import (
+    Class,
+    Entry,
+    add_earlier,
+    make_entry,
+    read_class,
+    write_class,
+)
+from kinoedu.grading.judge.running import grade_all, write_result
 from kinoedu.grading.regrading import find_changes
 from kinoedu.grading.report.decisions import read_decisions
 from kinoedu.grading.report.feedback_page import file_name, name_page
@@ -467,8 +476,14 @@ def test_a_receipt_says_what_is_answered(tmp_path):
 
 def test_what_cannot_be_graded_is_not_packed(tmp_path):
     """An empty file, or one with the name of no exercise, is refused."""
-    for name, wrong in ((f"{NAME}.ipynb", UnreadableSubmission), ("lunch.ipynb", InvalidParameter)):
-        (tmp_path / name).write_text("")
+    empty = '{"nbformat": 4, "cells": []}'
+    for name, text, wrong in (
+        (f"{NAME}.ipynb", "", UnreadableSubmission),
+        (f"{NAME}.ipynb", empty, InvalidParameter),
+        ("lunch.ipynb", empty, InvalidParameter),
+        (f"{NAME}.txt", empty, InvalidParameter),
+    ):
+        (tmp_path / name).write_text(text)
         with pytest.raises(wrong):
             hand_in(tmp_path / name, tmp_path / "z.zip", NOW)
     assert not (tmp_path / "z.zip").exists()
@@ -504,6 +519,89 @@ def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):
     assert one.assignment == NAME and f"cells are those of {HAND}" in one.trouble
     (one,) = collect(tmp_path, HAND)
     assert (one.assignment, one.trouble) == (HAND, "")
+
+
+def strip_metadata(data: bytes) -> bytes:
+    """A notebook as some editors save it: without what nbgrader wrote into its cells."""
+    book = json.loads(data)
+    for cell in book["cells"]:
+        cell["metadata"] = {}
+    return json.dumps(book).encode()
+
+
+EXERCISE = (HOUSE / "exercises" / f"{NAME}.ipynb").read_bytes()
+LESSON = (HOUSE / "notebooks" / f"{NAME}.ipynb").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "lesson", sorted((HOUSE / "notebooks").glob("*.ipynb")), ids=lambda f: f.stem
+)
+def test_a_lesson_is_no_exercise_of_any_assignment(lesson):
+    assert not any(count_shared(find_questions(lesson.read_bytes()), assignments()).values())
+
+
+@pytest.mark.parametrize("exercise", assignments())
+def test_an_exercise_is_known_by_its_cells(exercise, tmp_path):
+    """Under any name, with nbgrader's metadata and without; it need not be answered."""
+    data = (HOUSE / "exercises" / f"{exercise}.ipynb").read_bytes()
+    for whose, cells in (("ann", data), ("bob", strip_metadata(data))):
+        (tmp_path / "in" / whose).mkdir(parents=True)
+        (tmp_path / "in" / whose / "Untitled3.ipynb").write_bytes(cells)
+        receipt = hand_in(tmp_path / "in" / whose / "Untitled3.ipynb", tmp_path / "z.zip", NOW)
+        assert receipt.assignment == exercise
+    assert [(one.assignment, one.trouble) for one in collect(tmp_path / "in")] == [
+        (exercise, "")
+    ] * 2
+
+
+def test_a_lesson_in_place_of_its_exercise_has_no_score(tmp_path):
+    """It is listed with the reason, it cannot be handed in, and other tables get no zero."""
+    (tmp_path / "in" / "ann").mkdir(parents=True)
+    wrong = tmp_path / "in" / "ann" / f"{NAME}.ipynb"
+    wrong.write_bytes(LESSON)
+    with pytest.raises(InvalidParameter, match="none of its functions: is it the wrong file"):
+        hand_in(wrong, tmp_path / "z.zip", NOW)
+    (one,) = collect(tmp_path / "in")
+    assert one.assignment == NAME and "none of the functions" in one.trouble
+    (graded,) = grade_all([one], tmp_path / "out", b"a secret")
+    entry = make_entry(graded, tmp_path / "in", "", b"a secret")
+    rows = write_all(Class(tmp_path / "out", "", "", False, [entry]))
+    assert {(row.score, row.status) for row in rows} == {(None, "unreadable")}
+    assert "is it the wrong file?" in rows[0].message
+    (tmp_path / "template.csv").write_text(CANVAS, encoding="utf-8-sig")
+    export_canvas(rows, tmp_path / "template.csv", tmp_path / "out.csv")
+    assert (tmp_path / "out.csv").read_text(encoding="utf-8") == CANVAS
+
+
+def test_a_lesson_beside_the_exercise_is_no_second_answer(tmp_path):
+    """A student may hand in the whole folder of the course; a name is no proof."""
+    for folder, data in (("notebooks", LESSON), ("exercises", EXERCISE)):
+        (tmp_path / "ann" / folder).mkdir(parents=True)
+        (tmp_path / "ann" / folder / f"{NAME}.ipynb").write_bytes(data)
+    (tmp_path / "bob").mkdir()
+    (tmp_path / "bob" / "mine.ipynb").write_bytes(LESSON)
+    ann, bob = collect(tmp_path, NAME)
+    assert (ann.data, ann.trouble) == (EXERCISE, "")
+    assert bob.assignment == NAME and "none of the functions" in bob.trouble
+
+
+def test_an_empty_answer_in_the_right_notebook_is_no_wrong_file(tmp_path):
+    """Also where only a check or a cell's name is left of it."""
+    for at, cell in enumerate(
+        (
+            {"cell_type": "code", "source": "check(line_through_points)"},
+            {
+                "cell_type": "code",
+                "source": "",
+                "metadata": {"nbgrader": {"grade_id": "exposing_case"}},
+            },
+            {"cell_type": "code", "source": "%%time\ndef exposing_case(:\n    pass"},
+        )
+    ):
+        (tmp_path / f"student{at}").mkdir()
+        book = {"nbformat": 4, "cells": [cell]}
+        (tmp_path / f"student{at}" / f"{NAME}.ipynb").write_text(json.dumps(book))
+    assert [one.trouble for one in collect(tmp_path)] == [""] * 3
 
 
 @needs_sandbox

@@ -23,6 +23,7 @@ from kinoedu.grading.sandbox.sandbox import Sandbox
 NO_SANDBOX = sandbox.explain_no_sandbox()
 HOUSE = Path(__file__).resolve().parent.parent
 SECRET = b"a secret of the tests, no course's"
+ANSWER = "def line_through_points(p1, p2):\n    pass\n"
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 
 
@@ -158,7 +159,6 @@ def test_what_is_no_notebook_is_refused_by_name(data):
 
 
 def test_submissions_are_found_as_they_are_laid_out(tmp_path):
-    data = notebook("x = 1")
     for place in (
         "ann/01_geometry.ipynb",
         "bob/01_geometry/01_geometry.ipynb",
@@ -170,6 +170,7 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
         "gil/lunch.ipynb",
     ):
         (tmp_path / place).parent.mkdir(parents=True, exist_ok=True)
+        data = notebook("x = 1" if "lunch" in place else ANSWER)
         (tmp_path / place).write_bytes(data + b" " * ("again" in place))
     found = {one.student: one for one in collect(tmp_path)}
     assert sorted(found) == ["Dora Doe_99", "ann", "bob", "doecarl_123", "eve", "fay", "gil"]
@@ -193,7 +194,7 @@ def test_who_was_late_is_known_from_canvas(tmp_path):
         "leezoe_126_459_01_geometry.zip/poejim_LATE_1_2_01_geometry.ipynb",
     ):
         (tmp_path / place).parent.mkdir(exist_ok=True)
-        (tmp_path / place).write_bytes(notebook("x = 1"))
+        (tmp_path / place).write_bytes(notebook(ANSWER))
     assert {one.student: one.late for one in collect(tmp_path)} == {
         "doecarl_123": True,
         "roeann_124": False,
@@ -211,7 +212,8 @@ def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
         archive.writestr("assignment_9_export/submission_metadata.yml", about)
         for n in (1, 2):
             archive.writestr(
-                f"assignment_9_export/submission_{n}/01_geometry.ipynb", notebook(f"x = {n}")
+                f"assignment_9_export/submission_{n}/01_geometry.ipynb",
+                notebook(f"{ANSWER}x = {n}"),
             )
     found = collect(tmp_path / "export.zip")
     assert [(one.student, one.assignment, one.trouble) for one in found] == [
@@ -222,14 +224,14 @@ def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
 
 def test_one_assignment_of_several(tmp_path):
     """Other assignments are skipped; students who handed in nothing else are listed."""
-    for place in (
-        "ann/01_geometry.ipynb",
-        "ann/02_bug_algorithms.ipynb",
-        "bob/homework.ipynb",
-        "cy/02_bug_algorithms.ipynb",
+    for place, source in (
+        ("ann/01_geometry.ipynb", ANSWER),
+        ("ann/02_bug_algorithms.ipynb", "check(bug1)"),
+        ("bob/homework.ipynb", ANSWER),
+        ("cy/02_bug_algorithms.ipynb", "check(bug1)"),
     ):
         (tmp_path / place).parent.mkdir(exist_ok=True)
-        (tmp_path / place).write_bytes(notebook("x = 1"))
+        (tmp_path / place).write_bytes(notebook(source))
     found = {one.student: one for one in collect(tmp_path, "01_geometry")}
     assert {one.assignment for one in found.values()} == {"01_geometry"}
     assert [found[name].trouble for name in ("ann", "bob")] == ["", ""]
@@ -238,7 +240,7 @@ def test_one_assignment_of_several(tmp_path):
 
 def test_nobody_hands_in_for_another(tmp_path):
     """A student's files stay the student's, whatever their names or contents claim."""
-    data, other = notebook("x = 1"), notebook("x = 2")
+    data, other = notebook(ANSWER), notebook(ANSWER + "x = 2")
     box = io.BytesIO()
     with zipfile.ZipFile(box, "w") as archive:
         archive.writestr("../bob/01_geometry.ipynb", other)
@@ -274,7 +276,7 @@ def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path)
     for student in ("ann", "bob", "cat", "dan", "eve", "fay", "gil"):
         (tmp_path / student).mkdir()
     (tmp_path / "secret.txt").write_text("the secret")
-    (tmp_path / "ann" / "01_geometry.ipynb").write_bytes(notebook("x = 1"))
+    (tmp_path / "ann" / "01_geometry.ipynb").write_bytes(notebook(ANSWER))
     (tmp_path / "bob" / "01_geometry.ipynb").symlink_to(tmp_path / "ann" / "01_geometry.ipynb")
     (tmp_path / "cat" / "01_geometry.zip").write_bytes(bomb.getvalue())
     (tmp_path / "dan" / "01_geometry.zip").write_bytes(b"PK\x03\x04 cut off")

@@ -4,6 +4,7 @@ import ast
 import hashlib
 import re
 import zipfile
+from collections import Counter
 from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.whole_files import written_whole
+from .marks import choose_most_shared, find_questions
 from .notebook import join_text, parse_notebook, read_bytes, read_cells
 
 UNTOUCHED = "YOUR ANSWER HERE"
@@ -57,20 +59,11 @@ def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
     UnreadableSubmission
         Where the notebook could not be graded.
     InvalidParameter
-        Where it is not a notebook of the exercise that its name says.
+        Where it has no cells of the exercise that its name says, or of any exercise.
     """
-    data, assignment = read_bytes(file), find_assignment(file)
+    data = read_bytes(file)
+    assignment = find_assignment(file, data)
     answers = find_answers(data, assignment)
-    lessons = {
-        EXERCISES[name].lesson
-        for name in find_marks(parse_notebook(data)["cells"])
-        if name in EXERCISES
-    }
-    if lessons and assignment not in lessons:
-        raise InvalidParameter(
-            f"{file.name} is named like {assignment}, but its cells are those of "
-            f"{min(lessons)}: is it the wrong file?"
-        )
     receipt = Receipt(assignment, hashlib.sha256(data).hexdigest(), now, answers)
     with (
         written_whole(zip_file) as part,
@@ -81,16 +74,37 @@ def hand_in(file: Path, zip_file: Path, now: datetime) -> Receipt:
     return receipt
 
 
-def find_assignment(file: Path) -> str:
-    """The assignment that a notebook answers, by its name. Raises InvalidParameter."""
+def find_assignment(file: Path, data: bytes) -> str:
+    """The assignment that a notebook answers, by its name and the questions of its cells.
+
+    Where the name is that of no assignment, the cells decide.
+
+    Raises
+    ------
+    InvalidParameter
+        Where they are those of another assignment, or of a lesson, or of none.
+    UnreadableSubmission
+        Where it is no notebook.
+    """
+    is_notebook = file.suffix.lower() == ".ipynb"
+    questions = find_questions(data) if is_notebook else set()
     lessons = sorted({exercise.lesson for exercise in EXERCISES.values()})
-    found = [lesson for lesson in lessons if file.stem.lower().startswith(lesson)]
-    if file.suffix.lower() != ".ipynb" or not found:
+    shared = Counter(EXERCISES[name].lesson for name in questions if name in EXERCISES)
+    best = choose_most_shared(shared)
+    starts = [lesson for lesson in lessons if file.stem.lower().startswith(lesson)]
+    named = max(starts, key=len, default=best)
+    if not is_notebook or not named:
         raise InvalidParameter(
-            f"{file.name} is named like no exercise; its name should begin with one of: "
-            f"{', '.join(lessons)}"
+            f"{file.name} is named like no exercise, and has no cells of one; its name should "
+            f"begin with one of: {', '.join(lessons)}"
         )
-    return max(found, key=len)
+    if not shared[named]:
+        seen = f"its cells are those of {best}" if best else "it has none of its functions"
+        raise InvalidParameter(
+            f"{file.name} is named like {named}, but {seen}: is it the wrong file? Exercises are "
+            "in the folder exercises, and lessons of the same names in the folder notebooks"
+        )
+    return named
 
 
 def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
@@ -168,15 +182,6 @@ def read_check_messages(cells: list[Any]) -> dict[str, str]:
                 get_message("hand_in.unchecked") if stale else text.removeprefix(f"{called[1]}: ")
             )
     return messages
-
-
-def find_marks(cells: list[Any]) -> set[str]:
-    """The names that nbgrader's marks give to cells."""
-    found = (
-        as_table(as_table(as_table(cell).get("metadata")).get("nbgrader")).get("grade_id")
-        for cell in cells
-    )
-    return {str(name) for name in found if name}
 
 
 def find_prose_answers(cells: list[Any]) -> list[tuple[str, bool]]:

@@ -19,14 +19,15 @@ from ...course.release import HOUSE, assignments
 from ...errors import InvalidParameter
 from ...support.csv_cells import one_line
 from .found import METADATA, Found, read_files
-from .marks import choose_by_marks, count_shared_marks, find_assignment, strip_zip
-from .notebook import MOST_BYTES
+from .marks import choose_most_shared, count_shared, find_assignment, find_questions, strip_zip
+from .notebook import MOST_BYTES, UnreadableSubmission
 
 CANVAS = re.compile(
     r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE
 )
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
+NO_ANSWERS = "has none of the functions that it asks for"
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a path, files in a message
 
 
@@ -74,7 +75,7 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     found = remove_outer_folders(list(read_files(folder)), known)
     owners = read_gradescope_owners(found)
     submissions = [
-        make_submission(file, owners, known, only) for file in found if is_candidate(file)
+        make_submission(file, owners, known, only, house) for file in found if is_candidate(file)
     ]
     have = {one.student for one in submissions}
     submissions += find_missing_notebooks(found, have, owners, known)
@@ -114,29 +115,32 @@ def is_candidate(file: Found) -> bool:
     )
 
 
-def make_submission(file: Found, owners: dict[str, str], known: list[str], only: str) -> Submission:
+def make_submission(
+    file: Found, owners: dict[str, str], known: list[str], only: str, house: Path
+) -> Submission:
     """The submission in a file, with its student and its assignment ("" if unknown).
 
-    A file that is named like one assignment and has only the cells of another is the wrong file,
-    unless `only` asks for that other one.
+    A file is the wrong one if it has no cell of the assignment that it is named like, such as a
+    lesson in place of its exercise, unless `only` asks for another assignment whose cells it has.
     """
     student, name = find_owner(file.place, owners)
-    named, shared = (
-        find_assignment(name, file.place, file.data, known),
-        count_shared_marks(file.data, known),
-    )
-    marked = choose_by_marks(shared)
+    try:
+        questions, readable = find_questions(file.data), True
+    except UnreadableSubmission:
+        questions, readable = set(), False
+    shared = count_shared(questions, known, house)
+    named, best = find_assignment(name, file.place, shared, known), choose_most_shared(shared)
     one = Submission(
         student, named, describe_place(file), file.data, file.trouble, late=is_marked_late(file)
     )
-    if not marked or not named or shared[named]:
+    wanted = named or only
+    if not readable or not wanted or shared[wanted]:
         return one
-    if only == marked:
-        return one._replace(assignment=marked, trouble="")
-    return one._replace(
-        trouble=f"it is named like {named}, but its cells are those of {marked}: "
-        "is it the wrong file?"
-    )
+    if best and only == best:
+        return one._replace(assignment=best)
+    seen = f"its cells are those of {best}" if best else f"it {NO_ANSWERS}"
+    trouble = f"it is handed in for {wanted}, but {seen}: is it the wrong file?"
+    return one._replace(trouble=trouble)
 
 
 def is_marked_late(file: Found) -> bool:
@@ -166,7 +170,7 @@ def find_missing_notebooks(
     lost = []
     for student, files in rest.items():
         if student not in have:
-            named = find_assignment(files[0].place[-1], files[0].place, b"", known)
+            named = find_assignment(files[0].place[-1], files[0].place, {}, known)
             seen = list_some([describe_place(file) for file in files])
             late = any(map(is_marked_late, files))
             lost.append(
@@ -262,18 +266,20 @@ def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
     """Merge equal files of one student for one assignment; refuse different ones.
 
     Where the files differ, none is chosen: one submission has a trouble that lists all of them.
+    Files without answers, such as lessons, do not count beside others.
     """
     groups: dict[tuple[str, str], list[Submission]] = {}
     for one in submissions:
         groups.setdefault((one.student, one.assignment), []).append(one)
-    for group in groups.values():
+    for files in groups.values():
+        group = [one for one in files if NO_ANSWERS not in one.trouble] or files
         if len({one.data for one in group}) == 1 or not group[0].assignment:
             yield from group[: 1 if group[0].assignment else None]
         else:
-            files = list_some([one.file for one in group])
-            wrong = f"handed in more than once, with differences: {files}; leave one"
+            names = list_some([one.file for one in group])
+            wrong = f"handed in more than once, with differences: {names}; leave one"
             yield group[0]._replace(
-                data=b"", file=files, trouble=wrong, late=any(one.late for one in group)
+                data=b"", file=names, trouble=wrong, late=any(one.late for one in group)
             )
 
 

@@ -19,7 +19,8 @@ from ...messages import get_message
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.found import read_files
-from ..collect.marks import count_shared_marks, find_assignment, find_marks
+from ..collect.marks import count_shared, find_assignment, find_questions
+from ..collect.notebook import UnreadableSubmission
 from ..collect.submissions import Submission, is_candidate, merge_doubles
 from ..judge.running import grade_all, use_local_workers
 from ..judge.submission import RIGHT, Grade
@@ -84,14 +85,14 @@ def is_trusted(container_is_wall: bool) -> bool:
 
 
 def find_submission(folder: Path, name: str) -> Submission:
-    """The notebook in a folder: the one that answers the assignment, or else the only one.
+    """The notebook in a folder: the one with answers and of that name, or else the only one.
 
     Where there is none, or several, the submission has that trouble.
     """
     found = [file for file in read_files(folder) if is_candidate(file)] if folder.is_dir() else []
-    mine = [
-        file for file in found if find_assignment(file.place[-1], file.place, file.data, [name])
-    ] or found
+    answered = [file for file in found if count_answers(file.data, name)]
+    named = [file for file in found if find_assignment(file.place[-1], file.place, {}, [name])]
+    mine = [file for file in answered if file in named] or answered or named or found
     if not mine:
         return Submission("", name, "", b"", get_message("gradescope.nothing", name=name))
     one = next(
@@ -99,9 +100,17 @@ def find_submission(folder: Path, name: str) -> Submission:
             [Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]
         )
     )
-    if find_marks(one.data) and not any(count_shared_marks(one.data, [name]).values()):
+    if not one.trouble and count_answers(one.data, name) == 0:
         return one._replace(trouble=get_message("gradescope.wrong_file", name=name))
     return one
+
+
+def count_answers(data: bytes, name: str) -> int | None:
+    """How many questions of the assignment a notebook's cells are about; None if unreadable."""
+    try:
+        return count_shared(find_questions(data), [name])[name]
+    except UnreadableSubmission:
+        return None
 
 
 def make_results(name: str, record: Grade | None, trouble: str) -> Results:
