@@ -144,6 +144,40 @@ def test_release_refuses_what_it_cannot_make(house):
     assert not list((house / "exercises").iterdir())
 
 
+BUSY = """from kinoedu.support import time_limit
+
+def run_late(clock, work):
+    raise time_limit.TimeUp(used=9.0, allowed=5.0, passed=9.0)
+
+time_limit.run_bounded = run_late"""
+
+
+def test_release_on_a_busy_computer_stores_no_time_out(house):
+    """A check that ran out of time ends the release, and the cell is named."""
+    file = house / "solutions" / "01_geometry.ipynb"
+    book = nbformat.read(file, as_version=4)
+    book.cells.insert(1, nbformat.v4.new_code_cell(BUSY))
+    nbformat.write(book, file)
+    with pytest.raises(
+        InvalidParameter, match=r"cell \d+, check\(line_through_points\).*9\.0"
+    ) as error:
+        release("01_geometry", house)
+    assert "not answered" not in str(error.value)
+    assert not list((house / "exercises").iterdir())
+
+
+def test_release_stores_no_check_that_was_answered(house):
+    """Such as one of an answer that is not marked as a solution."""
+    file = house / "solutions" / "01_geometry.ipynb"
+    book = nbformat.read(file, as_version=4)
+    given = "from kinoedu.geometry import line_through_points\ncheck(line_through_points)"
+    for cell in book.cells:
+        cell.source = cell.source.replace("check(line_through_points)", given)
+    nbformat.write(book, file)
+    with pytest.raises(InvalidParameter, match="must say that nothing is answered yet"):
+        release("01_geometry", house)
+
+
 def test_the_students_zip_holds_no_secret(tmp_path):
     """Lessons, exercises and the library; no solutions, no bank, no tests, nothing that running
     left behind; the same zip twice.

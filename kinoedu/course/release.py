@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
+from ..messages import get_message
 from ..support.whole_files import written_whole
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
@@ -24,6 +25,7 @@ FOR_STUDENTS = (
     "environment.txt",
 )
 FOLDERS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs")
+CHECKED, UNANSWERED = "kinoedu-check", "kinoedu-unanswered"  # in the HTML of a check's feedback
 ZIP_DATE = (2020, 1, 1, 0, 0, 0)  # of every file, so that the same course makes the same zip
 
 
@@ -43,16 +45,17 @@ def release(name: str, house: Path = HOUSE) -> Path:
     Raises
     ------
     InvalidParameter
-        Where there is no such assignment, or the notebook does not run without errors.
+        Where there is no such assignment, or the notebook does not run without errors, or a check
+        says anything but that nothing is answered yet.
     """
     import nbformat
 
-    book = remove_answers(solution_path(name, house))
     exercise = house / "exercises" / f"{name}.ipynb"
+    book = run_notebook(remove_answers(solution_path(name, house)), exercise.parent)
+    for number, cell in enumerate(book.cells, 1):
+        require_unanswered(number, cell)
     with written_whole(exercise) as part:
-        part.write_text(
-            nbformat.writes(run_notebook(book, exercise.parent)) + "\n", encoding="utf-8"
-        )
+        part.write_text(nbformat.writes(book) + "\n", encoding="utf-8")
     return exercise
 
 
@@ -112,7 +115,7 @@ def run_notebook(book: Any, folder: Path) -> Any:
         Where a cell raises an error.
     """
     from nbclient import NotebookClient
-    from nbclient.exceptions import CellExecutionError
+    from nbclient.exceptions import CellExecutionError, DeadKernelError
 
     client = NotebookClient(
         book,
@@ -123,12 +126,30 @@ def run_notebook(book: Any, folder: Path) -> Any:
     client.extra_arguments = ["--log-level=ERROR"]
     try:
         client.execute()
-    except CellExecutionError as error:
+    except (CellExecutionError, DeadKernelError) as error:
         raise InvalidParameter(
             f"an exercise notebook must run without errors before it is answered: {error}"
         ) from error
     book.metadata = {"kernelspec": book.metadata["kernelspec"]}
     return book
+
+
+def require_unanswered(number: int, cell: Any) -> None:
+    """Raise InvalidParameter if the check of a graded cell does not say "not answered yet".
+
+    No check of any cell may have run out of time, as happens on a busy computer.
+    """
+    ends = [get_message(f"check.{end}") for end in ("stopped", "still_running")]
+    graded = cell.metadata.get("nbgrader", {}).get("grade", False)
+    for output in cell.get("outputs", []):
+        text, page = (output.get("data", {}).get(f"text/{kind}", "") for kind in ("plain", "html"))
+        answered = graded and UNANSWERED not in page
+        if CHECKED in page and (answered or any(end in text for end in ends)):
+            raise InvalidParameter(
+                f"cell {number}, {cell.source.splitlines()[0]}, must say that nothing is answered "
+                f"yet, but it says: {' '.join(text.split())[:300]} If the computer was busy, "
+                "release again"
+            )
 
 
 def pack_course(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
