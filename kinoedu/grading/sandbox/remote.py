@@ -30,7 +30,10 @@ MOST_LENT = 100_000  # things lent in a whole run
 
 
 class Ended(Exception):
-    """The student's program can go on no more: "late", "flood", "died" or "unasked"."""
+    """The student's program can go on no more.
+
+    reason : "late", "flood", "died", or "unasked" where it wrote what no line asked for.
+    """
 
     def __init__(self, reason: str) -> None:
         super().__init__(reason)
@@ -62,7 +65,7 @@ class RemoteFunction:
             self.student.end = end.reason
             outcome = Late(False)
         except (wire.Unfit, KeyError, TypeError, ValueError):
-            self.student.end = "died"
+            self.student.end = "unasked"
             outcome = Late(False)
         raise Elsewhere(outcome)
 
@@ -164,7 +167,7 @@ class Student:
         try:
             return wire.read_line(line)
         except wire.Unfit:
-            raise Ended("died") from None
+            raise Ended("unasked") from None
 
     def answer(self, question: Any) -> dict[str, Any]:
         """The answer to a question: a value or an exception, and the generators' new states.
@@ -180,7 +183,7 @@ class Student:
             lent = self.lent[number]
             values = self.decode(given, used), self.decode(named, used)
         except (wire.Unfit, TypeError, ValueError, IndexError, KeyError) as error:
-            raise Ended("died") from error
+            raise Ended("unasked") from error
         try:
             reply = {"value": self.encode(lent.ask(name, *values[0], **values[1]))}
         except Ended:

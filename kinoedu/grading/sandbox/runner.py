@@ -177,7 +177,7 @@ def read_troubles(reply: dict[str, Any]) -> Iterator[tuple[int, list[str], Outco
             used, allowed, passed = map(float, reply["late"])
             yield 0, [], Late(False, used, allowed, passed)
     except (KeyError, TypeError, ValueError) as error:
-        raise Ended("died") from error
+        raise Ended("unasked") from error
 
 
 def run_unlimited(seconds: float, work: Callable[[], Any]) -> Any:
