@@ -29,6 +29,7 @@ from kinoedu.course.outcomes import (
     decode_outcome,
     encode_outcome,
 )
+from kinoedu.course.tasks import scene_of
 from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -771,3 +772,21 @@ def test_a_star_without_room_for_a_question_is_replaced(name):
     for seed in (26, 30, 32):
         cases = list(EXERCISES[name].cases(np.random.default_rng(seed)))
         assert {case.kind for case in cases} == set(EXERCISES[name].kinds)
+
+
+@pytest.mark.parametrize(("name", "least"), [("trapezoidation", 3), ("visibility_roadmap", 2)])
+def test_a_failing_world_is_shown_without_the_obstacles_that_do_not_matter(name, least):
+    """The program forgets what it does with few obstacles; just enough of them remain."""
+    exercise = EXERCISES[name]
+    seen = []
+
+    def forgetful(*given):
+        given = [one._ask.__self__ if isinstance(one, LentProblem) else one for one in given]
+        seen.append(len(given[1]))
+        answer = exercise.right_answer(*given)
+        return answer if seen[-1] < least else type(answer)(part[:1] for part in answer)
+
+    failure = check(forgetful, name).report.failure
+    assert len(failure.case.given["obstacles"]) == least <= max(seen)
+    if "problem" in failure.case.given:
+        assert len(scene_of(failure.case.given["problem"].problem)["world"]["obstacles"]) == least

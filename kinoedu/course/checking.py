@@ -6,6 +6,7 @@ import io
 import warnings
 from collections.abc import Callable
 from contextlib import redirect_stdout
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from .judging import judge_until_failure, run_case
 from .lessons import find
 from .outcomes import Outcome
 from .plain import describe_value
+from .shrinking import shrink
 
 # exercises that passed in this session; their sources may be shown
 PASSED: set[str] = set()
@@ -69,13 +71,17 @@ def check(
     judged_exercise = find(name if isinstance(name, str) else "", variant)
     cases = list(judged_exercise.cases(np.random.default_rng(0)))
     printed: list[OutputBuffer] = []
-    report = judge_until_failure(
-        judged_exercise, cases, lambda case: run_quietly(judged_exercise, function, case, printed)
-    )
-    if report.is_right:
+
+    def run(case: Case) -> Outcome:
+        return run_quietly(judged_exercise, function, case, printed)
+
+    report = judge_until_failure(judged_exercise, cases, run)
+    if report.failure is None:
         PASSED.add(judged_exercise.name)
-    output = printed[report.failure.number].getvalue() if report.failure is not None else ""
-    return Feedback(report, advance_stage(report) if staged else ALL, output)
+        return Feedback(report)
+    output = printed[report.failure.number].getvalue()
+    smallest = replace(report, failure=shrink(judged_exercise, report.failure, run))
+    return Feedback(smallest, advance_stage(report) if staged else ALL, output)
 
 
 def run_quietly(
