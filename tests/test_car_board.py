@@ -96,7 +96,7 @@ def test_the_same_seed_is_the_same_scene():
 def test_without_a_path_the_board_says_why():
     """Behind a closed wall a tree's car drives to the nearest pose; along curves it stands."""
     closed = [(9, -1), (11, -1), (11, 17), (9, 17)]
-    made = car_board(problem_of(closed), iterations=60)
+    made = car_board(problem_of(closed), max_iterations=60)
     assert "no path, " in made.canvas.drawing.text and made.canvas.drawing.total > 100
     made.planner.value = "rrt"
     assert "no path, " in repr(made) and made.canvas.drawing.total <= 100
@@ -160,7 +160,7 @@ def test_a_car_among_bitmaps_and_one_that_only_goes_forward():
 
 
 @pytest.mark.parametrize(
-    "wrong", [{"planner": "astar"}, {"view": "below"}, {"iterations": 0}, {"rng": -1}]
+    "wrong", [{"planner": "astar"}, {"view": "below"}, {"max_iterations": 0}, {"rng": -1}]
 )
 def test_what_makes_no_sense_is_refused(wrong):
     """Errors are raised before anything is shown, also for a problem of another robot."""

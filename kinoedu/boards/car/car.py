@@ -52,7 +52,7 @@ def car_board(
     problem: ProblemRecord,
     planner: str = "kinodynamic_rrt",
     *,
-    iterations: int | None = None,
+    max_iterations: int | None = None,
     view: str = "above",
     rng: int = 0,
 ) -> CarBoard:
@@ -69,8 +69,8 @@ def car_board(
     problem : a Problem of a Car.
     planner : "kinodynamic_rrt", "kinodynamic_prm", "rrt" (which steers by Reeds-Shepp curves), or
         "you".
-    iterations : where a planner gives up; of the roadmap, how many configurations are sampled. The
-        default is 1,000, and 350 for the roadmap.
+    max_iterations : where a planner gives up; of the roadmap, how many configurations are sampled.
+        The default is 1,000, and 350 for the roadmap.
     view : "above", or "followed" for a view that moves with the car.
     rng : the first seed.
 
@@ -92,20 +92,22 @@ def car_board(
     >>> car_board(Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0)), "you")
     CarBoard(you have driven 0; the wheels are turned by 0°)
     """
-    return CarBoard(problem, planner, iterations, view, rng)
+    return CarBoard(problem, planner, max_iterations, view, rng)
 
 
 class CarBoard(Framed):
     """The widget that `car_board` returns: the controls, and the car in `canvas`."""
 
     def __init__(
-        self, problem: ProblemRecord, planner: str, iterations: int | None, view: str, rng: int
+        self, problem: ProblemRecord, planner: str, max_iterations: int | None, view: str, rng: int
     ) -> None:
         self.problem = check_car_problem(problem)
         self.plan: Plan | None = None
         chosen = one_of(planner, "planner", (*ON_BOARD, YOU))
         default = ON_BOARD.get(chosen, ON_BOARD["rrt"]).car_board
-        most = integer(default if iterations is None else iterations, "iterations", least=1)
+        most = integer(
+            default if max_iterations is None else max_iterations, "max_iterations", least=1
+        )
         titles = [(title_of(one, "car_board"), name) for name, one in ON_BOARD.items()]
         self.planner = make_menu("board.planner", [*titles, *make_options([YOU])], chosen)
         self.iterations = make_counter("car_board.iterations", most, 50, 3000)
