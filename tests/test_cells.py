@@ -178,6 +178,8 @@ numbers = [
     1,
 ]
 open_end = max(1,
+def empty():
+    if True:
 answer = mine(a) + numbers[0]
 """
 
@@ -190,7 +192,9 @@ def test_a_syntax_error_costs_its_own_function(run):
         (4, "SyntaxError", ["helper"]),
         (14, "SyntaxError", ["Other"]),
         (23, "SyntaxError", ["open_end"]),
+        (25, "IndentationError", ["empty"]),
     ]
+    assert "'if' statement on line 25" in failures[3][3]
     assert "expected ':'" in failures[0][3] and "(cell 1, line 4)" in failures[0][3]
 
 

@@ -97,6 +97,21 @@ def test_a_cell_that_fails_does_not_lose_the_others(box, bad):
 
 
 @needs_sandbox
+def test_a_syntax_error_is_called_one_in_its_own_question(box):
+    """Of a function that is defined again, only the last definition counts."""
+    first = "%time\ndef point_segment_distance(q, a, b)\n    return 0\n"
+    later = "def line_through_points(p):\n    return (p\n"
+    result = graded(box, first, f"\ndef helper(:\n    pass\n{later}", later[:-10])
+    for name, words in (
+        ("point_segment_distance", "expected ':' (line 2 of cell 1)"),
+        ("line_through_points", "after function definition on line 1 (line 2 of cell 3)"),
+    ):
+        assert (result[name]["status"], result[name]["score"]) == ("syntax error", 0.0)
+        assert words in result[name]["message"] and name in result[name]["message"]
+    assert result["polygon_tangent"]["status"] == "not answered"
+
+
+@needs_sandbox
 def test_what_is_asked_for_is_not_lent_and_a_message_says_so(box):
     result = graded(
         box,

@@ -50,11 +50,10 @@ class Question(NamedTuple):
 
 
 class Trouble(NamedTuple):
-    """What failed in a cell: the outcome, its line, and the names that are not defined by it."""
+    """What failed in a cell, and its line there."""
 
     outcome: Outcome
     line: int
-    defines: list[str]
 
 
 class Answers(NamedTuple):
@@ -192,24 +191,15 @@ def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None
     for line in (line for lines in reply.parts for line in lines):
         if "cell" in line:
             found.troubles[line["cell"]] = [
-                Trouble(decode_line(one["outcome"], NO_VALUE), one["line"], one["defines"])
+                Trouble(decode_line(one["outcome"], NO_VALUE), one["line"])
                 for one in line["troubles"]
             ]
         elif line.get("missing"):
-            found.outcomes[line["question"]] = explain_missing(line["question"], found)
+            found.outcomes[line["question"]] = None
         elif "question" in line:
             question = by_name[line["question"]]
             outcome = decode_line(line["outcome"], question.exercise.answer)
             found.outcomes.setdefault(question.name, []).append(outcome)  # type: ignore[union-attr]
-
-
-def explain_missing(name: str, found: Answers) -> list[Outcome] | None:
-    """What keeps a function from being there: a line that Python cannot read, or nothing at all."""
-    for troubles in found.troubles.values():
-        for trouble in troubles:
-            if name in trouble.defines:
-                return [trouble.outcome]
-    return None
 
 
 def decode_line(data: object, shape: Shape) -> Outcome:
@@ -232,7 +222,7 @@ def find_remaining(
         done = {line["cell"] for line in reply.parts[CELLS] if "cell" in line}
         culprit = next((cell for cell in cells if cell.number not in done), None)
         if culprit is not None:
-            found.troubles[culprit.number] = [Trouble(end, 0, [])]
+            found.troubles[culprit.number] = [Trouble(end, 0)]
             return drop_cell(culprit, cells, done, found), questions
     left = [one for one in questions if is_open(one, found.outcomes.get(one.name, []))]
     if left:

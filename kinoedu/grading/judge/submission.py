@@ -9,11 +9,12 @@ from ...course.outcomes import Late, Outcome, encode_outcome
 from ...messages import get_message
 from ..assignments.questions import Assignment, AssignmentQuestion, Cases, draw_cases
 from ..collect.notebook import Cell, UnreadableSubmission, read_cells
+from ..sandbox.cells import Failure, find_names, parse_cell
 from ..sandbox.sandbox import Sandbox
 from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
 
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
-UNANSWERED, LATE, STOPPED = "not answered", "too late", "stopped"
+UNANSWERED, LATE, STOPPED, SYNTAX = "not answered", "too late", "stopped", "syntax error"
 Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
 
@@ -46,11 +47,15 @@ def grade(
     cases = [draw_cases(exercise.name, secret, exercise.variant) for exercise in exercises]
     to_run = [Question(exercise, *drawn) for exercise, drawn in zip(exercises, cases, strict=True)]
     answers = run_program(sandbox, cells, to_run, task.lent, patience=patience)
+    errors = find_syntax_errors(cells)
     return {
         "status": "graded",
         "message": "",
         "questions": [
-            judge_question(question, drawn, answers.outcomes.get(question.exercise.name))
+            describe_syntax_error(
+                judge_question(question, drawn, answers.outcomes.get(question.exercise.name)),
+                errors,
+            )
             for question, drawn in zip(task.questions, cases, strict=True)
         ],
         "cells": encode_troubles(answers, cells),
@@ -69,6 +74,28 @@ def make_blank_record(question: AssignmentQuestion) -> Grade:
         "failure": None,
         "late": False,
     }
+
+
+def find_syntax_errors(cells: list[Cell]) -> dict[str, str]:
+    """The functions whose last definition is not Python, each with its place and the reason."""
+    found: dict[str, str] = {}
+    for cell in cells:
+        for part in parse_cell(cell.source, f"cell {cell.number}"):
+            names = part.names if isinstance(part, Failure) else find_names(part)
+            for name in names:
+                found.pop(name, None)
+            if isinstance(part, Failure):
+                reason = part.error.msg if isinstance(part.error, SyntaxError) else str(part.error)
+                place = {"cell": cell.number, "line": part.line, "reason": reason}
+                found |= {name: get_message("grading.syntax", name=name, **place) for name in names}
+    return found
+
+
+def describe_syntax_error(record: Grade, errors: dict[str, str]) -> Grade:
+    """The record of a question, which names the syntax error if that is why it has no answer."""
+    if record["status"] != UNANSWERED or record["question"] not in errors:
+        return record
+    return record | {"status": SYNTAX, "message": errors[record["question"]]}
 
 
 def judge_question(

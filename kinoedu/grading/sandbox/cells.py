@@ -16,13 +16,16 @@ from typing import Any, NamedTuple
 
 FUTURES = {getattr(__future__, name).compiler_flag for name in __future__.all_feature_names}
 MOST_STEPS = 1_000_000  # of a top-level await; nothing else runs meanwhile, so waiting is in vain
-MOST_PIECES = 40  # of a cell with a syntax error that are joined, to complete brackets or text
+# of a cell with a syntax error, pieces that are joined to complete brackets or text: how many for
+# one statement, and how many characters in all
+MOST_PIECES, MOST_JOINED = 40, 200_000
 
 # lines at column 0 that belong to the lines above
 CONTINUES = re.compile(r"(else|elif|except|finally)\b|[\s#)\]}]")
 DEFINES = re.compile(r"^(?:async +)?(?:def|class) +(\w+)|^(\w+) *=(?!=)", re.MULTILINE)
 # what Python says of code that more lines could complete
 INCOMPLETE = re.compile(r"was never closed|unterminated triple-quoted|unexpected EOF")
+ON_LINE = re.compile(r"on line (\d+)")
 
 Space = dict[str, Any]
 
@@ -93,12 +96,12 @@ def parse_cell(source: str, name: str) -> Iterator[ast.stmt | Failure]:
     if isinstance(tree, ast.Module):
         yield from tree.body
         return
-    pieces = split_at_statements(source)
-    while pieces:
-        first, _ = pieces[0]
-        count, tree = parse_first_block(pieces, name)
-        text = "".join(text for _, text in pieces[:count])
-        pieces = pieces[count:]
+    pieces, begin, left = split_at_statements(source), 0, MOST_JOINED
+    while begin < len(pieces):
+        first, text = pieces[begin]
+        joined = pieces[begin : begin + MOST_PIECES] if left > 0 else [pieces[begin]]
+        count, tree, length = parse_first_block([text for _, text in joined], name)
+        begin, left = begin + count, left - length
         if isinstance(tree, ast.Module):
             ast.increment_lineno(tree, first)
             yield from tree.body
@@ -136,29 +139,29 @@ def split_at_statements(source: str) -> list[tuple[int, str]]:
     ]
 
 
-def parse_first_block(
-    pieces: list[tuple[int, str]], name: str
-) -> tuple[int, ast.Module | Exception]:
+def parse_first_block(pieces: list[str], name: str) -> tuple[int, ast.Module | Exception, int]:
     """Parse the first piece, joined with later ones while these may complete it.
 
-    Returns the number of pieces and their tree, or 1 and the error of the first piece.
+    Returns the number of pieces and their tree, or 1 and the error of the first piece; and the
+    number of characters that were parsed.
     """
-    text, first = "", Exception()
-    for count, (_, piece) in enumerate(pieces[:MOST_PIECES], 1):
+    text, first, length = "", Exception(), 0
+    for count, piece in enumerate(pieces, 1):
         text += piece
-        tree = parse(text, name)
+        tree, length = parse(text, name), length + len(text)
         if isinstance(tree, ast.Module):
-            return count, tree
+            return count, tree, length
         first = tree if count == 1 else first
         if not INCOMPLETE.search(str(tree)):
             break
-    return 1, first
+    return 1, first, length
 
 
 def shift_lines(error: Exception, lines: int) -> int:
     """Make a syntax error count its lines from the start of the cell, and return its line."""
     if not isinstance(error, SyntaxError) or error.lineno is None:
         return lines + 1
+    error.msg = ON_LINE.sub(lambda line: f"on line {int(line[1]) + lines}", error.msg)
     error.lineno += lines
     error.end_lineno = error.end_lineno and error.end_lineno + lines
     return error.lineno

@@ -42,6 +42,7 @@ from kinoedu.course.outcomes import Late, Outcome, Raised, encode_outcome  # noq
 from kinoedu.course.shapes import Maybe, Truth  # noqa: E402
 
 SELDOM = 0.05  # seconds between outcomes that are sent one by one
+MOST_TROUBLES = 50  # of one cell
 NO_VALUE = Maybe(Truth())
 
 
@@ -127,8 +128,8 @@ class Session:
         name = f"cell {cell['number']}"
         reply = self.student.converse(seconds, cell=name, source=cell["source"])
         troubles = [
-            {"line": line, "defines": defines, "outcome": encode_outcome(outcome, NO_VALUE)}
-            for line, defines, outcome in read_troubles(reply)
+            {"line": line, "outcome": encode_outcome(outcome, NO_VALUE)}
+            for line, outcome in read_troubles(reply)
         ]
         self.grader.send(cell=cell["number"], troubles=troubles)
 
@@ -162,8 +163,8 @@ def read_names(lent: Iterable[str]) -> dict[str, dict[str, Any]]:
     return names
 
 
-def read_troubles(reply: dict[str, Any]) -> Iterator[tuple[int, list[str], Outcome]]:
-    """Yield the line of each failure in a cell, the names that are missing by it, and what it was.
+def read_troubles(reply: dict[str, Any]) -> Iterator[tuple[int, Outcome]]:
+    """Yield the line of each failure in a cell, and what it was.
 
     Raises
     ------
@@ -171,11 +172,11 @@ def read_troubles(reply: dict[str, Any]) -> Iterator[tuple[int, list[str], Outco
         Where these are not such data.
     """
     try:
-        for line, defines, *described in reply["troubles"][:50]:
-            yield int(line), [str(name) for name in defines][:50], Raised(*described)
+        for line, *described in reply["troubles"][:MOST_TROUBLES]:
+            yield int(line), Raised(*described)
         if "late" in reply:
             used, allowed, passed = map(float, reply["late"])
-            yield 0, [], Late(False, used, allowed, passed)
+            yield 0, Late(False, used, allowed, passed)
     except (KeyError, TypeError, ValueError) as error:
         raise Ended("unasked") from error
 

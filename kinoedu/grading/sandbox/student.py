@@ -179,7 +179,7 @@ class Program:
         def work() -> None:
             for failure in cells.run_cell(source, name, self.space, self.compiler):
                 described = describe_exception(failure.error, is_students)
-                troubles.append([failure.line, failure.names, *described])
+                troubles.append([failure.line, *described])
 
         try:
             self.run_with_alarm(request["seconds"], work)
