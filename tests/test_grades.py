@@ -494,7 +494,7 @@ def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_p
     book = json.loads((HOUSE / "exercises" / f"{NAME}.ipynb").read_text(encoding="utf-8"))
     typed = {
         "line_through_points": "def line_through_points(p1, p2):\n    return 1",
-        "exposing_case": "def exposing_case()\n    pass",
+        "exposing_case": "def exposing_case()\n    pass\ndef polygon_tangent(q, p):\n    return 1",
     }
     for cell in book["cells"]:
         cell["source"] = typed.get(
@@ -506,6 +506,7 @@ def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_p
     assert is_answered and "has not been run" in remark
     is_answered, remark = answers["exposing_case"]
     assert not is_answered and "expected ':' (line 1)" in remark
+    assert answers["polygon_tangent"][0]
 
 
 def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):

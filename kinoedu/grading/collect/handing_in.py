@@ -14,8 +14,9 @@ from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.whole_files import written_whole
+from ..sandbox.cells import Failure, find_names, parse_cell
 from .marks import choose_most_shared, find_questions
-from .notebook import join_text, parse_notebook, read_bytes, read_cells
+from .notebook import Cell, join_text, parse_notebook, read_bytes, read_cells
 
 UNTOUCHED = "YOUR ANSWER HERE"
 
@@ -112,8 +113,7 @@ def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
 
     Raises UnreadableSubmission.
     """
-    sources = [cell.source for cell in read_cells(data)]
-    written, broken = find_written_functions(sources), find_broken_functions(sources)
+    written, broken = find_functions(read_cells(data))
     book = parse_notebook(data)["cells"]
     messages = read_check_messages(book)
     names = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
@@ -124,41 +124,37 @@ def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
     return answers | {name: (is_touched, "") for name, is_touched in find_prose_answers(book)}
 
 
-def find_broken_functions(sources: list[str]) -> dict[str, str]:
-    """The functions in cells with syntax errors, each with its error message."""
-    found: dict[str, str] = {}
-    for source in sources:
-        try:
-            ast.parse(source)
-        except SyntaxError as error:
-            words = get_message("hand_in.unreadable", message=error.msg, line=error.lineno)
-            found |= dict.fromkeys(re.findall(r"^def (\w+)", source, re.MULTILINE), words)
-        except (ValueError, RecursionError, MemoryError):
-            continue
-    return found
+def find_functions(cells: list[Cell]) -> tuple[dict[str, bool], dict[str, str]]:
+    """The functions that a notebook defines.
+
+    Returns
+    -------
+    dict, dict
+        Whether each has been written by the student, and the syntax errors of those that have one.
+    """
+    written: dict[str, bool] = {}
+    broken: dict[str, str] = {}
+    for part in (part for cell in cells for part in parse_cell(cell.source, "")):
+        if isinstance(part, Failure):
+            reason = part.error.msg if isinstance(part.error, SyntaxError) else str(part.error)
+            words = get_message("hand_in.unreadable", message=reason, line=part.line)
+            written |= dict.fromkeys(part.names, False)
+            broken |= dict.fromkeys(part.names, words)
+        else:
+            written |= dict.fromkeys(find_names(part), not is_unwritten(part))
+    return written, broken
 
 
-def find_written_functions(sources: list[str]) -> dict[str, bool]:
-    """The functions that a notebook defines, and whether each has been written by the student."""
-    found = {}
-    for source in sources:
-        try:
-            body = ast.parse(source).body
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            continue
-        for node in body:
-            if isinstance(node, ast.FunctionDef):
-                steps = [
-                    step
-                    for step in node.body
-                    if not (isinstance(step, ast.Expr) and isinstance(step.value, ast.Constant))
-                ]
-                found[node.name] = bool(steps) and not is_stub(steps[0])
-            elif isinstance(node, ast.Assign):
-                found |= {
-                    target.id: True for target in node.targets if isinstance(target, ast.Name)
-                }
-    return found
+def is_unwritten(statement: ast.stmt) -> bool:
+    """Whether a statement defines a function whose first step is the placeholder for an answer."""
+    if not isinstance(statement, ast.FunctionDef):
+        return False
+    steps = [
+        step
+        for step in statement.body
+        if not (isinstance(step, ast.Expr) and isinstance(step.value, ast.Constant))
+    ]
+    return not steps or is_stub(steps[0])
 
 
 def is_stub(step: ast.stmt) -> bool:

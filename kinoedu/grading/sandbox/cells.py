@@ -26,6 +26,8 @@ DEFINES = re.compile(r"^(?:async +)?(?:def|class) +(\w+)|^(\w+) *=(?!=)", re.MUL
 # what Python says of code that more lines could complete
 INCOMPLETE = re.compile(r"was never closed|unterminated triple-quoted|unexpected EOF")
 ON_LINE = re.compile(r"on line (\d+)")
+DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)  # with names inside
 
 Space = dict[str, Any]
 
@@ -199,11 +201,18 @@ def find_line(error: BaseException, name: str, statement: ast.stmt) -> int:
 
 
 def find_names(statement: ast.stmt) -> tuple[str, ...]:
-    """The functions and variables that a statement defines, outside of nested functions."""
-    if isinstance(statement, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-        return (statement.name,)
-    return tuple(
-        part.id
-        for part in ast.walk(statement)
-        if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)
-    )
+    """The functions, classes and variables that a statement defines in the notebook.
+
+    >>> find_names(ast.parse("with x as y:\\n    def f(): z = 1\\n    g = [u for u in x]").body[0])
+    ('f', 'y', 'g')
+    """
+    nodes: list[ast.AST] = [statement]
+    found = []
+    for node in nodes:
+        if isinstance(node, DEFINITIONS):
+            found.append(node.name)
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            found.append(node.id)
+        elif not isinstance(node, COMPREHENSIONS):
+            nodes.extend(ast.iter_child_nodes(node))
+    return tuple(found)
