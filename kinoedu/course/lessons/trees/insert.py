@@ -179,7 +179,7 @@ class Insert(ValueExercise):
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases that can be done on paper, then random ones of each kind."""
-        yield make_case("parent", OPEN, [(1, 1), (4, 1), (4, 4)], [-1, 0, 1], (3, 3), 3.0)
+        yield make_case("parent", OPEN, [(1, 1), (4, 1), (5, 1.5)], [-1, 0, 1], (3, 3), 3.0)
         yield make_case("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
         # the root is exactly at the radius
         yield make_case("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
@@ -274,7 +274,8 @@ def draw_case(rng: np.random.Generator, problem: StudentProblem, n: int) -> Case
 
     Returns
     -------
-    The case; None where two answers would be nearly equally good.
+    The case; None where two answers would be nearly equally good, or where a wall is between
+    neighbours and a node is rewired as well: each part of the idea has kinds of its own.
     """
     nodes = np.round(rng.uniform(0.5, 9.5, (n, 2)), 1)
     nodes[0] = problem.start
@@ -285,7 +286,10 @@ def draw_case(rng: np.random.Generator, problem: StudentProblem, n: int) -> Case
         parent[number[i]] = number[p]
     q_new = np.round(rng.uniform(1.0, 9.0, 2), 1)
     case = make_case("", problem, nodes, parent, q_new, round(float(rng.uniform(3.0, 6.0)), 1))
-    return case._replace(kind=classify(case.given)) if is_fair(case.given) else None
+    if not is_fair(case.given):
+        return None
+    kind = classify(case.given)
+    return None if kind == "blocked" and is_rewired(case.given) else case._replace(kind=kind)
 
 
 def grow_case(rng: np.random.Generator, problem: StudentProblem) -> Case:
@@ -333,4 +337,9 @@ def classify(given: Given) -> str:
         return "blocked"
     if insert_without_descendants(*given.values()) != truth:
         return "below"
-    return "rewire" if truth[0][:-1] != given["parent"].tolist() else "parent"
+    return "rewire" if is_rewired(given) else "parent"
+
+
+def is_rewired(given: Given) -> bool:
+    """Whether a node gets another parent by the insertion."""
+    return bool(insert_node(*given.values())[0][:-1] != given["parent"].tolist())
