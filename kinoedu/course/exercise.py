@@ -79,6 +79,7 @@ class Exercise(ABC):
     source : the library's own function, or None; the grader withholds it from students.
     shown : library function that students may compare with afterwards. None stands for `source`.
     variants : names of contracts; each student may be assigned one.
+    trivial : programs that solve nothing, beside constants and arguments; they earn no points.
     """
 
     name: ClassVar[str]
@@ -92,6 +93,7 @@ class Exercise(ABC):
     source: ClassVar[Callable[..., object] | None] = None
     shown: ClassVar[Callable[..., object] | None] = None
     variants: ClassVar[tuple[str, ...]] = ()
+    trivial: ClassVar[tuple[Callable[..., object], ...]] = ()
 
     def __init__(self, variant: str = "") -> None:
         self.variant = variant  # "" allows everything that the statement allows

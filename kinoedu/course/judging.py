@@ -39,6 +39,8 @@ class Report:
     failed : kinds with a case that was wrong or was not reached.
     right_so_far : kinds with a right case and no wrong one; some of their cases may not be reached.
     failure : the smallest case that failed, or None.
+    untried : kinds without a wrong case, of which some cases were not reached.
+    trivial : sets of kinds that programs pass which solve nothing (`find_trivial_kinds`).
     """
 
     exercise: Exercise
@@ -46,6 +48,8 @@ class Report:
     failed: tuple[str, ...] = ()
     right_so_far: tuple[str, ...] = ()
     failure: JudgedCase | None = None
+    untried: tuple[str, ...] = ()
+    trivial: frozenset[frozenset[str]] = frozenset()
 
     @property
     def unwritten(self) -> str:
@@ -63,9 +67,21 @@ class Report:
         return not self.failed
 
     @property
+    def passed(self) -> tuple[str, ...]:
+        """The kinds of input with right answers to all their cases."""
+        return tuple(kind for kind in self.exercise.kinds if kind not in self.failed)
+
+    @property
     def score(self) -> float:
-        """Fraction of the kinds of input with right answers, from 0 to 1."""
-        return 1.0 - len(self.failed) / len(self.exercise.kinds)
+        """From 0 to 1: what the answers are worth beside those of every trivial program.
+
+        It is the fraction of the kinds with right answers. Beside a trivial program, only the kinds
+        that this one fails are counted. The smallest of these fractions is the score. So a trivial
+        program itself gets 0, and an answer that is right for all kinds gets 1.
+        """
+        passed, kinds = set(self.passed), set(self.exercise.kinds)
+        counted = [kinds, *(kinds - one for one in self.trivial if not kinds <= one)]
+        return min(len(passed & its) / len(its) for its in counted)
 
 
 def run_case(
@@ -129,12 +145,20 @@ def is_unchanged(shape: Shape, value: object, data: object) -> bool:
 
 
 def judge_outcomes(
-    exercise: Exercise, cases: Iterable[Case], outcomes: Iterable[Outcome]
+    exercise: Exercise,
+    cases: Iterable[Case],
+    outcomes: Iterable[Outcome],
+    trivial: frozenset[frozenset[str]] = frozenset(),
 ) -> Report:
     """Judge outcomes in the order of their cases.
 
     No further outcome is requested after one that came too late, or one of an unwritten function. A
     kind with a case that was not reached counts as failed, so that giving up early never helps.
+
+    Parameters
+    ----------
+    trivial : the sets of kinds that trivial programs pass in these cases; the score allows for
+        them.
 
     Returns
     -------
@@ -145,7 +169,7 @@ def judge_outcomes(
         seen.append(judge_case(exercise, case, outcome, number))
         if ends_a_run(outcome):
             break
-    return make_report(exercise, all_cases, seen)
+    return replace(make_report(exercise, all_cases, seen), trivial=trivial)
 
 
 def judge_until_failure(
@@ -193,10 +217,11 @@ def make_report(exercise: Exercise, cases: list[Case], seen: list[JudgedCase]) -
         broken = set(exercise.kinds)  # raising an error for every input earns nothing
     failed = tuple(k for k in exercise.kinds if k in broken | unreached or not right[k])
     so_far = tuple(k for k in exercise.kinds if k not in broken and right[k])
+    untried = tuple(k for k in exercise.kinds if k in unreached - broken)
     if not failures:
-        return Report(exercise, right, failed, so_far)
+        return Report(exercise, right, failed, so_far, untried=untried)
     first = replace(failures[0], slip=find_slip(exercise, seen))
-    return Report(exercise, right, failed, so_far, first)
+    return Report(exercise, right, failed, so_far, first, untried)
 
 
 def find_slip(exercise: Exercise, seen: list[JudgedCase]) -> str:

@@ -20,6 +20,7 @@ import numpy as np
 from ...course.exercise import Case, Exercise
 from ...course.lessons import find
 from ...course.release import HOUSE, solution_path
+from ...course.trivial import find_trivial_kinds
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
 
@@ -136,6 +137,12 @@ def draw_cases(name: str, secret: bytes, variant: str = "") -> Cases:
     return Cases(
         seen + [case for case in cases if spell_case(exercise, case) not in shown], len(seen)
     )
+
+
+@functools.lru_cache(maxsize=256)
+def draw_trivial_kinds(name: str, secret: bytes, variant: str = "") -> frozenset[frozenset[str]]:
+    """The kinds that trivial programs pass in an exercise's cases; found once for a class."""
+    return find_trivial_kinds(find(name, variant), *draw_cases(name, secret, variant))
 
 
 def spell_case(exercise: Exercise, case: Case) -> str:

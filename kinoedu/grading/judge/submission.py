@@ -7,7 +7,14 @@ from ...course.feedback import hint_message, rule_message
 from ...course.judging import JudgedCase, Report, judge_outcomes
 from ...course.outcomes import Late, Outcome, encode_outcome
 from ...messages import get_message
-from ..assignments.questions import Assignment, AssignmentQuestion, Cases, draw_cases
+from ...support.time_limit import TimeUp, run_within_thread_time, slowdown
+from ..assignments.questions import (
+    Assignment,
+    AssignmentQuestion,
+    Cases,
+    draw_cases,
+    draw_trivial_kinds,
+)
 from ..collect.notebook import Cell, UnreadableSubmission, read_cells
 from ..sandbox.cells import Failure, find_names, parse_cell
 from ..sandbox.sandbox import Sandbox
@@ -15,6 +22,7 @@ from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
 
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
 UNANSWERED, LATE, STOPPED, SYNTAX = "not answered", "too late", "stopped", "syntax error"
+JUDGING = 60.0  # seconds of processor time in which the answers to a question are judged
 Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
 
@@ -44,7 +52,8 @@ def grade(
             "cells": [],
         }
     exercises = [question.exercise for question in task.questions]
-    cases = [draw_cases(exercise.name, secret, exercise.variant) for exercise in exercises]
+    drawn_from = [(exercise.name, secret, exercise.variant) for exercise in exercises]
+    cases = [draw_cases(*whose) for whose in drawn_from]
     to_run = [Question(exercise, *drawn) for exercise, drawn in zip(exercises, cases, strict=True)]
     answers = run_program(sandbox, cells, to_run, task.lent, patience=patience)
     errors = find_syntax_errors(cells)
@@ -53,10 +62,16 @@ def grade(
         "message": "",
         "questions": [
             describe_syntax_error(
-                judge_question(question, drawn, answers.outcomes.get(question.exercise.name)),
+                judge_in_time(
+                    question,
+                    drawn,
+                    answers.outcomes.get(question.exercise.name),
+                    draw_trivial_kinds(*whose),
+                    patience,
+                ),
                 errors,
             )
-            for question, drawn in zip(task.questions, cases, strict=True)
+            for question, drawn, whose in zip(task.questions, cases, drawn_from, strict=True)
         ],
         "cells": encode_troubles(answers, cells),
     }
@@ -98,13 +113,38 @@ def describe_syntax_error(record: Grade, errors: dict[str, str]) -> Grade:
     return record | {"status": SYNTAX, "message": errors[record["question"]]}
 
 
+def judge_in_time(
+    question: AssignmentQuestion,
+    cases: Cases,
+    outcomes: Sequence[Outcome] | None,
+    trivial: frozenset[frozenset[str]],
+    patience: float = 1.0,
+) -> Grade:
+    """The record of a question, without points if judging its outcomes takes too long."""
+    try:
+        return run_within_thread_time(
+            JUDGING * patience * slowdown(),
+            lambda: judge_question(question, cases, outcomes, trivial),
+        )
+    except TimeUp:
+        return make_blank_record(question) | {
+            "status": STOPPED,
+            "message": question.exercise.message("rules.judging"),
+            "hint": question.exercise.message("hints.judging"),
+            "reason": "rules.judging",
+        }
+
+
 def judge_question(
-    question: AssignmentQuestion, cases: Cases, outcomes: Sequence[Outcome] | None
+    question: AssignmentQuestion,
+    cases: Cases,
+    outcomes: Sequence[Outcome] | None,
+    trivial: frozenset[frozenset[str]] = frozenset(),
 ) -> Grade:
     """The record of a question with its outcomes."""
     if not outcomes:
         return make_blank_record(question)
-    report = judge_outcomes(question.exercise, cases.cases, outcomes)
+    report = judge_outcomes(question.exercise, cases.cases, outcomes, trivial)
     if report.unwritten and report.failure is not None and report.failure.number == 0:
         return make_blank_record(question)
     late = any(isinstance(outcome, Late) for outcome in outcomes)
@@ -113,6 +153,8 @@ def judge_question(
         "status": name_status(report),
         "message": get_message("grading.right"),
         "late": late,
+        "passed": list(report.passed),
+        "untried": list(report.untried),
     }
     if report.failure is None:
         return record

@@ -6,6 +6,7 @@ Each picture is drawn once, however many students share the failure.
 import functools
 import hashlib
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ from ...support.whole_files import written_whole
 from ..judge.submission import Grade
 
 DRAWING = 20.0  # seconds
+ROUNDING = 1e-9  # of points
 
 
 def restore_failure(question: Grade) -> tuple[Exercise, JudgedCase] | None:
@@ -47,7 +49,8 @@ def restore_failure(question: Grade) -> tuple[Exercise, JudgedCase] | None:
 def explain_failure(question: Grade) -> list[tuple[str, str]]:
     """What a student may know of a failure beside the rule, as pairs of a title and a text.
 
-    These are the case if everybody has seen it, the hint, and the section to read again.
+    These are the case if everybody has seen it, the hint, the section to read again, and the kinds
+    of input that passed and failed.
     """
     found = restore_failure(question)
     entries = case_lines(*found, "") if found is not None else []
@@ -55,7 +58,31 @@ def explain_failure(question: Grade) -> list[tuple[str, str]]:
         entries.append((get_message("check.hint"), question["hint"]))
     if found is not None:
         entries.append((get_message("check.read"), found[0].message("section")))
-    return entries
+    return [*entries, *explain_kinds(question)]
+
+
+def explain_kinds(question: Grade) -> Iterator[tuple[str, str]]:
+    """Yield the kinds of input that passed, failed and were not tried, as pairs of title and text.
+
+    Where they are worth less than their share of the points, the reason follows.
+    """
+    passed, untried = question.get("passed", []), question.get("untried", [])
+    failed = [kind for kind in question.get("kinds", []) if kind not in untried]
+    for key, kinds in (("passed", passed), ("failed", failed), ("untried", untried)):
+        if kinds:
+            words = "; ".join(describe_kind(question["question"], kind) for kind in kinds)
+            yield get_message(f"grades.kinds.{key}"), words
+    share = len(passed) / max(1, len(passed) + len(failed) + len(untried))
+    if question["score"] < share * question["max_score"] - ROUNDING:
+        yield get_message("grades.kinds.points"), get_message("grades.kinds.trivial")
+
+
+def describe_kind(question: str, kind: str) -> str:
+    """A kind of input in words, or its key if the course has changed since."""
+    try:
+        return find(question).message(f"kinds.{kind}")
+    except (KinoeduError, KeyError):
+        return kind
 
 
 def find_picture(question: Grade, folder: Path) -> bytes | None:

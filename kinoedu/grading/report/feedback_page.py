@@ -86,7 +86,9 @@ def render_failure(question: Grade, pictures: Path) -> Iterator[str]:
     """Why an answer is wrong: the case if everybody has seen it, its picture, and the hint."""
     entries = explain_failure(question)
     if entries:
-        plain = (get_message("check.wanted"), get_message("check.hint"), get_message("check.read"))
+        kinds = ("passed", "failed", "untried", "points")
+        plain = {get_message(f"check.{key}") for key in ("wanted", "hint", "read")}
+        plain |= {get_message(f"grades.kinds.{key}") for key in kinds}
         pairs = [
             (title, escape(text) if title in plain else f"<code>{escape(text)}</code>")
             for title, text in entries

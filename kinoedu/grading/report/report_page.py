@@ -6,11 +6,12 @@ from html import escape
 from itertools import groupby
 from urllib.parse import quote
 
-from ...course.lessons import find
+from ...course.lessons import EXERCISES, find
 from ...figures import palette
 from ...messages import get_message
 from ...support.csv_cells import number
 from ..judge.class_list import Class, read_record
+from .failures import describe_kind
 from .feedback_page import name_page
 from .pages import breakable, heading, page, paragraph, table
 from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, sum_totals
@@ -36,6 +37,7 @@ def render_report(of: Class, rows: list[Row]) -> str:
         its = [total for (_, assignment), total in found.items() if assignment == name]
         body += draw_histogram(name, its)
     body += tabulate_questions(rows)
+    body += tabulate_kinds(of)
     body += tabulate_mistakes(of)
     body += tabulate_students(found, names, late)
     body += tabulate_decisions(rows)
@@ -137,6 +139,39 @@ def tabulate_questions(rows: list[Row]) -> Iterator[str]:
         names = [breakable(assignment), breakable(question)]
         lines.append([*names, f"{answered} / {len(shares)}", f"{full:.0%}", f"{mean:.0%}"])
     yield table(head, lines, numbers=3)
+
+
+def tabulate_kinds(of: Class) -> Iterator[str]:
+    """Yield a table of the kinds of input: how many of the answers were right for each."""
+    right, answers = Counter[tuple[str, str, str]](), Counter[tuple[str, str, str]]()
+    for entry in of.entries:
+        record = read_record(entry, of.out)
+        for question in record["questions"] if record is not None else ():
+            passed, failed = question.get("passed", []), question.get("kinds", [])
+            whose = entry.assignment, question["question"]
+            answers.update((*whose, kind) for kind in order_kinds(whose[1], {*passed, *failed}))
+            right.update((*whose, kind) for kind in passed)
+    if answers:
+        yield heading(get_message("grades.report.kinds"))
+        yield paragraph(get_message("grades.report.kinds_about"), "quiet")
+        head = [
+            get_message(f"grades.report.{key}")
+            for key in ("assignment", "question", "kind", "right")
+        ]
+        lines = [
+            [
+                *map(breakable, (assignment, question, describe_kind(question, kind))),
+                f"{right[assignment, question, kind]} / {count}",
+            ]
+            for (assignment, question, kind), count in answers.items()
+        ]
+        yield table(head, lines, numbers=1)
+
+
+def order_kinds(question: str, kinds: set[str]) -> list[str]:
+    """Kinds in the order of the exercise; others, of an earlier course, at the end."""
+    now = EXERCISES[question].kinds if question in EXERCISES else ()
+    return [*(kind for kind in now if kind in kinds), *sorted(kinds - set(now))]
 
 
 def tabulate_mistakes(of: Class) -> Iterator[str]:
