@@ -8,6 +8,8 @@ import io
 import json
 import sys
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -17,12 +19,16 @@ from kinoedu.cli import main
 from kinoedu.course.lessons import EXERCISES, find
 from kinoedu.course.release import assignments
 from kinoedu.errors import InvalidParameter
+from kinoedu.grading import class_grading
 from kinoedu.grading.assignments.questions import read_assignment
+from kinoedu.grading.collect.found import METADATA
 from kinoedu.grading.collect.handing_in import hand_in
 from kinoedu.grading.collect.marks import count_shared, find_questions
+from kinoedu.grading.collect.names import find_name, read_gradescope_names, read_names
 from kinoedu.grading.collect.notebook import UnreadableSubmission
-from kinoedu.grading.collect.submissions import collect
+from kinoedu.grading.collect.submissions import Submission, collect
 from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
+from kinoedu.grading.judge import running
 from kinoedu.grading.judge.class_list import (
     Class,
     Entry,
@@ -33,6 +39,7 @@ from kinoedu.grading.judge.class_list import (
 )
 from kinoedu.grading.judge.running import grade_all, write_result
 from kinoedu.grading.regrading import find_changes
+from kinoedu.grading.report import writing
 from kinoedu.grading.report.decisions import read_decisions
 from kinoedu.grading.report.feedback_page import file_name, name_page
 from kinoedu.grading.report.writing import write_all
@@ -648,3 +655,135 @@ def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):
     assert main([*command, "--secret", str(tmp_path / "s")]) == 2
     assert "--trust" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        ("anne,01_geometry,exposing_case,2,", r"line 3: .*no student 'anne'; did you mean 'ann'"),
+        ("ann,1_geometry,exposing_case,2,", r"line 3: .*of ann '1_geometry'; did you mean '01"),
+        ("ann,01_geometry,exposing_cas,2,", r"line 3: .*01_geometry 'exposing_cas'; did you mean"),
+        ("ann,01_geometry,exposing_case,two,", "line 3: a score is a number"),
+        ("ann,01_geometry,exposing_case,-1,", "line 3: a score is a number"),
+        ("ann,01_geometry,exposing_case,nan,", "line 3: a score is a number"),
+        ("ann,01_geometry,exposing_case,inf,", "line 3: a score is a number"),
+        ("ann,01_geometry,exposing_case,2,5,late", "line 3 has more cells"),
+    ],
+)
+def test_a_wrong_override_stops_a_class_before_anything_runs(tmp_path, monkeypatch, line, why):
+    """Its line is named, and the most similar name."""
+    folder, out = tmp_path / "in", tmp_path / "out"
+    (folder / "ann").mkdir(parents=True)
+    notebook = HOUSE / "exercises" / f"{NAME}.ipynb"
+    (folder / "ann" / notebook.name).write_bytes(notebook.read_bytes())
+    out.mkdir()
+    good = "ann,01_geometry,point_line_distance,1,\n"
+    (out / "overrides.csv").write_text(f"{COLUMNS}{good}{line}\n", encoding="utf-8")
+    monkeypatch.setattr(class_grading, "require_sandbox", lambda trusted: None)
+    monkeypatch.setattr(class_grading, "grade_all", lambda *_, **__: pytest.fail("it ran"))
+    with pytest.raises(InvalidParameter, match=why):
+        class_grading.grade_class(folder, "", out, class_grading.Run(tmp_path / "secret"))
+
+
+def test_names_come_from_a_table_or_from_gradescope(tmp_path):
+    """With the columns student and name, or as Canvas exports them; Gradescope's list beside the
+    folders, but not one that a student handed in.
+    """
+    plain, canvas = tmp_path / "plain.csv", tmp_path / "canvas.csv"
+    plain.write_text("student,name\nann,Ann Lee\n'=x,Mallory\n", encoding="utf-8")
+    assert read_names(plain) == {"ann": "Ann Lee", "=x": "Mallory"}
+    canvas.write_text(CANVAS, encoding="utf-8")
+    found = read_names(canvas)
+    assert {find_name(one, found) for one in ("doeann_11", "11", "ann", "ANN")} == {"Ann Doe"}
+    with pytest.raises(InvalidParameter, match="neither the columns student and name"):
+        read_names(write(tmp_path / "other.csv", "a,b\n1,2\n"))
+    listed = "submission_1:\n  :submitters:\n  - :name: Bo\n    :sid: 's7'\n"
+    folder = tmp_path / "class" / "submission_1"
+    folder.mkdir(parents=True)
+    (tmp_path / "class" / "submission_2").mkdir()
+    write(folder / METADATA, listed)
+    assert read_gradescope_names(tmp_path / "class") == {}
+    write(tmp_path / "class" / METADATA, listed)
+    assert read_gradescope_names(tmp_path / "class") == {"s7": "Bo"}
+    with zipfile.ZipFile(tmp_path / "class.zip", "w") as archive:
+        archive.writestr(f"export/{METADATA}", listed)
+        archive.writestr("export/submission_1/a.ipynb", "")
+    assert read_gradescope_names(tmp_path / "class.zip") == {"s7": "Bo"}
+
+
+def write(file: Path, text: str) -> Path:
+    """The file with that text."""
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def test_the_report_has_names_spread_and_unreadable_students(tmp_path):
+    """Names beside ids, median and quartiles of totals, and a mark where a file cannot be read."""
+    kept = {name: record(share=share) for name, share in (("ann", 1.0), ("bob", 0.5), ("cy", 0.0))}
+    of = a_class(tmp_path, kept, troubles={"dee": "it is no notebook"})
+    named = [one._replace(name="Ann Lee" if one.student == "ann" else "") for one in of.entries]
+    of = of._replace(entries=[*named, of.entries[0]._replace(student="eve", assignment="", key="")])
+    write_all(of)
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Ann Lee (ann)" in report
+    assert "Median 50 %; half of the students have 25 to 75 %, all have 0 to 100 %." in report
+    assert report.count("unreadable</a>") == 1
+    assert " unreadable</td>" in report
+    assert "Unknown assignment" in report
+    assert "Ann Lee (ann)" in (tmp_path / name_page("ann", NAME)).read_text(encoding="utf-8")
+
+
+def test_pages_of_unchanged_results_are_kept(tmp_path, monkeypatch):
+    """A page is made again only if its rows changed, or the page itself."""
+    of = a_class(tmp_path, {"ann": record(), "bob": record(share=0.5), "cy": record()})
+    made = []
+    render = writing.render_page
+    monkeypatch.setattr(
+        writing, "render_page", lambda rows, *rest: made.append(rows[0][0]) or render(rows, *rest)
+    )
+    write_all(of)
+    before = {file: file.read_bytes() for file in tmp_path.rglob("*.html")}
+    write_all(of)
+    assert made == ["ann", "bob", "cy"]
+    write(tmp_path / name_page("ann", NAME), "changed")
+    write(tmp_path / "overrides.csv", f"{COLUMNS}bob,{NAME},exposing_case,1,\n")
+    write_all(of)
+    assert made[3:] == ["ann", "bob"]
+    (tmp_path / "overrides.csv").unlink()
+    (tmp_path / "pages.json").write_text("[", encoding="utf-8")
+    write_all(of)
+    assert made[5:] == ["ann", "bob", "cy"]
+    assert {file: file.read_bytes() for file in tmp_path.rglob("*.html")} == before
+
+
+def test_more_patience_grades_again_what_took_too_long(tmp_path, monkeypatch):
+    """And nothing else; with less patience the result is kept."""
+
+    @contextmanager
+    def place(most):
+        with ThreadPoolExecutor(1) as executor:
+            yield executor
+
+    asked = []
+
+    def late(job):
+        asked.append(job.patience)
+        return record() | {"questions": [question("exposing_case", 0.0, 1.0, late=True)]}
+
+    monkeypatch.setattr(running, "grade_job", late)
+    one = Submission("ann", NAME, "a.ipynb", b"{}")
+
+    def grade_with(patience):
+        running.grade_all([one], tmp_path, bytes(32), place=place, patience=patience)
+        return [*asked], asked.clear()
+
+    assert [grade_with(patience)[0] for patience in (1.0, 1.0, 2.0, 1.5)] == [
+        [1, 3],
+        [],
+        [2, 6],
+        [],
+    ]
+    monkeypatch.setattr(running, "grade_job", lambda job: asked.append(job.patience) or record())
+    assert [grade_with(patience)[0] for patience in (4.0, 8.0)] == [[4], []]
+    for bad in ("0.5", "nan", "1e9"):
+        assert main(["grade", str(tmp_path), "--out", str(tmp_path), "--patience", bad]) == 2

@@ -43,6 +43,7 @@ TRUSTED = """\
   grades. Only for programs that you would run with your own hands.
 ====================================================================="""
 MOST_LISTED = 20
+MOST_PATIENCE = 100.0
 
 
 def add_grade(commands: Commands) -> None:
@@ -114,6 +115,20 @@ def add_grading_options(command: argparse.ArgumentParser) -> None:
         help="each student has their own variants of exercises (release --variants)",
     )
     command.add_argument(
+        "--names",
+        metavar="FILE",
+        type=Path,
+        help="a CSV file with the columns student and name, or your export of Canvas's gradebook: "
+        "the report and the pages show the names",
+    )
+    command.add_argument(
+        "--patience",
+        type=float,
+        default=1.0,
+        metavar="FACTOR",
+        help="multiply all time limits, for a slow computer; what took too long is graded again",
+    )
+    command.add_argument(
         "--trust",
         action="store_true",
         help="run submissions WITHOUT A SANDBOX: they can do whatever you can",
@@ -182,6 +197,10 @@ def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, wri
 
     if arguments.workers is not None and arguments.workers < 1:
         raise InvalidParameter(f"--workers must be at least 1, got {arguments.workers}")
+    if not 1.0 <= arguments.patience <= MOST_PATIENCE:
+        raise InvalidParameter(
+            f"--patience must be a number from 1 to {MOST_PATIENCE:g}, got {arguments.patience:g}"
+        )
     if arguments.trust:
         print(TRUSTED, file=sys.stderr)
     place = (
@@ -189,7 +208,16 @@ def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, wri
         if arguments.dask is not None
         else use_local_workers(arguments.workers)
     )
-    return Run(secret_file, place, arguments.trust, grading, writing, arguments.variants)
+    return Run(
+        secret_file,
+        place,
+        arguments.trust,
+        grading,
+        writing,
+        arguments.variants,
+        arguments.patience,
+        arguments.names,
+    )
 
 
 def sum_up(of: Any, rows: Any) -> int:

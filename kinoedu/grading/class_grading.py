@@ -6,11 +6,14 @@ from typing import NamedTuple
 
 from ..errors import InvalidParameter
 from .assignments.questions import read_course_secret
+from .collect.names import read_gradescope_names, read_names
 from .collect.submissions import Submission, collect
 from .judge.class_list import (
     FILE,
     Class,
+    Entry,
     add_earlier,
+    add_names,
     make_entry,
     mark_secret,
     read_class,
@@ -19,6 +22,7 @@ from .judge.class_list import (
 from .judge.contracts import add_contracts, refuse_forgotten
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
+from .report.rows import refuse_unknown_names
 from .report.writing import write_all
 from .sandbox.sandbox import explain_no_sandbox
 
@@ -31,6 +35,8 @@ class Run(NamedTuple):
     trusted : whether programs run without a sandbox.
     grading, writing : called with the progress of each stage.
     variants : whether each student has contracts of their own.
+    patience : a factor on all time limits, for slow computers.
+    names : a table with the students' names, or None.
     """
 
     secret_file: Path
@@ -39,6 +45,20 @@ class Run(NamedTuple):
     grading: Progress | None = None
     writing: Progress | None = None
     variants: bool = False
+    patience: float = 1.0
+    names: Path | None = None
+
+
+def list_pairs(
+    sources: list[tuple[Path, str, list[Submission]]], earlier: list[Entry]
+) -> set[tuple[str, str]]:
+    """The students and their assignments, before anything is graded."""
+    folders = {(str(folder.resolve()), only) for folder, only, _ in sources}
+    now = {(one.student, one.assignment) for _, _, found in sources for one in found}
+    kept = {
+        (one.student, one.assignment) for one in earlier if (one.folder, one.only) not in folders
+    }
+    return now | kept
 
 
 def require_sandbox(trusted: bool) -> None:
@@ -90,7 +110,12 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
             f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
             "or another folder"
         )
-    read_decisions(out)
+    names = {
+        key: name for folder, _, _ in sources for key, name in read_gradescope_names(folder).items()
+    } | (read_names(run.names) if run.names is not None else {})
+    refuse_unknown_names(
+        read_decisions(out), list_pairs(sources, earlier.entries if earlier is not None else [])
+    )
     variants = run.variants or (earlier is not None and earlier.variants)
     submissions = [one for _, _, found in sources for one in found]
     if variants:
@@ -100,7 +125,13 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     out.mkdir(parents=True, exist_ok=True)
     graded = iter(
         grade_all(
-            submissions, out, secret, place=run.place, progress=run.grading, trusted=run.trusted
+            submissions,
+            out,
+            secret,
+            place=run.place,
+            progress=run.grading,
+            trusted=run.trusted,
+            patience=run.patience,
         )
     )
     entries = [
@@ -108,7 +139,8 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         for folder, only, found in sources
         for one in islice(graded, len(found))
     ]
-    kept = add_earlier(entries, earlier.entries if earlier is not None else ())
+    before = earlier.entries if earlier is not None else []
+    kept = add_names(add_earlier(entries, before), before, names)
     of = Class(
         out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept, variants
     )

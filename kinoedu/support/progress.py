@@ -69,15 +69,12 @@ def show_progress(what: str) -> Iterator[Callable[[int, int], None]]:
     Yields the function that updates it, which takes how many things are done and how many there
     are.
     """
-    began, first, last = time.monotonic(), -1, -1
+    estimate, last = Estimate(), -1
 
     def update(done: int, total: int) -> None:
-        nonlocal first, last
-        first = done if first < 0 else first
-        left = ""
-        if first < done < total:
-            seconds = (time.monotonic() - began) / (done - first) * (total - done)
-            left = f", {format_duration(seconds)} left"
+        nonlocal last
+        estimate.add(done, time.monotonic())
+        left = f", {estimate.describe(total)}" if done < total else ""
         tenths = 10 * done // max(total, 1)
         if sys.stderr is not None and sys.stderr.isatty():
             rewrite_line(f"{what} [{'#' * 2 * tenths:<20}] {done}/{total}{left}")
@@ -90,6 +87,43 @@ def show_progress(what: str) -> Iterator[Callable[[int, int], None]]:
     finally:
         if sys.stderr is not None and sys.stderr.isatty():
             rewrite_line("")
+
+
+class Estimate:
+    """The remaining time of many things of a kind, from those that were done.
+
+    The first things take longer, since workers start and modules are loaded. So the time counts
+    from the moment at which a few are done, and until then there is no estimate.
+
+    >>> estimate = Estimate()
+    >>> for done, seconds in ((0, 0.0), (1, 60.0), (5, 61.0), (9, 63.0)):
+    ...     estimate.add(done, seconds)
+    >>> estimate.describe(19), Estimate().describe(19)
+    ('5 s left', 'estimating')
+    """
+
+    FIRST, ENOUGH = 5, 4  # things that are not counted, and those that make an estimate
+    SECONDS = 2.0  # workers that started together end together: an estimate needs more time
+
+    def __init__(self) -> None:
+        self.before = -1  # how many were done before
+        self.began: tuple[int, float] | None = None  # how many were not counted, and until when
+        self.last = (0, 0.0)
+
+    def add(self, done: int, seconds: float) -> None:
+        """Record that so many are done at a time; the first record may be those done before."""
+        self.before = done if self.before < 0 else self.before
+        self.last = done, seconds
+        if self.began is None and done - self.before >= self.FIRST:
+            self.began = self.last
+
+    def describe(self, total: int) -> str:
+        """The remaining time in words."""
+        first, began = self.began or self.last
+        done, seconds = self.last[0] - first, self.last[1] - began
+        if done < self.ENOUGH or seconds < self.SECONDS:
+            return "estimating"
+        return f"{format_duration(seconds / done * (total - self.last[0]))} left"
 
 
 def format_duration(seconds: float) -> str:

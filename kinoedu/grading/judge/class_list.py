@@ -4,6 +4,7 @@ class.json        this list                     results/     a file per notebook
 grades.csv        a row for each question       report.html  an overview of the class
 feedback/         a page for each student       pictures/    of cases that failed, each drawn once
 overrides.csv     scores that people decided    by_hand.csv  scores that people gave in nbgrader
+pages.json        of what each page was made    exports.json  the tables that were exported
 """
 
 import hashlib
@@ -14,6 +15,7 @@ from typing import NamedTuple
 
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
+from ..collect.names import Names, find_name
 from ..collect.submissions import Submission
 from .running import Graded, compute_key, read_result
 from .submission import Grade
@@ -31,6 +33,7 @@ class Entry(NamedTuple):
     key : the name of its result; "" where the file could not be read, and `trouble` says why.
     trouble : if there is a key and no result, this is the machine's trouble.
     late : whether Canvas marked the file as late.
+    name : the student's name, or "" if it is not known.
     """
 
     student: str
@@ -42,6 +45,7 @@ class Entry(NamedTuple):
     key: str
     trouble: str
     late: bool = False
+    name: str = ""
 
 
 class Class(NamedTuple):
@@ -74,6 +78,15 @@ def make_entry(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
 def digest_submission(one: Submission) -> str:
     """The digest of a submission's bytes, which differs from that of an earlier file."""
     return hashlib.sha256(one.data).hexdigest()
+
+
+def add_names(entries: list[Entry], earlier: Iterable[Entry], names: Names) -> list[Entry]:
+    """The entries with the students' names; those that are not in `names` keep an earlier name."""
+    before = {one.student: one.name for one in earlier}
+    return [
+        one._replace(name=find_name(one.student, names) or before.get(one.student, ""))
+        for one in entries
+    ]
 
 
 def mark_secret(secret: bytes) -> str:

@@ -27,7 +27,7 @@ from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
 from ..sandbox.sandbox import NoSandbox, Sandbox
 from .contracts import apply_contracts
-from .submission import Grade, grade, is_late
+from .submission import Grade, grade, is_cut_off, is_late
 
 TRIES = 5
 TRIES_BESIDE = 2  # of these while other jobs run
@@ -64,6 +64,7 @@ def grade_all(
     place: "Place | None" = None,
     progress: Progress | None = None,
     trusted: bool = False,
+    patience: float = 1.0,
 ) -> list[Graded]:
     """Grade submissions; the grades do not depend on the workers.
 
@@ -73,6 +74,8 @@ def grade_all(
     place : where to work, by default `use_local_workers()`.
     progress : called with the number of finished notebooks and of all.
     trusted : run the programs without a sandbox.
+    patience : a factor on all time limits. It has no part in a result's name: most results do not
+        depend on it. Only what took too long with less patience is graded again.
 
     Returns
     -------
@@ -88,25 +91,31 @@ def grade_all(
     results.mkdir(parents=True, exist_ok=True)
     readable = [one for one in submissions if not one.trouble]
     keyed = ((compute_key(one, secret), one) for one in readable)
-    jobs = {key: make_job(one, key, secret, trusted) for key, one in keyed}
+    jobs = {key: make_job(one, key, secret, trusted, patience) for key, one in keyed}
     kept = {key: read_result(results / f"{key}.json") for key in jobs}
-    known = {key: record for key, record in kept.items() if record is not None}
+    known = {
+        key: record
+        for key, record in kept.items()
+        if record is not None and is_settled(record, patience)
+    }
     report_progress = progress or (lambda done, everything: None)
     report_progress(len(known), len(jobs))
     troubles: dict[str, str] = {}
     missing = [job for key, job in jobs.items() if key not in known]
     # what was late beside other jobs is graded again, alone and with more time
-    for patience, alone in ((1.0, False), (PATIENT, True)):
+    for alone in (False, True):
         late = []
         for job, record, trouble in run_jobs(
             missing, place or use_local_workers(), 1 if alone else None
         ):
             if record is None:
                 troubles[job.key] = trouble
-            elif patience == 1.0 and is_late(record):
-                late.append(job._replace(patience=PATIENT))
+            elif not alone and is_late(record):
+                late.append(job._replace(patience=PATIENT * patience))
                 continue
             else:
+                if is_cut_off(record):
+                    record = {**record, "patience": patience}
                 write_result(results / f"{job.key}.json", record)
                 known[job.key] = record
             report_progress(len(known) + len(troubles), len(jobs))
@@ -114,9 +123,14 @@ def grade_all(
     return [attach_grade(one, known, troubles, secret) for one in submissions]
 
 
-def make_job(one: Submission, key: str, secret: bytes, trusted: bool) -> Job:
+def make_job(one: Submission, key: str, secret: bytes, trusted: bool, patience: float) -> Job:
     """The job that grades a submission."""
-    return Job(key, one.assignment, one.data, secret, trusted=trusted, variants=one.variants)
+    return Job(key, one.assignment, one.data, secret, patience, trusted, one.variants)
+
+
+def is_settled(record: Grade, patience: float) -> bool:
+    """Whether more patience would not change a result."""
+    return not is_cut_off(record) or patience <= record.get("patience", 1.0)
 
 
 def attach_grade(

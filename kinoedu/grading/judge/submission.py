@@ -23,6 +23,7 @@ from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
 UNANSWERED, LATE, STOPPED, SYNTAX = "not answered", "too late", "stopped", "syntax error"
 JUDGING = 60.0  # seconds of processor time in which the answers to a question are judged
+JUDGED_TOO_LONG = "rules.judging"
 Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
 
@@ -131,7 +132,7 @@ def judge_in_time(
             "status": STOPPED,
             "message": question.exercise.message("rules.judging"),
             "hint": question.exercise.message("hints.judging"),
-            "reason": "rules.judging",
+            "reason": JUDGED_TOO_LONG,
         }
 
 
@@ -225,3 +226,10 @@ def is_late(record: Grade) -> bool:
     """Whether something took too long; the cause may be a slow or busy machine."""
     cells = [trouble["trouble"]["kind"] for trouble in record["cells"]]
     return "Late" in cells or any(question["late"] for question in record["questions"])
+
+
+def is_cut_off(record: Grade) -> bool:
+    """Whether a time limit had a part in a result."""
+    return is_late(record) or any(
+        question.get("reason") == JUDGED_TOO_LONG for question in record["questions"]
+    )

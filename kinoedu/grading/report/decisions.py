@@ -61,7 +61,11 @@ def read_table(file: Path) -> Decisions:
                 f"{file} has no column {missing[0]!r}; its first line should be {','.join(COLUMNS)}"
             )
         rows = [
-            (reader.line_num, {name: unharmed((row.get(name) or "").strip()) for name in COLUMNS})
+            (
+                reader.line_num,
+                {name: unharmed((row.get(name) or "").strip()) for name in COLUMNS},
+                row.get(None),
+            )
             for row in reader
         ]
     except (UnicodeDecodeError, csv.Error) as error:
@@ -69,8 +73,13 @@ def read_table(file: Path) -> Decisions:
             f"{file} cannot be read: {error}; save it as CSV in UTF-8"
         ) from error
     found: Decisions = {}
-    for number, row in rows:
+    for number, row, extra in rows:
         source = f"{file.name}, line {number}"
+        if extra:
+            raise InvalidParameter(
+                f"{source} has more cells than the first line; write 2.5 with a point, and a "
+                "comment with commas in quotation marks"
+            )
         whose = (row["student"], row["assignment"], row["question"])
         if not any(row.values()):
             continue

@@ -28,14 +28,17 @@ def name_page(student: str, assignment: str) -> str:
     return f"feedback/{file_name(student)}/{file_name(assignment or 'unknown')}.html"
 
 
-def render_feedback(rows: list[Row], record: Grade | None, trouble: str, pictures: Path) -> str:
+def render_feedback(
+    rows: list[Row], record: Grade | None, trouble: str, pictures: Path, name: str = ""
+) -> str:
     """The page for the rows of one submission.
 
     pictures : the folder in which pictures are kept.
+    name : the student's name beside the id, or "".
     """
     student, assignment = rows[0].student, rows[0].assignment
     total = sum_totals(rows)[student, assignment]
-    body = [paragraph(student, "quiet")]
+    body = [paragraph(add_name(student, name), "quiet")]
     if rows[0].late:
         body.append(paragraph(get_message("grades.late")))
     if trouble:
@@ -51,6 +54,15 @@ def render_feedback(rows: list[Row], record: Grade | None, trouble: str, picture
     if record is not None and record["cells"]:
         body += render_cells(record["cells"])
     return page(assignment or get_message("grades.unknown"), body)
+
+
+def add_name(student: str, name: str) -> str:
+    """A student's name and id; the id alone if the name is not known.
+
+    >>> add_name("ann", "Ann Lee"), add_name("ann", "")
+    ('Ann Lee (ann)', 'ann')
+    """
+    return f"{name} ({student})" if name and name != student else student
 
 
 def render_question(row: Row, question: Grade | None, pictures: Path) -> Iterator[str]:

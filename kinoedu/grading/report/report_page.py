@@ -12,7 +12,7 @@ from ...messages import get_message
 from ...support.csv_cells import number
 from ..judge.class_list import Class, read_record
 from .failures import describe_kind
-from .feedback_page import name_page
+from .feedback_page import add_name, name_page
 from .pages import breakable, heading, page, paragraph, table
 from .rows import DECIDED, NOT_GRADED, UNREADABLE, Row, Total, sum_totals
 
@@ -29,8 +29,8 @@ def render_report(of: Class, rows: list[Row]) -> str:
     bad = {row[:2] for row in rows if row.status in (UNREADABLE, NOT_GRADED)}
     counts = {"students": len({row.student for row in rows}), "submissions": len(of.entries)}
     graded = sum((entry.student, entry.assignment) not in bad for entry in of.entries)
-    late = {(entry.student, entry.assignment) for entry in of.entries if entry.late}
-    about = get_message("grades.report.summary", **counts, graded=graded) + describe_late(len(late))
+    late = sum(entry.late for entry in of.entries)
+    about = get_message("grades.report.summary", **counts, graded=graded) + describe_late(late)
     body = [paragraph(about)]
     body += list_not_graded(of, rows)
     for name in names:
@@ -39,7 +39,7 @@ def render_report(of: Class, rows: list[Row]) -> str:
     body += tabulate_questions(rows)
     body += tabulate_kinds(of)
     body += tabulate_mistakes(of)
-    body += tabulate_students(found, names, late)
+    body += tabulate_students(of, found, names)
     body += tabulate_decisions(rows)
     return page(get_message("grades.report.title"), body)
 
@@ -77,7 +77,34 @@ def draw_histogram(name: str, found: list[Total]) -> Iterator[str]:
     ]
     counts = Counter(min(TENTHS - 1, int(TENTHS * share + 1e-9)) for share in shares)
     yield heading(f"{name}: {get_message('grades.report.histogram')}")
+    if shares:
+        yield paragraph(describe_spread([100.0 * share for share in shares]))
     yield draw_bars([counts[tenth] for tenth in range(TENTHS)], name)
+
+
+def describe_spread(percents: list[float]) -> str:
+    """The median, the quartiles and the extremes of totals, in percent of the points.
+
+    >>> describe_spread([0.0, 50.0, 100.0])
+    'Median 50 %; half of the students have 25 to 75 %, all have 0 to 100 %.'
+    """
+    ordered = sorted(percents)
+    low, median, high = (find_quantile(ordered, share) for share in (0.25, 0.5, 0.75))
+    found = {"least": ordered[0], "low": low, "median": median, "high": high, "most": ordered[-1]}
+    texts = {name: f"{value:.0f}" for name, value in found.items()}
+    return get_message("grades.report.spread", **texts)
+
+
+def find_quantile(ordered: list[float], share: float) -> float:
+    """The quantile of ordered numbers, linear between two of them.
+
+    >>> find_quantile([0.0, 1.0, 4.0], 0.75)
+    2.5
+    """
+    place = share * (len(ordered) - 1)
+    below = int(place)
+    above = min(below + 1, len(ordered) - 1)
+    return ordered[below] + (place - below) * (ordered[above] - ordered[below])
 
 
 def draw_bars(counts: list[int], name: str) -> str:
@@ -107,14 +134,14 @@ def draw_bars(counts: list[int], name: str) -> str:
 
 
 def tabulate_questions(rows: list[Row]) -> Iterator[str]:
-    """Yield a table of the questions: how many answered, had full points, and the mean.
+    """Yield a table of the questions: how many answered, had full points, and the spread.
 
     Only questions with a score are counted.
     """
     yield heading(get_message("grades.report.questions"))
     head = [
         get_message(f"grades.report.{key}")
-        for key in ("assignment", "question", "answered", "full", "mean")
+        for key in ("assignment", "question", "answered", "full", "mean", "median", "quartiles")
     ]
     scored = sorted(
         (row for row in rows if row.score is not None and row.max_score),
@@ -137,8 +164,10 @@ def tabulate_questions(rows: list[Row]) -> Iterator[str]:
         )
         full, mean = sum(share >= 1.0 for share in shares) / len(shares), sum(shares) / len(shares)
         names = [breakable(assignment), breakable(question)]
-        lines.append([*names, f"{answered} / {len(shares)}", f"{full:.0%}", f"{mean:.0%}"])
-    yield table(head, lines, numbers=3)
+        low, median, high = (find_quantile(sorted(shares), at) for at in (0.25, 0.5, 0.75))
+        numbers = [f"{answered} / {len(shares)}", f"{full:.0%}", f"{mean:.0%}", f"{median:.0%}"]
+        lines.append([*names, *numbers, f"{low:.0%} - {high:.0%}"])
+    yield table(head, lines, numbers=5)
 
 
 def tabulate_kinds(of: Class) -> Iterator[str]:
@@ -205,22 +234,35 @@ def describe_reason(question: str, reason: str) -> str:
 
 
 def tabulate_students(
-    found: dict[tuple[str, str], Total], names: list[str], late: set[tuple[str, str]]
+    of: Class, found: dict[tuple[str, str], Total], names: list[str]
 ) -> Iterator[str]:
-    """Yield a table of the students, with links to their pages, and marks on late submissions."""
+    """Yield a table of the students with links to their pages.
+
+    Late submissions are marked, and so are those that could not be read; there is a column for
+    files of no known assignment.
+    """
     yield heading(get_message("grades.report.students"))
+    entries = {(entry.student, entry.assignment): entry for entry in of.entries}
+    called = {entry.student: entry.name for entry in of.entries}
+    columns = [*names, *([""] if any(not entry.assignment for entry in of.entries) else [])]
     lines = []
-    for student in sorted({student for student, _ in found}):
-        line = [breakable(student)]
-        for name in names:
-            total = found.get((student, name))
-            mark = " " + get_message("grades.late_mark") if (student, name) in late else ""
-            link = quote(name_page(student, name))
-            line.append(
-                "" if total is None else f'<a href="{link}">{describe_total(total)}</a>{mark}'
-            )
+    for student in sorted(called):
+        line = [breakable(add_name(student, called[student]))]
+        for name in columns:
+            entry = entries.get((student, name))
+            if entry is None:
+                line.append("")
+                continue
+            record = read_record(entry, of.out)
+            marks = [get_message("grades.late_mark")] if entry.late else []
+            if not entry.key or (record is not None and record["status"] == UNREADABLE):
+                marks.append(get_message("grades.unreadable_mark"))
+            text = describe_total(found[student, name]) if name else ""
+            link = f'<a href="{quote(name_page(student, name))}">{text or marks.pop()}</a>'
+            line.append(" ".join([link, *marks]))
         lines.append(line)
-    yield table([get_message("grades.report.student"), *names], lines, numbers=len(names))
+    head = [name or get_message("grades.unknown") for name in columns]
+    yield table([get_message("grades.report.student"), *head], lines, numbers=len(columns))
 
 
 def describe_total(total: Total) -> str:

@@ -1,5 +1,6 @@
 """The grades as a table, GRADES/grades.csv: one row for each question of each submission."""
 
+import difflib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -46,14 +47,42 @@ def list_class_rows(of: Class, decisions: Decisions) -> list[Row]:
     """
     records = ((entry, read_record(entry, of.out)) for entry in of.entries)
     rows = [row for entry, record in records for row in list_entry_rows(entry, record)]
-    there = {row[:3] for row in rows}
-    for whose, decision in decisions.items():
-        if whose not in there:
-            raise InvalidParameter(
-                f"{decision.source}: grades.csv would have no row for {' '.join(whose)}; check "
-                "the names"
-            )
+    refuse_unknown_names(decisions, {(entry.student, entry.assignment) for entry in of.entries})
     return [apply_decision(row, decisions.get(row[:3])) for row in rows]
+
+
+def refuse_unknown_names(decisions: Decisions, pairs: set[tuple[str, str]]) -> None:
+    """Raise InvalidParameter if a decision matches no student, assignment and question.
+
+    The message names its line, and the most similar name.
+
+    Parameters
+    ----------
+    pairs : the students and their assignments.
+    """
+    for (student, assignment, question), decision in decisions.items():
+        mine = {its for whose, its in pairs if whose == student}
+        known: tuple[tuple[str, str, Iterable[str]], ...] = (
+            ("student", student, {whose for whose, _ in pairs}),
+            (f"assignment of {student}", assignment, mine),
+            (f"question of {assignment}", question, list_questions(assignment, mine)),
+        )
+        for what, name, names in known:
+            if name not in names:
+                near = difflib.get_close_matches(name, names, 1)
+                guess = f"; did you mean {near[0]!r}?" if near else "; check the names"
+                raise InvalidParameter(
+                    f"{decision.source}: grades.csv would have no row for {student} {assignment} "
+                    f"{question}: there is no {what} {name!r}{guess}"
+                )
+
+
+def list_questions(assignment: str, known: set[str]) -> list[str]:
+    """The names of an assignment's questions, and of the answers that people grade."""
+    if not assignment or assignment not in known:
+        return [""]
+    task = read_assignment(assignment)
+    return [*(one.exercise.name for one in task.questions), *task.by_hand]
 
 
 def list_entry_rows(entry: Entry, record: Grade | None) -> list[Row]:
