@@ -218,3 +218,26 @@ def test_lines_that_would_fill_the_memory_are_a_flood(monkeypatch):
         os.close(reply_end)
         os.close(conversation.requests)
     assert ends == ["died", "flood"]
+
+
+ESCAPES = "\x1b]0;mine\x07 \u202eevil \x9b2J \u2066hidden\u2069 \u200b \x00"
+SHOWN = r"\x1b]0;mine\x07 \u202eevil \x9b2J \u2066hidden\u2069 \u200b \x00"
+
+
+def test_control_characters_are_shown_as_text(tmp_path):
+    """In pages, tables, on the terminal and in Gradescope's results; line ends stay."""
+    from kinoedu.grading.export.tables import make_gradescope_results
+    from kinoedu.grading.report.pages import page, paragraph, write_page
+    from kinoedu.grading.report.rows import Row, write_grades
+    from kinoedu.support.csv_cells import one_line
+
+    write_page(tmp_path / "page.html", page("x", [paragraph(f"{ESCAPES}\n\tend \ud800")]))
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert f"{SHOWN}\n\tend \\ud800" in text
+    row = Row(ESCAPES, "01_geometry", "q", 1.0, 2.0, "wrong", f"ValueError: {ESCAPES}")
+    write_grades([row], tmp_path / "grades.csv")
+    table = (tmp_path / "grades.csv").read_text(encoding="utf-8")
+    assert table.count(SHOWN) == 2
+    assert not any(c in table for c in "\x1b\u202e\x9b\u2066\u200b\x00")
+    assert one_line(ESCAPES) == SHOWN
+    assert SHOWN in make_gradescope_results([row])["tests"][0]["output"]

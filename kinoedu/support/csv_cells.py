@@ -7,6 +7,7 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
+from .text import show_controls
 from .whole_files import written_whole
 
 FORMULA = (
@@ -22,12 +23,13 @@ FORMULA = (
 
 
 def one_line(text: str) -> str:
-    """Text on one line, without what would steer a terminal or turn the direction of writing.
+    """Text on one line; what would steer a terminal or turn the direction of writing is visible.
 
-    >>> one_line("ann\\x1b[2J\\u202e\\nb")
-    'ann [2J b'
+    >>> print(one_line("ann\\x1b[2J\\u202e\\nb"))
+    ann\\x1b[2J\\u202e b
     """
-    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    shown = show_controls(text)
+    return " ".join("".join(c if c.isprintable() else " " for c in shown).split())
 
 
 def harmless(text: str) -> str:

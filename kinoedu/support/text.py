@@ -1,7 +1,24 @@
-"""Values as text for error messages."""
+"""Values and foreign texts as text that is safe to show."""
+
+import re
+
+# what steers a terminal, hides, or turns the direction of writing; newlines and tabs do not
+CONTROLS = re.compile(
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\xad\u061c\u180e\u200b\u200e\u200f\u2028-\u202e"
+    "\u2060-\u206f\ufeff\ufff9-\ufffb\ud800-\udfff\U000e0000-\U000e007f]"
+)
 
 
 def shortened(value: object) -> str:
     """The repr of a value on one line of at most 80 characters."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else text[:77] + "..."
+
+
+def show_controls(text: str) -> str:
+    """Text in which control characters are visible, as Python writes them.
+
+    >>> print(show_controls("ann\\x1b[2J\\u202e"))
+    ann\\x1b[2J\\u202e
+    """
+    return CONTROLS.sub(lambda found: found[0].encode("unicode_escape").decode(), text)

@@ -11,6 +11,7 @@ from pathlib import Path
 from ...errors import InvalidParameter
 from ...support.csv_cells import harmless, number, write_rows
 from ...support.file_names import file_name
+from ...support.text import show_controls
 from ...support.whole_files import written_whole
 from ..report.rows import Row, Total, sum_totals
 
@@ -183,7 +184,7 @@ def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
             "status": "passed"
             if row.score is not None and row.score >= row.max_score
             else "failed",
-            "output": f"{row.status}: {row.message}" if row.message else row.status,
+            "output": show_controls(f"{row.status}: {row.message}" if row.message else row.status),
             "output_format": "text",
         }
         for row in rows

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ...figures import palette
 from ...messages import get_message
+from ...support.text import show_controls
 from ...support.whole_files import written_whole
 
 STYLE = f"""
@@ -117,7 +118,7 @@ def table(head: Iterable[str], rows: Iterable[Iterable[str]], numbers: int = 0) 
 
 
 def write_page(file: Path, text: str) -> None:
-    """Write a page, completely or not at all; characters that no file can hold are replaced."""
+    """Write a page, completely or not at all, with its control characters made visible."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with written_whole(file) as part:
-        part.write_bytes(text.encode("utf-8", "replace"))
+        part.write_text(show_controls(text), encoding="utf-8")
