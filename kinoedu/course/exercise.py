@@ -16,6 +16,7 @@ import numpy as np
 from ..messages import get_message, has_message
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 from .shapes import Record, Shape, Value
+from .sizes import MOST_NUMBERS, MOST_OF_EXAMPLE, count_numbers, refuse_excess
 
 if TYPE_CHECKING:
     from ..figures.palette import Axes as Axes
@@ -119,6 +120,17 @@ class Exercise(ABC):
     @abstractmethod
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge an answer of the declared shape."""
+
+    def size_limit(self, case: Case) -> int:
+        """The most numbers that an answer to a case may hold, far more than a right one needs."""
+        return MOST_NUMBERS if self.given.fields else MOST_OF_EXAMPLE
+
+    def bound_size(self, case: Case, outcome: Outcome) -> Outcome:
+        """The outcome, or an answer of the wrong shape where it is too large to be judged."""
+        if not isinstance(outcome, Answer):
+            return outcome
+        most = self.size_limit(case)
+        return refuse_excess(outcome, count_numbers(outcome.value), most, "numbers")
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
         """Judge the outcome of a call."""

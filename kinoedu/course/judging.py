@@ -196,7 +196,8 @@ def judge_until_failure(
 
 
 def judge_case(exercise: Exercise, case: Case, outcome: Outcome, number: int) -> JudgedCase:
-    """Judge the outcome of one case."""
+    """Judge the outcome of one case; a larger answer than the case can need is not looked at."""
+    outcome = exercise.bound_size(case, outcome)
     return JudgedCase(case, outcome, exercise.judge(case, outcome), number=number)
 
 

@@ -12,7 +12,7 @@ from typing import TypeVar
 import numpy as np
 
 from .exercise import Case, Exercise, ValueExercise
-from .judging import run_case
+from .judging import judge_case, run_case
 from .shapes import Value
 
 T = TypeVar("T")
@@ -87,7 +87,10 @@ def is_right(exercise: Exercise, program: Program, case: Case) -> bool:
     """Whether a trivial program's outcome is right for a case."""
     with np.errstate(all="ignore"):
         outcome = run_case(exercise, program, case, run_unbounded)
-        return exercise.judge(case, outcome).is_right
+        try:
+            return judge_case(exercise, case, outcome, 0).verdict.is_right
+        except Exception:  # a judge that fails here must not keep a class from being graded
+            return False
 
 
 def run_unbounded(seconds: float, work: Callable[[], T]) -> T:

@@ -14,7 +14,9 @@ from ....messages import get_message
 from ...exercise import MAX_POINTS_SHOWN, RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record, Value
+from ...sizes import refuse_excess
 
+TIMES_LONGER, FEW_ROWS = 5.0, 100  # a walk is judged up to so many exact ones, and some rows
 POINT, POLYGON = Numbers((2,)), Numbers(("n", 2))
 
 
@@ -57,6 +59,17 @@ class WalkExercise(Exercise):
             if violation is None
             else Verdict(0.0, violation.rule, self.describe_expected(case))
         )
+
+    def size_limit(self, case: Case) -> int:
+        """The most rows: those of a walk that is many times longer than the exact ones."""
+        longest = max(map(length_of, self.exact_walks(case.given)))
+        return int(TIMES_LONGER * longest / case.given["step"]) + FEW_ROWS
+
+    def bound_size(self, case: Case, outcome: Outcome) -> Outcome:
+        """The outcome, or an answer of the wrong shape where the walk is too long."""
+        if not isinstance(outcome, Answer):
+            return outcome
+        return refuse_excess(outcome, len(outcome.value), self.size_limit(case), "rows")
 
     def find_violation(self, given: Given, path: Array) -> Violation | None:
         """First rule that a path breaks, and where; None where it breaks none."""

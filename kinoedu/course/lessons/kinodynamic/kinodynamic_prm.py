@@ -67,6 +67,10 @@ class KinodynamicPrm(DrivingPlanner):
     source = staticmethod(grow_roadmap)
     shown = staticmethod(drive_from_nearest)
 
+    def size_limit(self, case: Case) -> int:
+        """The most rows: k drives in every iteration, and both ends."""
+        return int(case.given["k"] * case.given["iterations"]) + 2
+
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield every garage twice, with two and with three drives per iteration.
 

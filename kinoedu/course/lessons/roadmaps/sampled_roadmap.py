@@ -3,7 +3,9 @@
 Bullo & Smith, chapter 5; LaValle, section 5.6.
 """
 
+from collections import Counter
 from collections.abc import Iterator
+from itertools import islice
 
 import numpy as np
 
@@ -104,6 +106,11 @@ class SampledRoadmap(Watched, PlannerExercise):
                 return Fault(rule, nodes[list(min(wrong))])
         return None
 
+    def size_limit(self, case: Case) -> int:
+        """The most rows: all pairs of nodes; each node of the smallest case may be there twice."""
+        n = int(case.given["n"]) + 2
+        return n * (n - 1) // 2 + n
+
     def drawn(self, answer: object) -> tuple[list[Value], Array | None]:
         """Return neither trees nor a path."""
         return [], None
@@ -149,10 +156,10 @@ def find_sample_fault(problem: StudentProblem, nodes: Array, run: Run) -> Fault 
     """
     if run.generators > 1:
         return Fault("generator", nodes[:0])
-    free = [q for q in run.samples if problem.problem.is_free(q)][: len(nodes)]
-    left = list(map(tuple, free))
+    free = islice((q for q in run.samples if problem.problem.is_free(q)), len(nodes))
+    left = Counter(map(tuple, free))
     for q in nodes:
-        if tuple(q) not in left:
+        if not left[tuple(q)]:
             return Fault("samples", q[None])
-        left.remove(tuple(q))
+        left[tuple(q)] -= 1
     return None

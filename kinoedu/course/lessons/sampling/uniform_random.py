@@ -9,6 +9,7 @@ from ....sampling import uniform_random
 from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together, Value
+from ...sizes import MOST_NUMBERS
 from ...whole_shapes import Integer
 from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
@@ -49,6 +50,10 @@ class UniformRandom(Exercise):
         """Return the library's points; the library takes rng by name only."""
         n, d, rng = given
         return uniform_random(n, d, rng=rng)
+
+    def size_limit(self, case: Case) -> int:
+        """The most numbers: twice those of the three answers."""
+        return MOST_NUMBERS + 6 * int(case.given["n"] * case.given["d"])
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge number and range, repeatability, another seed, and the spread.

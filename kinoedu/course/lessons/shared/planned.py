@@ -14,7 +14,7 @@ messages come first.
 
 from abc import abstractmethod
 from collections.abc import Callable
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,9 +22,11 @@ from numpy.typing import NDArray
 from ....geometry.checks import Array
 from ....problems import Tree
 from ....problems.protocols import PlanningProblem, ProblemLike
+from ....spaces import RealSpace
 from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Shape, Together, Truth, Value
+from ...sizes import count_numbers, count_rows, refuse_excess
 from ...tasks import ProblemShape, StudentProblem, problem_of
 from ...watching import Run, call_three_times, read_nothing, read_samples
 from ...whole_shapes import Integer
@@ -46,6 +48,7 @@ __all__ = [
     "find_path_fault",
     "find_tree_fault",
     "first_not_free",
+    "measure_distances",
     "problem_of",
     "same_configuration",
     "three_times",
@@ -53,6 +56,7 @@ __all__ = [
 ]
 
 NODES, PATH = Numbers(("n", "d")), Numbers(("k", "d"))
+MOST_IN_ALL = 200_000  # numbers in three answers and what was drawn for them
 ROUNDING = 1e-9  # relative tolerance of lengths and end points
 
 
@@ -143,10 +147,18 @@ def find_node_off_nearest(
         if same_configuration(problem, nodes[i], problem.goal):
             continue
         length = problem.distance(nodes[parent[i]], nodes[i])
-        nearest = min(problem.distance(node, nodes[i]) for node in nodes[:i])
+        nearest = measure_distances(problem, nodes[:i], nodes[i]).min()
         if nearest < length - 1e-7 * (1.0 + length):
             return Fault("nearest", nodes[[parent[i], i]])
     return None
+
+
+def measure_distances(problem: PlanningProblem, nodes: Array, q: Array) -> Array:
+    """Distances from nodes to a configuration."""
+    record: Any = getattr(problem, "problem", problem)
+    if isinstance(record.space, RealSpace):
+        return np.sqrt(((nodes - q) ** 2).sum(axis=1))
+    return np.array([problem.distance(node, q) for node in nodes])
 
 
 def find_motion_off_tree(path: Array, nodes: Array, parent: NDArray[np.int64]) -> Fault | None:
@@ -262,6 +274,19 @@ class PlannerExercise(Exercise):
         """The first of the three answers with a fault; the first of all where there is none."""
         fault = self.fault_of_three(case, value)
         return value[0 if fault is None else fault.call]
+
+    def size_limit(self, case: Case) -> int:
+        """The most rows of a list in one answer: a node for each iteration, and both ends."""
+        return int(case.given["iterations"]) + 2
+
+    def bound_size(self, case: Case, outcome: Outcome) -> Outcome:
+        """The outcome, or an answer of the wrong shape where a list is too long."""
+        if not isinstance(outcome, Answer):
+            return outcome
+        rows = count_rows(tuple(outcome.value[:3]))
+        size, most = count_numbers(outcome.value), self.size_limit(case)
+        outcome = refuse_excess(outcome, size, MOST_IN_ALL, "numbers")
+        return refuse_excess(outcome, rows, most, "rows")
 
     def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
         """The case with the seed of the call that failed."""

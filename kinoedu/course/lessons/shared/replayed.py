@@ -10,9 +10,8 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....problems import Tree
-from ....spaces import RealSpace
 from ...tasks import StudentProblem
-from .planned import Fault, Run, find_node_off_nearest, same_configuration
+from .planned import Fault, Run, find_node_off_nearest, measure_distances, same_configuration
 
 FEW = 5  # from so many samples on, chance must have been used besides them
 SIGMAS = 5.5  # a right program is refused less than once in a million runs
@@ -24,13 +23,10 @@ class Regrown:
     def __init__(self, problem: StudentProblem, tree: Tree, step: float) -> None:
         self.problem, self.step = problem, step
         self.nodes, self.parent = tree
-        self.flat = isinstance(problem.problem.space, RealSpace)
 
     def measure_from(self, size: int, q: Array) -> Array:
         """Distances from the first nodes to a configuration."""
-        if self.flat:
-            return np.sqrt(((self.nodes[:size] - q) ** 2).sum(axis=1))
-        return np.array([self.problem.distance(node, q) for node in self.nodes[:size]])
+        return measure_distances(self.problem, self.nodes[:size], q)
 
     def leads_on(self, size: int, q: Array) -> bool:
         """Whether the next node is one step from the nearest of the first nodes towards q."""
@@ -91,7 +87,7 @@ def explain_rrt(tree: Regrown, samples: Array, drawn_always: bool, ended: bool) 
         if (used, size) in seen:
             continue
         seen.add((used, size))
-        if tree.leads_on(size, goal):
+        if used + drawn_always <= len(samples) and tree.leads_on(size, goal):
             todo.append((used + drawn_always, size + 1, aimed + drawn_always, chosen + 1))
         if used == len(samples):
             motion = tree.edge_to(size)

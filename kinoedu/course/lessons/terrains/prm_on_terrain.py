@@ -83,6 +83,11 @@ class PrmOnTerrain(TerrainPlanner):
             return fault if known else Fault("missed", nodes[:0])
         return self.fault_of_end(case, path) or find_path_fault(problem, nodes, edges, path)
 
+    def size_limit(self, case: Case) -> int:
+        """The most rows: all pairs of nodes."""
+        n = int(case.given["n"]) + 2
+        return n * (n - 1) // 2
+
     def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the nodes, as trees of one node each, and the path."""
         nodes, _, path = answer

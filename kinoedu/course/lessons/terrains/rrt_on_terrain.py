@@ -27,6 +27,7 @@ from ..shared.planned import (
     find_node_off_nearest,
     find_path_fault,
     find_tree_fault,
+    measure_distances,
 )
 from .attempts import LOG, find_attempt_fault
 
@@ -34,6 +35,7 @@ STEP, SPACING, FAILURES = 6.0, 3.0, 400
 SELDOM = 0.3  # a goal bias that is not one half
 KINDS = ("same", "open", "thin", "bag", "sealed")
 LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 60 and more
+MOST_NODES = 2_000  # far more than find room with the spacing
 SMALL = 40  # cells along each side
 
 
@@ -198,6 +200,10 @@ class RrtOnTerrain(TerrainPlanner):
             fault = Fault("gave_up", nodes[:0])
         return fault or self.fault_of_end(case, path)
 
+    def size_limit(self, case: Case) -> int:
+        """The most rows: no nodes are closer than the spacing, so that few are possible."""
+        return MOST_NODES
+
     def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the tree and the path."""
         nodes, parent, path = answer
@@ -210,8 +216,8 @@ def find_close_node(problem: PlanningProblem, nodes: Array, spacing: float) -> F
     The goal is excepted.
     """
     for i in range(1, len(nodes)):
-        apart = [problem.distance(q, nodes[i]) for q in nodes[:i]]
-        if min(apart) < spacing * (1.0 - 1e-9) and not np.array_equal(nodes[i], problem.goal):
+        apart = measure_distances(problem, nodes[:i], nodes[i])
+        if apart.min() < spacing * (1.0 - 1e-9) and not np.array_equal(nodes[i], problem.goal):
             return Fault("too_near", nodes[[int(np.argmin(apart)), i]])
     return None
 

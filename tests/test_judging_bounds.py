@@ -1,0 +1,126 @@
+"""Judging takes bounded time: answers that are too large are refused, and judges are stopped."""
+
+import time
+
+import numpy as np
+import pytest
+
+from kinoedu.course import check
+from kinoedu.course.judging import judge_case, judge_outcomes
+from kinoedu.course.lessons import EXERCISES
+from kinoedu.course.lessons.bugs.walks import length_of
+from kinoedu.course.outcomes import Answer, Misshapen
+from kinoedu.course.sizes import MOST_NUMBERS
+from kinoedu.grading.assignments.questions import AssignmentQuestion, Cases
+from kinoedu.grading.judge import submission
+from kinoedu.grading.judge.running import is_settled
+from kinoedu.support.time_limit import TimeUp, run_within_thread_time
+
+SECONDS = 5.0  # for the largest answer to a case that is looked at, where the computer is busy
+
+
+def first_case(name, kind=""):
+    """An exercise, and its first case of a kind."""
+    exercise = EXERCISES[name]
+    cases = exercise.cases(np.random.default_rng(0))
+    return exercise, next(case for case in cases if kind in ("", case.kind))
+
+
+def test_a_long_answer_has_the_wrong_shape():
+    """A check and the grader say how many numbers were expected at most, and how many came."""
+    exercise, case = first_case("bfs_tree")
+    judged = judge_case(exercise, case, Answer([0] * (MOST_NUMBERS + 1)), 0)
+    words = "expected at most 10,000 numbers here, got 10,001"
+    assert (judged.outcome, judged.verdict.rule) == (Misshapen(words), "shape")
+    assert judge_case(exercise, case, Answer([0] * MOST_NUMBERS), 0).verdict.rule != "shape"
+    assert words in repr(check(lambda neighbours, start: [0] * 10_001, "bfs_tree"))
+    report = judge_outcomes(exercise, [case], [Answer([0] * 10_001)])
+    assert report.failure.outcome == Misshapen(words)
+
+
+def test_an_example_of_ones_own_is_small():
+    """Where an exercise asks for the smallest world, a few hundred numbers are enough."""
+    exercise, case = first_case("exposing_sight")
+    ring = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)
+    rings = [ring + np.array([3.0 * (i % 8), 3.0 * (i // 8)]) for i in range(51)]
+    assert judge_case(exercise, case, Answer(rings), 0).verdict.rule == "shape"
+
+
+def long_tree(rows):
+    """A tree whose nodes all lie beside the start."""
+    nodes = np.full((rows, 2), 1.0) + np.arange(rows)[:, None] * 1e-9
+    return nodes, np.arange(rows) - 1, None
+
+
+@pytest.mark.parametrize("name", ["rrt", "rrt_on_terrain"])
+def test_a_planner_adds_a_node_for_each_iteration(name):
+    """A tree of far more nodes is refused at once, one of the most nodes is judged soon."""
+    exercise, case = first_case(name)
+    most = exercise.size_limit(case)
+    runs = (np.empty((0, 2)), 1, 0), (np.empty((0, 2)), 1, 0)
+    for rows in (20_000, most + 1, most):
+        began = time.process_time()
+        answer = long_tree(rows)
+        judged = judge_case(exercise, case, Answer((answer, answer, answer, True, *runs)), 0)
+        assert (judged.verdict.rule == "shape") == (rows > most)
+        assert not judged.verdict.is_right
+        assert time.process_time() - began < SECONDS
+    assert f"expected at most {most:,} rows here" in repr(
+        judge_case(exercise, case, Answer((long_tree(most + 1),) * 3 + (True, *runs)), 0).outcome
+    )
+
+
+def test_a_tree_that_was_given_without_samples_is_judged():
+    """A table of right trees draws no sample; that is a fault, and no error of the judge. Where
+    the goal is beside the start, a tree needs none.
+    """
+    for exercise, case in (first_case("rrt", kind) for kind in EXERCISES["rrt"].kinds):
+        for rng in range(20):
+            answer = exercise.result.decode(
+                exercise.result.encode(exercise.source(*{**case.given, "rng": rng}.values()))
+            )
+            none = (np.empty((0, 0)), 0, 0)
+            judged = judge_case(exercise, case, Answer((answer,) * 3 + (True, none, none)), 0)
+            assert case.kind in ("same", "room") or not judged.verdict.is_right
+
+
+def test_a_walk_is_at_most_several_exact_ones():
+    """So a bug that circles for ever is refused."""
+    exercise, case = first_case("bug1", "one")
+    exact = max(exercise.exact_walks(case.given), key=length_of)
+    assert exercise.size_limit(case) > 5 * length_of(exact) / case.given["step"]
+    path = np.tile(exact, (10_000, 1))
+    assert judge_case(exercise, case, Answer(path), 0).verdict.rule == "shape"
+
+
+def test_judging_is_stopped(monkeypatch):
+    """The question has no points, its status is "stopped", and the reason is said."""
+    exercise, case = first_case("bfs_tree")
+
+    def judge_for_ever(case, outcome):
+        while True:
+            pass
+
+    monkeypatch.setattr(type(exercise), "judge", lambda self, *given: judge_for_ever(*given))
+    monkeypatch.setattr(submission, "JUDGING", 0.2)
+    question = AssignmentQuestion(exercise, 5.0)
+    record = submission.judge_in_time(question, Cases([case], 1), [Answer([0])], frozenset())
+    assert (record["score"], record["status"]) == (0.0, submission.STOPPED)
+    assert record["reason"] == submission.JUDGED_TOO_LONG
+    assert "Judging these took too long" in record["message"]
+    whole = {"questions": [record], "cells": [], "patience": 2.0}
+    assert [is_settled(whole, patience) for patience in (1.0, 2.0, 3.0)] == [True, True, False]
+
+
+def test_time_of_a_thread_counts_whatever_it_calls():
+    """Sleeping is free for a while; computing is not, also in functions of the library."""
+    assert run_within_thread_time(0.2, lambda: time.sleep(0.5) or 7) == 7
+
+    def compute_for_ever():
+        while True:
+            pass
+
+    with pytest.raises(TimeUp):
+        run_within_thread_time(0.2, compute_for_ever)
+    with pytest.raises(ZeroDivisionError):
+        run_within_thread_time(0.2, lambda: 1 / 0)
