@@ -6,6 +6,7 @@ They are safe, equal on every run, and reveal no hidden case.
 import csv
 import io
 import json
+import shutil
 import sys
 import zipfile
 from concurrent.futures import ThreadPoolExecutor
@@ -27,12 +28,14 @@ from kinoedu.grading.collect.marks import count_shared, find_questions
 from kinoedu.grading.collect.names import find_name, read_gradescope_names, read_names
 from kinoedu.grading.collect.notebook import UnreadableSubmission
 from kinoedu.grading.collect.submissions import Submission, collect
+from kinoedu.grading.export.freshness import list_old_exports
 from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
 from kinoedu.grading.judge import running
 from kinoedu.grading.judge.class_list import (
     Class,
     Entry,
     add_earlier,
+    digest_submission,
     make_entry,
     read_class,
     write_class,
@@ -42,6 +45,7 @@ from kinoedu.grading.regrading import find_changes
 from kinoedu.grading.report import writing
 from kinoedu.grading.report.decisions import read_decisions
 from kinoedu.grading.report.feedback_page import file_name, name_page
+from kinoedu.grading.report.rows import list_class_rows
 from kinoedu.grading.report.writing import write_all
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.support.csv_cells import harmless, unharmed
@@ -787,3 +791,46 @@ def test_more_patience_grades_again_what_took_too_long(tmp_path, monkeypatch):
     assert [grade_with(patience)[0] for patience in (4.0, 8.0)] == [[4], []]
     for bad in ("0.5", "nan", "1e9"):
         assert main(["grade", str(tmp_path), "--out", str(tmp_path), "--patience", bad]) == 2
+
+
+def test_exports_and_tables_that_no_longer_agree_are_named(tmp_path, capsys):
+    """Decisions after grading, submissions that changed, and exports of other grades."""
+    folder, out = tmp_path / "in", tmp_path / "out"
+    folder.mkdir()
+    for name in ("ann", "bob"):
+        (folder / name).mkdir()
+        (folder / name / f"{NAME}.ipynb").write_bytes(name.encode())
+    of = a_class(out, {"ann": record(), "bob": record(share=0.5)})
+    found = {one.student: one for one in collect(folder)}
+    entries = [
+        one._replace(folder=str(folder), digest=digest_submission(found[one.student]))
+        for one in of.entries
+    ]
+    of = of._replace(entries=entries)
+    write_class(of)
+    rows = write_all(of)
+
+    def export():
+        assert main(["export", str(out), "--to", "csv"]) == 0
+        return capsys.readouterr().err
+
+    assert export() == ""
+    assert list_old_exports(of, rows) == []
+    write(out / "overrides.csv", f"{COLUMNS}bob,{NAME},exposing_case,1,\n")
+    rows = list_class_rows(of, read_decisions(out))
+    assert list_old_exports(of, rows) == [str(out / "totals.csv")]
+    assert "grades.csv, the report and the pages are older" in export()
+    assert list_old_exports(of, rows) == []
+    write_all(of)
+    (folder / "bob" / f"{NAME}.ipynb").write_bytes(b"changed")
+    (folder / "cy").mkdir()
+    (folder / "cy" / f"{NAME}.ipynb").write_bytes(b"new")
+    said = export()
+    assert "older" not in said
+    assert f"changed, came or went since they were graded: bob {NAME}, cy {NAME}; grade" in said
+    shutil.rmtree(folder)
+    assert "no longer in" in export()
+    write(out / "exports.json", "[]")
+    (out / "grades.csv").unlink()
+    assert list_old_exports(of, rows) == []
+    assert "older" in export()

@@ -2,6 +2,7 @@
 
 import argparse
 import importlib.util
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -91,6 +92,7 @@ def add_export(commands: Commands) -> None:
 
 def run_export(arguments: argparse.Namespace) -> int:
     """Read the class, and write the export that the arguments name."""
+    from ..grading.export.freshness import list_warnings, note_export
     from ..grading.judge.class_list import read_class
     from ..grading.report.decisions import read_decisions
     from ..grading.report.rows import list_class_rows
@@ -102,14 +104,15 @@ def run_export(arguments: argparse.Namespace) -> int:
     of = read_class(arguments.grades)
     if arguments.from_nbgrader is not None:
         return read_back_from_nbgrader(of, arguments.from_nbgrader)
-    rows = [
-        row
-        for row in list_class_rows(of, read_decisions(of.out))
-        if arguments.assignment in ("", row.assignment)
-    ]
+    all_rows = list_class_rows(of, read_decisions(of.out))
+    rows = [row for row in all_rows if arguments.assignment in ("", row.assignment)]
     if not rows:
         raise InvalidParameter(f"{of.out} has no grades for {arguments.assignment or 'anything'}")
+    for warning in list_warnings(of, all_rows):
+        print(f"kinoedu: warning: {warning}", file=sys.stderr)
+    arguments.out = arguments.out or of.out / DEFAULT_PLACES[arguments.to]
     print(EXPORTS[arguments.to](arguments, of, rows))
+    note_export(of, rows, arguments.to, arguments.out)
     return 0
 
 
@@ -117,9 +120,8 @@ def write_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """Write a plain table."""
     from ..grading.export.tables import export_csv
 
-    file = arguments.out or of.out / "totals.csv"
-    export_csv(rows, file)
-    return f"wrote {file}; a cell is empty where something has no score yet"
+    export_csv(rows, arguments.out)
+    return f"wrote {arguments.out}; a cell is empty where something has no score yet"
 
 
 def write_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
@@ -132,18 +134,16 @@ def write_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
             "--to canvas needs --template FILE, your export of Canvas's gradebook (Grades, Export "
             "Entire Gradebook)"
         )
-    file = arguments.out or of.out / "canvas.csv"
-    unknown = export_canvas(rows, arguments.template, file, arguments.column)
+    unknown = export_canvas(rows, arguments.template, arguments.out, arguments.column)
     missing = f"; Canvas does not have: {one_line(', '.join(unknown))}" if unknown else ""
-    return f"wrote {file}{missing}"
+    return f"wrote {arguments.out}{missing}"
 
 
 def write_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """Write Gradescope's results for each submission."""
     from ..grading.export.tables import export_gradescope
 
-    folder = arguments.out or of.out / "gradescope"
-    return f"wrote {export_gradescope(rows, folder)} files in {folder}"
+    return f"wrote {export_gradescope(rows, arguments.out)} files in {arguments.out}"
 
 
 def pack_for_gradescope(arguments: argparse.Namespace) -> int:
@@ -173,7 +173,7 @@ def write_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     require_nbgrader()
     from ..grading.export.nbgrader_course import export_nbgrader
 
-    folder = arguments.out or of.out / "nbgrader"
+    folder = arguments.out
     entries = [entry for entry in of.entries if arguments.assignment in ("", entry.assignment)]
     with show_stage("writing the gradebook"):
         count = export_nbgrader(of._replace(entries=entries), rows, folder)
@@ -188,6 +188,7 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
     require_nbgrader()
     from ..grading.export.nbgrader_course import import_nbgrader_scores
     from ..grading.report.writing import write_all
+    from .grade import warn_of_old_exports
 
     if not (folder / "gradebook.db").exists():
         raise InvalidParameter(
@@ -195,7 +196,8 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
         )
     with show_stage("reading the gradebook"):
         count = import_nbgrader_scores(of, folder)
-        write_all(of)
+        rows = write_all(of)
+    warn_of_old_exports(of, rows)
     print(
         f"brought {count} scores into {of.out / 'by_hand.csv'}, grades.csv, the report and the "
         "pages"
@@ -209,6 +211,12 @@ def require_nbgrader() -> None:
         raise InvalidParameter("this needs nbgrader, which python start.py export installs")
 
 
+DEFAULT_PLACES = {
+    "csv": "totals.csv",
+    "canvas": "canvas.csv",
+    "gradescope": "gradescope",
+    "nbgrader": "nbgrader",
+}
 EXPORTS = {
     "csv": write_csv,
     "canvas": write_canvas,

@@ -138,12 +138,14 @@ def add_grading_options(command: argparse.ArgumentParser) -> None:
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class, write the results, and print a summary."""
     from ..grading.class_grading import grade_class
+    from ..grading.report.decisions import read_decisions
     from ..grading.report.rows import list_class_rows
 
     secret_file = find_secret_file(arguments, "")
     with show_progress("grading") as grading, show_progress("writing pages") as writing:
         run = make_run(arguments, secret_file, grading, writing)
         of = grade_class(arguments.submissions, arguments.assignment, arguments.out, run)
+    warn_of_old_exports(of, list_class_rows(of, read_decisions(of.out)))
     return sum_up(of, list_class_rows(of, {}))
 
 
@@ -218,6 +220,17 @@ def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, wri
         arguments.patience,
         arguments.names,
     )
+
+
+def warn_of_old_exports(of: Any, rows: Any) -> None:
+    """Print a warning for each exported table that was made of other grades."""
+    from ..grading.export.freshness import list_old_exports
+
+    for place in list_old_exports(of, rows):
+        print(
+            f"kinoedu: warning: {place} was exported from other grades; export again",
+            file=sys.stderr,
+        )
 
 
 def sum_up(of: Any, rows: Any) -> int:

@@ -63,7 +63,16 @@ def number(score: float | None) -> str:
 
 def write_rows(file: Path, rows: Iterable[Iterable[str]]) -> None:
     """Write a table, whole or not at all, in UTF-8."""
+    with written_whole(file) as part:
+        part.write_bytes(format_table(rows))
+
+
+def format_table(rows: Iterable[Iterable[str]]) -> bytes:
+    """The bytes of a table.
+
+    >>> format_table([["a", "b"], ["1", "2,5"]])
+    b'a,b\\n1,"2,5"\\n'
+    """
     stream = io.StringIO(newline="")
     csv.writer(stream, lineterminator="\n").writerows(rows)
-    with written_whole(file) as part:
-        part.write_bytes(stream.getvalue().encode("utf-8", "replace"))
+    return stream.getvalue().encode("utf-8", "replace")

@@ -150,7 +150,12 @@ def sum_totals(rows: Iterable[Row]) -> dict[tuple[str, str], Total]:
 
 def write_grades(rows: Iterable[Row], file: Path) -> None:
     """Write grades.csv; equal rows give equal bytes."""
-    write_rows(file, [COLUMNS, *format_rows(rows)])
+    write_rows(file, format_grades(rows))
+
+
+def format_grades(rows: Iterable[Row]) -> list[tuple[str, ...]]:
+    """The lines of grades.csv."""
+    return [COLUMNS, *format_rows(rows)]
 
 
 def format_rows(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
