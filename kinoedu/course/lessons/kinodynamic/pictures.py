@@ -19,7 +19,7 @@ from ..shared.car_pictures import arc, set_axes
 
 
 def draw_driven_answer(problem: Any, built: Value, fault: Value, text: str, ax: Axes) -> None:
-    """Draw the problem, the tree in blue, the path in yellow, and the fault in orange."""
+    """Draw the problem, the tree, the path, and a cross on the fault."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
 

@@ -21,7 +21,7 @@ def draw_answer(
     words: str,
     ax: Axes,
 ) -> None:
-    """Draw the problem, the trees in blue, the path in yellow, and what is at fault in orange."""
+    """Draw the problem, the trees, the path, and a cross on what is at fault."""
     from ....figures import palette, plane
     from ....figures.drawing import draw_path, draw_problem, draw_tree
     from ....figures.robots import place_of, track_of
