@@ -19,7 +19,7 @@ from grading_soak import class_of, grader, results, soaked  # noqa: E402
 
 NO_SANDBOX = sandbox.explain_no_sandbox()
 pytestmark = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
-SIZE = 30
+SIZE = 20
 # attacks that end at once
 BRIEF = ["exits", "forged_lines", "memory", "output", "processes", "signals", "broken_python"]
 
@@ -42,7 +42,7 @@ def test_every_submission_is_graded_once(calm):
 def test_grades_do_not_depend_on_killed_processes(calm, tmp_path, workers):
     submissions, wanted = calm
     killed, status = soaked(
-        submissions, tmp_path / "out", workers, every=8, grader_dies_at=SIZE // 2
+        submissions, tmp_path / "out", workers, every=6, grader_dies_at=SIZE // 2
     )
     assert status == 0
     assert killed > 0

@@ -3,6 +3,8 @@
 import contextlib
 import json
 import string
+from array import array
+from collections import OrderedDict, deque
 from pathlib import Path
 
 import numpy as np
@@ -160,13 +162,13 @@ def test_plain_values_pass_unchanged(value):
 
 
 @pytest.mark.parametrize(
-    "array",
+    "numbers",
     [np.eye(2), np.array([]), np.zeros((0, 2)), np.array([[1, 2]]), np.array(True), np.float64(3)],
 )
-def test_arrays_pass_with_their_shapes_and_kinds(array):
-    there = wire.decode(wire.encode(array, lambda one: None), lambda mark, content: None)
-    assert np.array_equal(there, array) and np.shape(there) == np.shape(array)
-    assert np.asarray(there).dtype == np.asarray(array).dtype
+def test_arrays_pass_with_their_shapes_and_kinds(numbers):
+    there = wire.decode(wire.encode(numbers, lambda one: None), lambda mark, content: None)
+    assert np.array_equal(there, numbers) and np.shape(there) == np.shape(numbers)
+    assert np.asarray(there).dtype == np.asarray(numbers).dtype
 
 
 @given(
@@ -182,6 +184,39 @@ def test_a_line_of_nonsense_is_refused_by_name(data):
     """Whatever comes is decoded, or is Unfit."""
     with contextlib.suppress(wire.Unfit):
         wire.decode(data, lambda mark, content: content)
+
+
+class Whole(int):
+    """An integer of a class of its own."""
+
+
+@pytest.mark.parametrize(
+    ("value", "wanted"),
+    [
+        (range(3), [0, 1, 2]),
+        (deque([1, 2]), [1, 2]),
+        (array("d", [1.0, 2.0]), [1.0, 2.0]),
+        (OrderedDict(a=1), {"a": 1}),
+        (np.array([[1, 2], [3]], dtype=object), [[1, 2], [3]]),
+        (np.array([2**63], np.uint64), [2**63]),
+        (np.longdouble(0.5), 0.5),
+        (np.float32(0.1), float(np.float32(0.1))),
+        (Whole(7), 7),
+        (10**40, 10**40),
+        (float("inf"), float("inf")),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_what_check_accepts_passes_as_what_it_stands_for(value, wanted):
+    line = wire.write_line({"value": wire.encode(value, lambda one: None)})
+    there = wire.decode(wire.read_line(line)["value"], lambda mark, content: None)
+    assert (there.tolist() if isinstance(there, np.ndarray) else there) == wanted
+
+
+def test_a_list_in_itself_ends():
+    endless: list = []
+    endless.append(endless)
+    assert "list" in json.dumps(wire.encode(endless, lambda one: None))
 
 
 def test_what_does_not_pass_is_named_and_never_run():

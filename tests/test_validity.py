@@ -19,13 +19,13 @@ from validity import KINDS, outcome
 
 
 @pytest.mark.parametrize("planner", ["RRT", "RRT-Connect"])
-def test_no_path_of_a_hundred_is_invalid(planner):
+def test_no_path_is_invalid(planner):
     """All robots, all worlds; most are solved."""
     outcomes = [
-        one for seed in range(1_000_000, 1_000_060) if (one := outcome(seed, [planner])) is not None
+        one for seed in range(1_000_000, 1_000_030) if (one := outcome(seed, [planner])) is not None
     ]
-    assert len(outcomes) > 50 and [one for one in outcomes if not one.valid] == []
-    assert sum(one.solved for one in outcomes) > 30
+    assert len(outcomes) > 25 and [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 15
 
 
 def test_no_exact_path_is_invalid():

@@ -9,15 +9,15 @@ A list is written as a list. Everything else that JSON lacks is written as {mark
 """
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-TUPLE, DICT, ARRAY, COMPLEX, LENT, GENERATOR, OTHER = "t", "d", "a", "c", "h", "g", "o"
-KINDS = {"f": float, "i": int, "u": int, "b": bool}  # numpy's kinds of numbers
-DTYPES = {"f": np.float64, "i": np.int64, "u": np.int64, "b": np.bool_}
-MOST_DIGITS = 4000  # bits of an integer
+TUPLE, DICT, ARRAY, LENT, GENERATOR, OTHER = "t", "d", "a", "h", "g", "o"
+DTYPES = {"f": np.float64, "i": np.int64, "u": np.uint64, "b": np.bool_}  # by numpy's kinds
+TEXT = (str, bytes, bytearray, memoryview)  # sequences that are not lists of values
+MOST_BITS = 4000  # of an integer
 MOST_DEEP = 40  # lists within lists
 
 
@@ -58,26 +58,29 @@ def encode(value: Any, lend: Callable[[Any], dict[str, Any] | None], deep: int =
     kind = type(value)
     if value is None or kind in (bool, str, float):
         return value
-    if kind is int and value.bit_length() < MOST_DIGITS:
+    if kind is int and value.bit_length() < MOST_BITS:
         return value
-    if isinstance(value, np.ndarray) and value.dtype.kind in KINDS:
-        return {ARRAY: [list(value.shape), value.dtype.kind, np.asarray(value).ravel().tolist()]}
-    if isinstance(value, np.generic) and value.dtype.kind in KINDS:
-        return {ARRAY: [[], value.dtype.kind, [value.item()]]}
-    if deep < MOST_DEEP:
-        if kind is list or kind is tuple:
-            items = [encode(item, lend, deep + 1) for item in value]
-            return items if kind is list else {TUPLE: items}
-        if kind is dict:
-            pairs = [[encode(part, lend, deep + 1) for part in pair] for pair in value.items()]
-            return {DICT: pairs}
+    if isinstance(value, np.ndarray | np.generic) and value.dtype.kind in DTYPES:
+        array = np.asarray(value, DTYPES[value.dtype.kind])
+        return {ARRAY: [list(array.shape), array.dtype.kind, array.ravel().tolist()]}
     lent = lend(value)
     if lent is not None:
         return lent
-    if isinstance(value, list | tuple) and deep < MOST_DEEP:  # such as a NamedTuple
-        items = [encode(item, lend, deep + 1) for item in value]
-        return items if isinstance(value, list) else {TUPLE: items}
+    if deep < MOST_DEEP:
+        if isinstance(value, dict):
+            pairs = [[encode(part, lend, deep + 1) for part in pair] for pair in value.items()]
+            return {DICT: pairs}
+        if isinstance(value, Sequence | np.ndarray) and not isinstance(value, TEXT):
+            items = [encode(item, lend, deep + 1) for item in value]
+            return {TUPLE: items} if isinstance(value, tuple) else items
+    if isinstance(value, float | int) and not isinstance(value, TEXT):
+        return float(value) if isinstance(value, float) else encode_integer(value)
     return {OTHER: str(type.__dict__["__name__"].__get__(kind))[:100]}
+
+
+def encode_integer(value: int) -> Any:
+    """An integer of a class of its own, or of too many digits."""
+    return int(value) if value.bit_length() < MOST_BITS else {OTHER: "int"}
 
 
 def decode(data: Any, find: Callable[[str, Any], Any]) -> Any:
