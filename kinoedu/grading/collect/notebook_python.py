@@ -10,7 +10,7 @@ import warnings
 
 LONGEST_PARSED = 200_000  # characters of a cell
 LONGEST, MOST_COMMANDS = 20_000, 500  # characters and commands of a cell with commands
-MOST_WORK = 3e8  # of a notebook, in characters times those of the longest line
+MOST_WORK = 2e8  # of a notebook, in characters times those of the longest line
 SHORT_LINE = 200  # characters; shorter lines take no less work for each character
 # commands whose cells are Python
 PYTHON_CELLS = (["%%time"], ["%%timeit"], ["%%capture"], ["%%prun"])

@@ -19,6 +19,7 @@ MOST_STEPS = 1_000_000  # of a top-level await; nothing else runs meanwhile, so 
 # of a cell with a syntax error, pieces that are joined to complete brackets or text: how many for
 # one statement, and how many characters in all
 MOST_PIECES, MOST_JOINED = 40, 200_000
+MOST_BROKEN = 100  # blocks of a cell with syntax errors, after which the rest counts as one
 
 # lines at column 0 that belong to the lines above
 CONTINUES = re.compile(r"(else|elif|except|finally)\b|[\s#)\]}]")
@@ -98,8 +99,10 @@ def parse_cell(source: str, name: str) -> Iterator[ast.stmt | Failure]:
     if isinstance(tree, ast.Module):
         yield from tree.body
         return
-    pieces, begin, left = split_at_statements(source), 0, MOST_JOINED
+    pieces, begin, left, broken = split_at_statements(source), 0, MOST_JOINED, 0
     while begin < len(pieces):
+        if broken == MOST_BROKEN:
+            pieces[begin:] = [(pieces[begin][0], "".join(text for _, text in pieces[begin:]))]
         first, text = pieces[begin]
         joined = pieces[begin : begin + MOST_PIECES] if left > 0 else [pieces[begin]]
         count, tree, length = parse_first_block([text for _, text in joined], name)
@@ -108,6 +111,7 @@ def parse_cell(source: str, name: str) -> Iterator[ast.stmt | Failure]:
             ast.increment_lineno(tree, first)
             yield from tree.body
         else:
+            broken += 1
             names = tuple(one or other for one, other in DEFINES.findall(text))
             yield Failure(tree, shift_lines(tree, first), names)
 
