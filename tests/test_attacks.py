@@ -51,11 +51,12 @@ def notebook(*sources: str) -> bytes:
     return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
-def submission(file: Path) -> tuple[bytes, float]:
-    """An attack as a notebook, and the points that it deserves."""
+def submission(file: Path) -> tuple[bytes, float, str]:
+    """An attack as a notebook, the points that it deserves, and the assignment that it attacks."""
     text = file.read_text(encoding="utf-8")
-    points = float(text.split()[1])
-    return notebook(PRELUDE, *text.split("# %%\n"), *[HONEST] * (points > 0)), points
+    _, points, _, on, name = text.split(maxsplit=5)[:5]
+    cells = [PRELUDE, *text.split("# %%\n"), *[HONEST] * (float(points) > 0)]
+    return notebook(*cells), float(points), name.rstrip(":") if on == "in" else "01_geometry"
 
 
 def traces() -> set[str]:
@@ -121,8 +122,8 @@ def neighbour():
 @needs_sandbox
 @pytest.mark.parametrize("file", ATTACKS, ids=lambda file: file.stem)
 def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
-    data, points = submission(file)
-    record = grade(data, read_assignment("01_geometry"), SECRET, box, patience=HASTE)
+    data, points, name = submission(file)
+    record = grade(data, read_assignment(name), SECRET, box, patience=HASTE)
     assert sum(question["score"] for question in record["questions"]) == points, str(
         record["cells"]
     )[-900:]
@@ -134,7 +135,7 @@ def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
 
 @needs_sandbox
 def test_hidden_cases_are_never_told(box):
-    data, _ = submission(HOUSE / "tests" / "attacks" / "hidden_cases_told.cells")
+    data, *_ = submission(HOUSE / "tests" / "attacks" / "hidden_cases_told.cells")
     record = json.dumps(grade(data, read_assignment("01_geometry"), SECRET, box, patience=HASTE))
     for question in read_assignment("01_geometry").questions:
         cases = draw_cases(question.exercise.name, SECRET)

@@ -103,14 +103,14 @@ def run_program(
     """
     run = Run(sandbox, lent, patience * slowdown(), Answers({}, {}))
     shown = [Question(one.exercise, one.cases[: one.shown], one.shown) for one in questions]
-    run.ask(list(cells), shown)
+    run.ask_apart(cells, shown)
     hidden = [
         Question(one.exercise, one.cases[one.shown :], 0)
         for one in questions
         if is_open(one, run.found.outcomes.get(one.name, []))
     ]
     later = run._replace(found=Answers({}, {}))
-    later.ask([cell for cell in cells if cell.number not in run.found.stopped()], hidden)
+    later.ask_apart([cell for cell in cells if cell.number not in run.found.stopped()], hidden)
     for one in hidden:
         outcomes = later.found.outcomes.get(one.name) or []
         before = run.found.outcomes.setdefault(one.name, [])
@@ -129,6 +129,14 @@ class Run(NamedTuple):
     lent: tuple[str, ...]
     patience: float
     found: Answers
+
+    def ask_apart(self, cells: list[Cell], questions: list[Question]) -> None:
+        """Ask the questions, those that need other modules each in sandboxes of their own.
+
+        So matplotlib, which can do much of what is asked for, is there only where it is to draw.
+        """
+        for modules in sorted({list_modules([one]) for one in questions}):
+            self.ask(cells, [one for one in questions if list_modules([one]) == modules])
 
     def ask(self, cells: list[Cell], questions: list[Question]) -> None:
         """Run the cells and ask the questions, and store what is found."""

@@ -121,7 +121,10 @@ def judge_in_time(
     trivial: frozenset[frozenset[str]],
     patience: float = 1.0,
 ) -> Grade:
-    """The record of a question, without points if judging its outcomes takes too long."""
+    """The record of a question, without points if its outcomes cannot be judged in time.
+
+    Nor if the judge fails on them: no answer keeps the others from being graded.
+    """
     try:
         return run_within_thread_time(
             JUDGING * patience * slowdown(),
@@ -133,6 +136,12 @@ def judge_in_time(
             "message": question.exercise.message("rules.judging"),
             "hint": question.exercise.message("hints.judging"),
             "reason": JUDGED_TOO_LONG,
+        }
+    except Exception as error:
+        return make_blank_record(question) | {
+            "status": STOPPED,
+            "message": get_message("grading.judge_failed", kind=type(error).__name__),
+            "reason": "rules.judge_failed",
         }
 
 
@@ -150,7 +159,7 @@ def judge_question(
         return make_blank_record(question)
     late = any(isinstance(outcome, Late) for outcome in outcomes)
     record = make_blank_record(question) | {
-        "score": question.points * report.score,
+        "score": round(question.points * report.score, 9),
         "status": name_status(report),
         "message": get_message("grading.right"),
         "late": late,

@@ -18,15 +18,20 @@ import wire  # beside this file, as student.py has it
 from kinoedu.course.drawn import Canvas
 from kinoedu.course.exceptions import class_name, message_of
 from kinoedu.course.lent_problem import LentProblem
-from kinoedu.course.outcomes import Elsewhere, Late, Outcome, Raised
+from kinoedu.course.outcomes import Elsewhere, Late, Outcome, Raised, decode_outcome
+from kinoedu.course.plain import WrongShape
+from kinoedu.course.shapes import Maybe, Truth
 from kinoedu.support.time_limit import MAX_WAIT_FACTOR
 
 GRACE = 2.0  # seconds that a program has to report what stopped it
+LESSONS = "kinoedu.course.lessons."
+SHARED = LESSONS + "shared."
 START = 60.0  # seconds until the student's process is ready, on a slow computer
 ANSWERING = 4.0  # times the limit of a call that all its questions may take
 MOST_LINE = 4 * 2**20  # bytes
 MOST_OUTPUT = 64 * 2**20  # bytes of a whole run
 MOST_LENT = 100_000  # things lent in a whole run
+NO_VALUE = Maybe(Truth())
 
 
 class Ended(Exception):
@@ -38,6 +43,10 @@ class Ended(Exception):
     def __init__(self, reason: str) -> None:
         super().__init__(reason)
         self.reason = reason
+
+
+class NotLentError(Exception):
+    """A program asks something that is not lent to the exercise whose case is run."""
 
 
 class RemoteFunction:
@@ -64,7 +73,7 @@ class RemoteFunction:
         except Ended as end:
             self.student.end = end.reason
             outcome = Late(False)
-        except (wire.Unfit, KeyError, TypeError, ValueError):
+        except (wire.Unfit, KeyError, IndexError, TypeError, ValueError, OverflowError):
             self.student.end = "unasked"
             outcome = Late(False)
         raise Elsewhere(outcome)
@@ -79,11 +88,44 @@ class RemoteFunction:
 
 
 def read_outcome(reply: dict[str, Any]) -> Outcome | None:
-    """The outcome of a call that returned nothing; None where it returned a value."""
+    """The outcome of a call that returned nothing; None where it returned a value.
+
+    Raises
+    ------
+    Ended
+        Where it is no outcome.
+    """
     if "late" in reply:
-        used, allowed, passed = map(float, reply["late"])
-        return Late(False, used, allowed, passed)
-    return Raised(*reply["raised"]) if "raised" in reply else None
+        return read_late(reply["late"])
+    return read_raised(reply["raised"]) if "raised" in reply else None
+
+
+def read_late(data: Any) -> Outcome:
+    """The outcome of a program that took too long. Raises Ended."""
+    try:
+        used, allowed, passed = data
+        return as_outcome(
+            Late, left_running=False, used=used, allowed=allowed, passed=passed, lines=[]
+        )
+    except (TypeError, ValueError):
+        raise Ended("unasked") from None
+
+
+def read_raised(data: Any) -> Outcome:
+    """The outcome of a program that raised an exception. Raises Ended."""
+    try:
+        return as_outcome(Raised, **dict(zip(Raised._fields, data, strict=True)))
+    except (TypeError, ValueError):
+        raise Ended("unasked") from None
+
+
+def as_outcome(kind: Any, **fields: Any) -> Outcome:
+    """An outcome with fields of the right shapes. Raises Ended."""
+    data = {"kind": kind.__name__, **kind._field_defaults, **fields}
+    try:
+        return decode_outcome(data, NO_VALUE)
+    except (WrongShape, TypeError, ValueError, OverflowError, RecursionError):
+        raise Ended("unasked") from None
 
 
 def put(now: Any, value: Any) -> None:
@@ -99,10 +141,20 @@ def put(now: Any, value: Any) -> None:
 
 
 class Lent(NamedTuple):
-    """What was lent under a number; `ask` answers a question about it."""
+    """What was lent under a number; `ask` answers a question about it.
+
+    A function of an exercise's own module, such as a wrong program that students must expose, is
+    lent to the cells and to that exercise alone, since it may do much of what others ask for.
+    """
 
     value: Any
     ask: Callable[..., Any]
+
+    def is_for(self, module: str) -> bool:
+        """Whether it is lent to the exercise of a module; "" stands for the cells."""
+        home = str(getattr(self.value, "__module__", ""))
+        is_shared = home.startswith(SHARED) or not home.startswith(LESSONS)
+        return is_shared or module in ("", home)
 
 
 class Student:
@@ -113,6 +165,7 @@ class Student:
         self.buffer = b""
         self.total = 0
         self.end = ""
+        self.module = ""  # of the exercise whose cases are run
         self.lent: list[Lent] = []
         self.generators: dict[int, np.random.Generator] = {}
 
@@ -182,9 +235,11 @@ class Student:
             number, name, given, named = question
             lent = self.lent[number]
             values = self.decode(given, used), self.decode(named, used)
-        except (wire.Unfit, TypeError, ValueError, IndexError, KeyError) as error:
+        except (wire.Unfit, TypeError, ValueError, LookupError, OverflowError) as error:
             raise Ended("unasked") from error
         try:
+            if not lent.is_for(self.module):
+                raise NotLentError("this function is lent to its own exercise alone")
             reply = {"value": self.encode(lent.ask(name, *values[0], **values[1]))}
         except Ended:
             raise

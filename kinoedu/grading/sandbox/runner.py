@@ -33,17 +33,25 @@ sys.path += map(str, HERE.parent.parent.parent.glob("site-packages-*"))
 # without numba the library gives the same answers, and starts at once
 sys.modules["numba"] = None  # type: ignore[assignment]
 
-from remote import GRACE, Ended, RemoteFunction, Student  # noqa: E402  (beside this file)
+from remote import (  # noqa: E402  (beside this file)
+    GRACE,
+    NO_VALUE,
+    Ended,
+    RemoteFunction,
+    Student,
+    read_late,
+    read_raised,
+)
 
+#
 from kinoedu.course.exercise import Exercise  # noqa: E402
 from kinoedu.course.judging import is_unwritten, run_called  # noqa: E402
 from kinoedu.course.lessons import find  # noqa: E402
-from kinoedu.course.outcomes import Late, Outcome, Raised, encode_outcome  # noqa: E402
-from kinoedu.course.shapes import Maybe, Truth  # noqa: E402
+from kinoedu.course.outcomes import Late, Outcome, encode_outcome  # noqa: E402
 
 SELDOM = 0.05  # seconds between outcomes that are sent one by one
 MOST_TROUBLES = 50  # of one cell
-NO_VALUE = Maybe(Truth())
+MOST_LINES = 10**6  # of one cell
 
 
 def main() -> None:
@@ -143,6 +151,7 @@ class Session:
             self.grader.send(question=exercise.name, missing=True)
             return False
         function = RemoteFunction(self.student, exercise.name, seconds)
+        self.student.module = type(exercise).__module__
         for number, case in enumerate(cases):
             outcome = run_called(exercise, function, case, run_unlimited)
             if self.student.end:
@@ -171,14 +180,13 @@ def read_troubles(reply: dict[str, Any]) -> Iterator[tuple[int, Outcome]]:
     Ended
         Where these are not such data.
     """
-    try:
-        for line, *described in reply["troubles"][:MOST_TROUBLES]:
-            yield int(line), Raised(*described)
-        if "late" in reply:
-            used, allowed, passed = map(float, reply["late"])
-            yield 0, Late(False, used, allowed, passed)
-    except (KeyError, TypeError, ValueError) as error:
-        raise Ended("unasked") from error
+    troubles = reply.get("troubles")
+    for trouble in troubles[:MOST_TROUBLES] if isinstance(troubles, list) else [None]:
+        if not isinstance(trouble, list) or [type(one) for one in trouble[:1]] != [int]:
+            raise Ended("unasked")
+        yield trouble[0] % MOST_LINES, read_raised(trouble[1:])
+    if "late" in reply:
+        yield 0, read_late(reply["late"])
 
 
 def run_unlimited(seconds: float, work: Callable[[], Any]) -> Any:

@@ -61,9 +61,9 @@ def encode(value: Any, lend: Callable[[Any], dict[str, Any] | None], deep: int =
     if kind is int and value.bit_length() < MOST_BITS:
         return value
     if isinstance(value, np.ndarray | np.generic) and value.dtype.kind in DTYPES:
-        array = np.asarray(value, DTYPES[value.dtype.kind])
+        array: np.ndarray = np.asarray(value, DTYPES[value.dtype.kind])
         return {ARRAY: [list(array.shape), array.dtype.kind, array.ravel().tolist()]}
-    lent = lend(value)
+    lent = None if kind in (list, tuple, dict) else lend(value)
     if lent is not None:
         return lent
     if deep < MOST_DEEP:
