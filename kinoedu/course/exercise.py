@@ -130,7 +130,7 @@ class Exercise(ABC):
         if not isinstance(outcome, Answer):
             return outcome
         most = self.size_limit(case)
-        return refuse_excess(outcome, count_numbers(outcome.value), most, "numbers")
+        return refuse_excess(outcome, count_numbers(outcome.value), most, "shape.too_many_numbers")
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
         """Judge the outcome of a call."""

@@ -35,8 +35,8 @@ def count_rows(value: Value) -> int:
     return int(shape[0]) if shape else 0
 
 
-def refuse_excess(outcome: Outcome, size: int, most: int, unit: str) -> Outcome:
-    """The outcome, or an answer of the wrong shape where it is too large."""
+def refuse_excess(outcome: Outcome, size: int, most: int, message: str) -> Outcome:
+    """The outcome, or an answer of the wrong shape, with a message, where it is too large."""
     if not isinstance(outcome, Answer) or size <= most:
         return outcome
-    return Misshapen(get_message(f"shape.too_many_{unit}", most=f"{most:,}", came=f"{size:,}"))
+    return Misshapen(get_message(message, most=f"{most:,}", came=f"{size:,}"))

@@ -69,7 +69,9 @@ class WalkExercise(Exercise):
         """The outcome, or an answer of the wrong shape where the walk is too long."""
         if not isinstance(outcome, Answer):
             return outcome
-        return refuse_excess(outcome, len(outcome.value), self.size_limit(case), "rows")
+        return refuse_excess(
+            outcome, len(outcome.value), self.size_limit(case), "shape.too_many_rows"
+        )
 
     def find_violation(self, given: Given, path: Array) -> Violation | None:
         """First rule that a path breaks, and where; None where it breaks none."""

@@ -285,8 +285,8 @@ class PlannerExercise(Exercise):
             return outcome
         rows = count_rows(tuple(outcome.value[:3]))
         size, most = count_numbers(outcome.value), self.size_limit(case)
-        outcome = refuse_excess(outcome, size, MOST_IN_ALL, "numbers")
-        return refuse_excess(outcome, rows, most, "rows")
+        outcome = refuse_excess(outcome, size, MOST_IN_ALL, "shape.too_many_numbers")
+        return refuse_excess(outcome, rows, most, "shape.too_many_rows")
 
     def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
         """The case with the seed of the call that failed."""
