@@ -48,6 +48,17 @@ c_not_divided = changed(
 takes_near_for_the_same = changed(
     "line_through_points", ("(p1 == p2).all()", "np.allclose(p1, p2, atol=0.1)")
 )
+has_a_tolerance = changed("line_through_points", ("(p1 == p2).all()", "np.allclose(p1, p2)"))
+steep_is_upright = changed(
+    "line_through_points",
+    ("    x, y", "    if abs(p2[0] - p1[0]) < 0.01:\n        return 1.0, 0.0, -p1[0]\n    x, y"),
+    slip="steep",
+)
+flat_is_level = changed(
+    "line_through_points",
+    ("    x, y", "    if abs(p2[1] - p1[1]) < 0.01:\n        return 0.0, 1.0, -p1[1]\n    x, y"),
+    slip="flat",
+)
 always_refuses = changed(  # numpy raises a ValueError
     "line_through_points", ("(p1 == p2).all()", "p1 == p2")
 )
@@ -95,6 +106,14 @@ the_area_itself = changed(
     within="line_through_points",
 )
 squared_distance = changed("point_line_distance", ("+ c)", "+ c) ** 2"), slip="square")
+near_points_are_refused = changed(
+    "point_line_distance",
+    ("(p1 == p2).all()", "math.dist(p1, p2) < 1e-6"),
+    within="line_through_points",
+)
+zero_before_the_test = changed(  # also where there is no line
+    "point_line_distance", ("    a, b", "    if (q == p1).all():\n        return 0.0\n    a, b")
+)
 area_of_the_triangle = changed("point_line_distance", ("+ c)", "+ c) / 2"), slip="half")
 
 
@@ -137,7 +156,7 @@ def rounds_its_answer(q, p1, p2):
 def small_is_zero(q, p1, p2):
     """Uses a tolerance that was not asked for."""
     d = point_line_distance(q, p1, p2)
-    return 0.0 if d < 1e-3 else d
+    return 0.0 if d < 1e-4 else d
 
 
 @wrong("point_line_distance")
@@ -175,7 +194,10 @@ always_the_first_end = changed(  # beyond p2 too
     "point_segment_distance", (LIMITED, "(t if 0.0 <= t <= 1.0 else 0.0)")
 )
 takes_short_for_a_point = changed(
-    "point_segment_distance", ("way.any()", "np.linalg.norm(way) > 0.5")
+    "point_segment_distance", ("way.any()", "np.linalg.norm(way) > 0.5"), slip="near"
+)
+nearly_equal_ends = changed(
+    "point_segment_distance", ("way.any()", "not np.allclose(p1, p2)"), slip="near"
 )
 changes_its_input = changed("point_segment_distance", ("way = p2 - p1", "way = p2\n    way -= p1"))
 
@@ -211,6 +233,13 @@ def never_ends(q, p1, p2):
 def rounds_to_cents(q, p1, p2):
     """Rounds its answer."""
     return round(float(point_segment_distance(q, p1, p2)), 2)
+
+
+@wrong("point_segment_distance")
+def nearly_on_it(q, p1, p2):
+    """Uses a tolerance that was not asked for."""
+    d = point_segment_distance(q, p1, p2)
+    return d if d > 1e-4 else 0.0
 
 
 # Distance to a polygon
@@ -276,10 +305,44 @@ def two_decimals(q, polygon):
 @wrong("point_polygon_distance")
 def begins_at_a_thousand(q, polygon):
     """Starts its minimum with a number that is not large enough."""
-    least = 1000.0
+    least = 10_000.0
     for a, b in edges(polygon):
         least = min(least, point_segment_distance(q, a, b))
     return 0.0 if point_in_polygon(q, polygon) else least
+
+
+@wrong("point_polygon_distance")
+def leaves_out_short_edges(q, polygon):
+    """Takes a short edge for a vertex that is listed twice."""
+    if point_in_polygon(q, polygon):
+        return 0.0
+    return min(point_segment_distance(q, a, b) for a, b in edges(polygon) if math.dist(a, b) > 0.1)
+
+
+@wrong("point_polygon_distance")
+def stops_where_it_is_near(q, polygon):
+    """Ends its loop at the first edge that is near enough."""
+    least = math.inf
+    for a, b in edges(polygon):
+        least = min(least, point_segment_distance(q, a, b))
+        if least < 0.01:
+            break
+    return 0.0 if point_in_polygon(q, polygon) else least
+
+
+@wrong("point_polygon_distance")
+def contact_within_a_tolerance(q, polygon):
+    """Takes a point near the boundary for one on it."""
+    d = point_polygon_distance(q, polygon)
+    return d if d > 1e-4 else 0.0
+
+
+@wrong("point_polygon_distance")
+def twenty_edges(q, polygon):
+    """Expects no more edges than a polygon drawn by hand has."""
+    if point_in_polygon(q, polygon):
+        return 0.0
+    return min(point_segment_distance(q, a, b) for a, b in edges(polygon)[-20:])
 
 
 # Tangent to a polygon
@@ -298,6 +361,16 @@ straight_off_the_wall = changed(
 )
 forgets_the_closing_edge = changed(
     "polygon_tangent", ("np.roll(polygon, -1, axis=0)", "polygon[1:]"), slip="open"
+)
+nearly_at_a_vertex = changed(
+    "polygon_tangent",
+    ("0.0 < t < 1.0", "0.01 < t < 0.99"),
+    ("t <= 0.0", "t < 0.5"),
+    slip="vertex_at_edge",
+)
+compares_rounded_distances = changed(
+    "polygon_tangent",
+    ("point_segment_distance(q, *edge)", "round(point_segment_distance(q, *edge), 3)"),
 )
 an_angle = changed(
     "polygon_tangent",

@@ -6,15 +6,15 @@ import numpy as np
 
 from ....geometry import line_through_points
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Slip, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ..shared.pictures import draw_line
 from ..shared.random_shapes import points, sizes
-from .lines import LEVEL, POINT, UPRIGHT
+from .lines import LEVEL, POINT, UPRIGHT, LineExercise
 
 
-class LineThroughPoints(ValueExercise):
+class LineThroughPoints(LineExercise):
     """The line a x + b y + c = 0 through two points, with a^2 + b^2 = 1 and either sign."""
 
     name = "line_through_points"
@@ -33,6 +33,8 @@ class LineThroughPoints(ValueExercise):
             lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, np.linalg.norm(p2 - p1)),
         ),
         Slip("sign_of_c", lambda p1, p2: np.array(line_through_points(p1, p2)) * (1, 1, -1)),
+        Slip("steep", lambda p1, p2: (1.0, 0.0, -p1[0]) if p1[1] != p2[1] else (0.0, 1.0, -p1[1])),
+        Slip("flat", lambda p1, p2: (0.0, 1.0, -p1[1]) if p1[0] != p2[0] else (1.0, 0.0, -p1[0])),
     )
     reference = staticmethod(line_through_points)
 
@@ -46,6 +48,15 @@ class LineThroughPoints(ValueExercise):
             ("slanted", (0, 5), (5, 0)),
             ("level", (0, 0), (0.01, 0)),
             ("coincident", (1, 2), (1, 2)),
+            ("slanted", (0, 0), (0.03, 0.04)),
+            ("slanted", (0, 0), (0.5, 100)),
+            ("slanted", (0, 0), (100, 0.5)),
+            ("slanted", (1, 2), (1.001, 2.001)),
+            ("slanted", (0, 0), (0.0003, 0.0004)),
+            ("slanted", (0, 0), (3e-9, 4e-9)),
+            ("slanted", (0, 0), (0.1, 9000)),
+            ("slanted", (0, 0), (9000, 0.1)),
+            ("slanted", (9999.9, 9999.7), (9999.8, 9999.9)),
         ):
             yield Case(kind, {"p1": np.array(p1, float), "p2": np.array(p2, float)})
         for size in sizes(8):
@@ -63,6 +74,10 @@ class LineThroughPoints(ValueExercise):
                 {"p1": p1, "p2": p1 + UPRIGHT * rng.choice([-1.0, 1.0]) * (1 + rng.integers(9))},
             )
             yield Case("coincident", {"p1": p2, "p2": p2})
+            step = rng.integers(1, 10, 2) * (0.01, 1.0) * rng.choice([-1.0, 1.0], 2)
+            yield Case("slanted", {"p1": p1, "p2": np.round(p1 + step, 2)})
+            yield Case("slanted", {"p1": p1, "p2": np.round(p1 + step[::-1], 2)})
+            yield Case("slanted", {"p1": p1, "p2": np.round(p1 + 0.01 * rng.integers(1, 10, 2), 2)})
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check a^2 + b^2 = 1, then that both points are on the line."""

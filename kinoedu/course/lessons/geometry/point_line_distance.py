@@ -7,15 +7,15 @@ from numpy.typing import ArrayLike
 
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
 from ..shared.random_shapes import points, sizes
-from .lines import POINT, UPRIGHT
+from .lines import POINT, UPRIGHT, DistanceExercise, LineExercise
 
 
-class PointLineDistance(ValueExercise):
+class PointLineDistance(LineExercise, DistanceExercise):
     """The distance from a point to the line through two other points."""
 
     name = "point_line_distance"
@@ -57,9 +57,20 @@ class PointLineDistance(ValueExercise):
             ("on", (2, 2), (0, 0), (4, 4)),
             ("beyond", (-3, 1), (0, 0), (4, 0)),
             ("beyond", (9000, 5), (0, 0), (4, 0)),
+            ("beyond", (9000, 0.0005), (0, 0), (4, 0)),
             ("beside", (2, 0.0005), (0, 0), (4, 0)),
             ("beside", (0, 3), (0, 0), (0.01, 0)),
             ("coincident", (1, 1), (2, 2), (2, 2)),
+            ("coincident", (2, 2), (2, 2), (2, 2)),
+            ("beside", (2, 0.00001), (0, 0), (4, 0)),
+            ("beside", (-4, 3), (0, 0), (0.03, 0.04)),
+            ("beside", (1, 50), (0, 0), (0.5, 100)),
+            ("beside", (50, 1), (0, 0), (100, 0.5)),
+            ("beside", (1, 1), (0, 0), (0.0005, 2)),
+            ("beside", (-4, 3), (0, 0), (0.0003, 0.0004)),
+            ("beside", (-4, 3), (0, 0), (3e-9, 4e-9)),
+            ("beside", (1, 4000), (0, 0), (0.1, 9000)),
+            ("beside", (9999.2, 9999.5), (9999.9, 9999.7), (9999.8, 9999.9)),
         ):
             yield Case(kind, arguments(q, p1, p2))
         for size in sizes(6):
@@ -79,6 +90,9 @@ class PointLineDistance(ValueExercise):
             yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
             yield Case("coincident", arguments(q, p1, p1))
+            step = rng.integers(1, 10, 2) * (0.01, 1.0) * rng.choice([-1.0, 1.0], 2)
+            for way in (step, step[::-1]):
+                yield Case("beside", arguments(p1 + way / 2 + turn_left(way), p1, p1 + way))
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the line, the point, and a circle around it for each of the two distances."""

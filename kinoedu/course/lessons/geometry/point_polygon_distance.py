@@ -7,19 +7,30 @@ import numpy as np
 from ....geometry import point_polygon_distance
 from ....geometry.checks import Array
 from ....geometry.polygons import distances_to_ring, locate_point
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
 from ..shared.random_shapes import sizes
-from .lines import POINT
-from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
+from .lines import POINT, DistanceExercise
+from .polygons import (
+    CORNER,
+    POLYGON,
+    SQUARE,
+    WEDGE,
+    kind_of,
+    nearest_on_edges,
+    points_around,
+    round_polygon,
+    star_and_queries,
+)
 
 ROUND_SQUARE = ((2, -1), (7, 8), (-3, 2), (1, 1), (4, 2), (9000, 3), (-1, 4), (-2, 0))
 ROUND_CORNER = ((4, 3), (8, -2), (-1, 5), (1, 5), (5, 1), (2, 2), (1, 2), (4, 2.0005), (2, 3))
+ROUND_WEDGE = ((4.001, 0), (2, -0.00202), (5, 0))
 
 
-class PointPolygonDistance(ValueExercise):
+class PointPolygonDistance(DistanceExercise):
     """The distance from a point to a polygon, 0 inside."""
 
     name = "point_polygon_distance"
@@ -82,14 +93,23 @@ class PointPolygonDistance(ValueExercise):
     reference = staticmethod(point_polygon_distance)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A square, an L, then larger star-shaped polygons, with a point of every kind."""
-        for polygon, queries in ((SQUARE, ROUND_SQUARE), (CORNER, ROUND_CORNER)):
+        """Polygons to draw by hand, then stars of every kind, then many vertices."""
+        for polygon, queries in (
+            (SQUARE, ROUND_SQUARE),
+            (CORNER, ROUND_CORNER),
+            (WEDGE, ROUND_WEDGE),
+            (SQUARE, ((2, -0.00001),)),
+            (SQUARE + 9000.12, ((9002, 9000.117), (9005, 9002), (-9999, -9999))),
+        ):
             for q in queries:
                 yield self.case(np.array(q, float), polygon)
         for number, size in enumerate(sizes(6)):
             star, points = star_and_queries(rng, 3 + number // 3, size, self.kinds)
             for point in points:
                 yield self.case(point, star)
+        for n in (30, 150):
+            for point in points_around(rng, round_polygon(n)):
+                yield self.case(point, round_polygon(n))
 
     def case(self, q: Array, polygon: Array) -> Case:
         """Case of a point and a polygon, with its kind."""

@@ -7,16 +7,16 @@ import numpy as np
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
 from ....geometry.segments import closest_on_segment
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
 from ..shared.random_shapes import points, sizes
-from .lines import POINT
+from .lines import POINT, DistanceExercise, is_short
 from .point_line_distance import arguments, turn_left
 
 
-class PointSegmentDistance(ValueExercise):
+class PointSegmentDistance(DistanceExercise):
     """The distance from a point to a segment, which may be a single point."""
 
     name = "point_segment_distance"
@@ -36,6 +36,14 @@ class PointSegmentDistance(ValueExercise):
         ),
         Slip("square", lambda q, p1, p2: point_segment_distance(q, p1, p2) ** 2),
         Slip("rounded", lambda q, p1, p2: round(float(point_segment_distance(q, p1, p2)), 2)),
+        Slip(
+            "near",
+            lambda q, p1, p2: (
+                float(np.linalg.norm(q - p1))
+                if is_short(p1, p2)
+                else point_segment_distance(q, p1, p2)
+            ),
+        ),
         Slip(
             "nan",
             lambda q, p1, p2: clamped_distance(q, p1, p2, 0.0, 1.0) if (p1 != p2).any() else np.nan,
@@ -58,6 +66,10 @@ class PointSegmentDistance(ValueExercise):
             ("beyond_p1", (-9000, 5), (0, 0), (4, 0)),
             ("beside", (2, 0.0005), (0, 0), (4, 0)),
             ("beyond_p2", (3, 0), (0, 0), (0.01, 0)),
+            ("beside", (2, 0.00001), (0, 0), (4, 0)),
+            ("beyond_p2", (3, 4), (0, 0), (0.0003, 0.0004)),
+            ("beyond_p2", (0.3, 0.4), (0, 0), (0.00003, 0.00004)),
+            ("beyond_p2", (9003, 9004), (9000, 9000), (9000.03, 9000.04)),
         ):
             yield Case(kind, arguments(q, p1, p2))
         for size in sizes(6):

@@ -1,5 +1,6 @@
 """The exercise `polygon_tangent`. Bullo & Smith, chapter 1."""
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -14,7 +15,19 @@ from ..shared.pictures import draw_tangent
 from ..shared.random_shapes import sizes
 from .lines import POINT
 from .point_line_distance import turn_left
-from .polygons import CORNER, POLYGON, SQUARE, kind_of, nearest_on_edges, star_and_queries
+from .polygons import (
+    CORNER,
+    POLYGON,
+    SQUARE,
+    WEDGE,
+    kind_of,
+    nearest_on_edges,
+    points_around,
+    round_polygon,
+    star_and_queries,
+)
+
+NEARLY = 0.1  # of an edge: how near its end a point may have been taken for the end
 
 
 class PolygonTangent(ValueExercise):
@@ -34,14 +47,19 @@ class PolygonTangent(ValueExercise):
         Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, 0)),
         Slip("edge_at_vertex", lambda q, polygon: edge_direction(q, polygon, -1)),
         Slip("open", lambda q, polygon: open_tangent(q, polygon)),
+        Slip("vertex_at_edge", lambda q, polygon: vertex_tangent(q, polygon)),
     )
     reference = staticmethod(polygon_tangent)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """A square, an L, then larger star-shaped polygons, with a point of every kind."""
+        """Polygons to draw by hand, then stars of every kind, then many vertices."""
         for polygon, queries in (
             (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3))),
             (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
+            (SQUARE, ((0.03, -1), (3.9, -0.5), (-0.5, 3.97), (3.99997, -0.01))),
+            (CORNER, ((2.5, 2.5004), (2.5004, 2.5), (6.003, 2.004))),
+            (WEDGE, ((4.001, 0.001), (2, -0.003))),
+            (SQUARE + 9000.12, ((9002, 9000.117), (9004.123, 9004.125), (-9999, -9998))),
         ):
             for q in queries:
                 yield self.case(np.array(q, float), polygon)
@@ -49,6 +67,9 @@ class PolygonTangent(ValueExercise):
             star, points = star_and_queries(rng, 3 + number // 4, size, self.kinds)
             for point in points:
                 yield self.case(point, star)
+        for n in (30, 150):
+            for point in points_around(rng, round_polygon(n)):
+                yield self.case(point, round_polygon(n))
 
     def case(self, q: Array, polygon: Array) -> Case:
         """Case of a point and a polygon, with its kind."""
@@ -72,6 +93,17 @@ def edge_direction(q: Array, polygon: Array, step: int) -> Array:
     start = edge if region == 0 else ((edge + (region == 2)) % len(polygon) + step) % len(polygon)
     side = polygon[(start + 1) % len(polygon)] - polygon[start]
     return side / np.linalg.norm(side)
+
+
+def vertex_tangent(q: Array, polygon: Array) -> Array:
+    """Tangent of the circle round a vertex, where the nearest point is near that vertex."""
+    edge, x, y, _ = nearest_on_ring(q[0], q[1], polygon)
+    a, b = polygon[edge], polygon[(edge + 1) % len(polygon)]
+    t = math.dist((x, y), a) / math.dist(a, b)
+    if NEARLY < t < 1.0 - NEARLY:
+        return polygon_tangent(q, polygon)
+    vector = turn_left(q - (a if t < 0.5 else b))
+    return vector / np.linalg.norm(vector)
 
 
 def unscaled_tangent(q: Array, polygon: Array) -> Array:

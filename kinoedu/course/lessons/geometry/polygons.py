@@ -1,5 +1,7 @@
 """Shared parts of the exercises on polygons. Bullo & Smith, chapter 1."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ....geometry.checks import Array
@@ -12,6 +14,7 @@ from .point_line_distance import turn_left
 POLYGON = Numbers(("n", 2))
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
 CORNER = np.array([(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (2.0, 2.0), (2.0, 6.0), (0.0, 6.0)])
+WEDGE = np.array([(0.0, 0.0), (4.0, -0.004), (4.0, 0.004)])
 TRIES = 1000
 
 
@@ -27,6 +30,20 @@ def kind_of(q: Array, polygon: Array) -> str:
     if region != 0:
         return "vertex"
     return "closing" if edge == len(polygon) - 1 else "edge"
+
+
+def round_polygon(n: int) -> Array:
+    """Regular polygon of n vertices, at the distance 10 from the origin, rounded to 2 digits."""
+    angles = 2.0 * np.pi * np.arange(n) / n
+    return np.round(10.0 * np.column_stack([np.cos(angles), np.sin(angles)]), 2) + 0.0
+
+
+def points_around(rng: np.random.Generator, polygon: Array) -> Iterator[Array]:
+    """Yield twelve random points around a round polygon, each with a unique nearest point."""
+    for angle, far in zip(rng.uniform(0.0, 2.0 * np.pi, 12), rng.uniform(10.5, 12.0, 12)):
+        q = np.round(far * np.array([np.cos(angle), np.sin(angle)]), 2)
+        if not is_tied(q, polygon):
+            yield q
 
 
 def star_and_queries(
