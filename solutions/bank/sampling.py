@@ -129,6 +129,22 @@ def power_two_or_nothing(n, d):
     return combined([i / k for i in range(k)], d)
 
 
+@wrong("corner_grid")
+def nearly_whole_root(n, d):
+    """Tests the root with a tolerance: that of 2501 is nearly 50."""
+    k = round(n ** (1 / d))
+    if abs(n ** (1 / d) - k) > 0.01:
+        raise ValueError("no grid has so many points")
+    return combined([i / k for i in range(k)], d)
+
+
+@wrong("corner_grid")
+def corners_to_two_digits(n, d):
+    """Rounds the coordinates."""
+    k = whole_root(n, d)
+    return combined([round(i / k, 2) for i in range(k)], d)
+
+
 # Sukharev's grid
 
 
@@ -207,6 +223,24 @@ def root_not_rounded(n, d):
     if k != int(k):
         raise ValueError("no grid has so many points")
     return combined([(i + 0.5) / k for i in range(int(k))], d)
+
+
+@wrong("sukharev_grid")
+def root_and_a_little(n, d):
+    """Adds a little before it truncates the root, and does not test the result exactly."""
+    k = int(n ** (1 / d) + 0.001)
+    if not math.isclose(k**d, n, rel_tol=0.001):
+        raise ValueError("no grid has so many points")
+    return combined([(i + 0.5) / k for i in range(k)], d)
+
+
+@wrong("sukharev_grid")
+def searches_up_to_fifty(n, d):
+    """Tries too few k."""
+    for k in range(1, 51):
+        if k**d == n:
+            return combined([(i + 0.5) / k for i in range(k)], d)
+    raise ValueError("no grid has so many points")
 
 
 # Random points
@@ -321,6 +355,32 @@ def one_in_each_slice(n, d, rng):
     """Draws one coordinate in each of n equal parts, which is too even."""
     generator = np.random.default_rng(rng)
     return np.column_stack([(generator.permutation(n) + generator.random(n)) / n for _ in range(d)])
+
+
+@wrong("uniform_random")
+def second_half_mirrored(n, d, rng):
+    """Draws half of the points, and mirrors them."""
+    half = np.random.default_rng(rng).random(((n + 1) // 2, d))
+    return np.concatenate([half, 1 - half])[:n]
+
+
+@wrong("uniform_random")
+def neighbours_in_one_row(n, d, rng):
+    """Uses each number as x of one point and as y of another."""
+    drawn = np.random.default_rng(rng).random(n + d)
+    return np.column_stack([drawn[j : j + n] for j in range(d)])
+
+
+@wrong("uniform_random")
+def ten_seeds(n, d, rng):
+    """Uses the last digit of the seed only."""
+    return np.random.default_rng(rng % 10).random((n, d))
+
+
+@wrong("uniform_random")
+def fixed_points_moved(n, d, rng):
+    """Moves the same points a little for each seed."""
+    return (np.random.default_rng(0).random((n, d)) + 0.001 * rng) % 1
 
 
 # The radical inverse
@@ -452,6 +512,12 @@ def nothing_for_zero(i, base):
     return sum(i // base**k % base / base ** (k + 1) for k in range(int(math.log(i, base)) + 2))
 
 
+@wrong("radical_inverse")
+def six_digits(i, base):
+    """Rounds its answer."""
+    return round(mirrored(i, base), 6)
+
+
 # Halton's sequence
 
 
@@ -540,6 +606,24 @@ def sorted_points(n, primes):
 def two_coordinates_only(n, primes):
     """Returns two coordinates only."""
     return [[mirrored(i, p) for p in primes[:2]] for i in range(1, n + 1)]
+
+
+@wrong("halton")
+def eight_digits(n, primes):
+    """Mirrors eight digits, which are too few from number 256 on."""
+    return [[mirrored(i % p**8, p) for p in primes] for i in range(1, n + 1)]
+
+
+@wrong("halton")
+def begins_again_after_a_hundred(n, primes):
+    """Repeats the hundred points of the book."""
+    return [[mirrored((i - 1) % 100 + 1, p) for p in primes] for i in range(1, n + 1)]
+
+
+@wrong("halton")
+def digits_up_to_z(n, primes):
+    """Writes digits with 36 characters, and so has no larger base."""
+    return [[mirrored(i, min(p, 36)) for p in primes] for i in range(1, n + 1)]
 
 
 @wrong("halton")

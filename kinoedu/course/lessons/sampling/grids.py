@@ -15,7 +15,9 @@ from .pictures import draw_points
 
 POINTS = Numbers(("n", "d"))
 TOLERANCE = 1e-9
+NEARLY = 0.006  # an answer that is wrong by less may have been rounded to two digits
 DIMENSIONS = {1: "line", 2: "plane", 3: "space"}
+GRIDS = tuple(DIMENSIONS.values())
 SMALL = [
     (2, 1),
     (4, 2),
@@ -36,6 +38,7 @@ SMALL = [
 
 
 SMALL += [(125, 3), (99, 2), (100, 3)]
+LARGE = [(51, 1), (101, 2), (2501, 2), (3600, 2), (6858, 3), (6860, 3), (5000, 1), (4096, 3)]
 
 
 class GridExercise(ValueExercise):
@@ -54,6 +57,8 @@ class GridExercise(ValueExercise):
         """Yield few points first, then other powers, and numbers that are not powers."""
         for n, d in SMALL:
             yield make_case(n, d)
+        for n, d in LARGE:
+            yield make_case(n, d)
         for _ in range(10):
             for d, most in ((1, 30), (2, 12), (3, 5)):
                 yield make_case(int(rng.integers(2, most + 1)) ** d, d)
@@ -64,7 +69,11 @@ class GridExercise(ValueExercise):
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the number of points, whether they are in the cube, and where."""
-        return self.fault_of_points(case, value) or super().value_verdict(case, value)
+        verdict = self.fault_of_points(case, value) or super().value_verdict(case, value)
+        is_rounded = verdict.rule in GRIDS and is_nearly(
+            sort_points(np.round(value, 2)), sort_points(np.round(self.truth(case), 2))
+        )
+        return verdict._replace(rule="rounded") if is_rounded else verdict
 
     def fault_of_points(self, case: Case, value: Array) -> Verdict | None:
         """Return the verdict on points of a wrong number or outside the cube, or None."""
@@ -96,6 +105,12 @@ def find_points_fault(points: Array, n: int, d: int) -> str:
     if points.shape != (n, d):
         return "count"
     return "" if ((points >= -TOLERANCE) & (points <= 1.0 + TOLERANCE)).all() else "outside"
+
+
+def is_nearly(value: object, truth: object) -> bool:
+    """Whether all numbers of an answer are nearly right."""
+    found, wanted = np.ravel(np.asarray(value, float)), np.ravel(np.asarray(truth, float))
+    return len(found) == len(wanted) and bool((np.abs(found - wanted) < NEARLY).all())
 
 
 def sort_points(points: object) -> Array:

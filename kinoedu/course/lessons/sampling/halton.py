@@ -4,16 +4,18 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ....geometry.checks import Array
 from ....sampling import halton, van_der_corput
 from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Value
 from ...whole_shapes import Integer
 from .digits import keep_order
-from .grids import POINTS, TOLERANCE, find_points_fault, sort_points
+from .grids import POINTS, TOLERANCE, find_points_fault, is_nearly, sort_points
 from .pictures import draw_points
 
-PRIMES = (2, 3, 5, 7, 11, 13)
+PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
+EARLY = 20  # rows that are right although later ones are not
 
 
 class Halton(ValueExercise):
@@ -69,7 +71,17 @@ class Halton(ValueExercise):
             (8, 7),
         ):
             yield make_case(n, primes)
-        yield make_case(100, (2, 3))
+        for n, *primes in (
+            (100, 2, 3),
+            (18, 17),
+            (40, 37, 2),
+            (20, 41, 19, 101),
+            (300, 2),
+            (1100, 2, 3),
+            (250, 3, 5),
+            (30, *PRIMES),
+        ):
+            yield make_case(n, primes)
         for _ in range(10):
             yield make_case(int(rng.integers(4, 60)), (2,))
             yield make_case(int(rng.integers(4, 60)), (2, 3))
@@ -88,11 +100,19 @@ class Halton(ValueExercise):
             and super().same(sort_points(value), sort_points(self.truth(case)))
         ):
             rule = "order"
+        if not rule and not self.same(value, self.truth(case)):
+            rule = self.find_late_fault(value, self.truth(case))
         return (
             Verdict(0.0, rule, self.describe_expected(case))
             if rule
             else super().value_verdict(case, value)
         )
+
+    def find_late_fault(self, value: Array, truth: Array) -> str:
+        """Return the rule that nearly right points, or points after right ones, break, or ""."""
+        if is_nearly(value, truth):
+            return "rounded"
+        return "later" if self.same(value[:EARLY], truth[:EARLY]) else ""
 
     def same(self, value: Value, truth: Value) -> bool:
         """Whether shapes and points are the same."""

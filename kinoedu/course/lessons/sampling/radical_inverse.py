@@ -6,12 +6,12 @@ import numpy as np
 
 from ....sampling import van_der_corput
 from ....sampling.halton import reverse_digits
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...whole_shapes import Integer
 from .digits import find_digits, keep_order
-from .grids import TOLERANCE
+from .grids import TOLERANCE, is_nearly
 from .pictures import draw_mirrored
 
 SMALL = [
@@ -86,6 +86,12 @@ class RadicalInverse(ValueExercise):
             yield make_case(int(rng.integers(2, 1000)), 2)
             yield make_case(int(rng.integers(base, 1000)), base)
             yield make_case(int(rng.integers(10**6, 10**12)), int(rng.integers(2, 17)))
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Compare a number with the right one; one that is nearly right breaks another rule."""
+        verdict = super().value_verdict(case, value)
+        is_rounded = not verdict.is_right and is_nearly(value, self.truth(case))
+        return verdict._replace(rule="rounded") if is_rounded else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the digits, and the right and the student's number between 0 and 1."""

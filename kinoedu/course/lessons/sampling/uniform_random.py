@@ -15,9 +15,12 @@ from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
 
 BOXES = {1: 64, 2: 8, 3: 4}  # boxes along each side by dimension: 64 in all
+FAR = 1000  # seeds that far apart differ, even where a program keeps only some last digits
 MANY = 640  # points from which their spread is tested: ten in each box
 # bounds of the chi-square statistic of 64 boxes; random points leave them once in 10^9 times
 EVEN, UNEVEN = 16.0, 160.0
+REPEATED = 10  # one coordinate in so many may be equal to another; random ones never are
+CORRELATED = 0.3  # the correlation of 640 independent pairs exceeds it once in 10^13 times
 
 
 class UniformRandom(Exercise):
@@ -27,7 +30,7 @@ class UniformRandom(Exercise):
     lesson = "06_sampling"
     kinds = ("few", "line", "plane", "space")
     given = Record(n=Integer(), d=Integer(), rng=Integer())
-    answer = Together((POINTS, POINTS, POINTS))
+    answer = Together((POINTS, POINTS, POINTS, POINTS))
     source = staticmethod(uniform_random)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -42,9 +45,9 @@ class UniformRandom(Exercise):
                 yield make_case(int(rng.integers(MANY, 2000)), d, int(rng.integers(1000)))
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
-        """Call the student's function three times: twice with rng, once with rng + 1."""
+        """Call the student's function four times: twice with rng, and with two other seeds."""
         n, d, rng = given.values()
-        return function(n, d, rng), function(n, d, rng), function(n, d, rng + 1)
+        return tuple(function(n, d, seed) for seed in (rng, rng, rng + 1, rng + FAR))
 
     def right_answer(self, *given: Value) -> Value:
         """Return the library's points; the library takes rng by name only."""
@@ -61,15 +64,17 @@ class UniformRandom(Exercise):
         It also judges whether two seeds share points.
         """
         n, d, _ = case.given.values()
-        first, again, other = value
+        first, again, *others = value
         rule = find_points_fault(first, n, d)
         if not rule and not np.array_equal(first, again):
             rule = "again"
-        if not rule and np.array_equal(first, other):
+        if not rule and any(np.array_equal(first, other) for other in others):
             rule = "another"
         rule = rule or find_randomness_fault(first)
-        if not rule and share_points(first, other):
+        if not rule and any(share_points(first, other) for other in others):
             rule = "shared"
+        if not rule and any(move_together(first, other) for other in others):
+            rule = "moved"
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
 
     def describe_expected(self, case: Case) -> str:
@@ -79,13 +84,20 @@ class UniformRandom(Exercise):
 
     def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the first of the three answers, or the two that are compared."""
-        first, again, other = value
+        first, again, other, far = value
         rule = self.value_verdict(case, value).rule
-        second = {"again": again, "another": other, "shared": other}.get(rule)
-        if second is None:
+        tests: dict[str, Callable[[Array, Array], bool]] = {
+            "another": np.array_equal,
+            "shared": share_points,
+            "moved": move_together,
+        }
+        if rule != "again" and rule not in tests:
             return format_value(first)
+        key, second = "again", again
+        if rule in tests:
+            key, second = ("another", other) if tests[rule](first, other) else ("far", far)
         return self.message(
-            f"answers.{rule}", first=format_value(first[:3]), second=format_value(second[:3])
+            f"answers.{key}", first=format_value(first[:3]), second=format_value(second[:3])
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
@@ -105,6 +117,8 @@ def find_randomness_fault(points: Array) -> str:
         return "diagonal"
     if len(np.unique(points, axis=0)) < n:
         return "distinct"
+    if count_repeated(points) > n * d / REPEATED:
+        return "dependent"
     if n < MANY:
         return ""
     off = measure_unevenness(points)
@@ -119,6 +133,19 @@ def share_points(first: Array, other: Array) -> bool:
     rows = set(map(tuple, first.tolist())) & set(map(tuple, other.tolist()))
     columns = (first.T[:, None] == other.T).all(axis=2)
     return len(first) > 2 and (2 * len(rows) >= len(first) or bool(columns.any()))
+
+
+def count_repeated(points: Array) -> int:
+    """Return how many coordinates are equal to another one, or to 1 minus another one."""
+    return points.size - len(np.unique(np.minimum(points, 1.0 - points)))
+
+
+def move_together(first: Array, other: Array) -> bool:
+    """Whether many points of another seed are those of the first, moved all in the same way."""
+    if len(first) < MANY:
+        return False
+    both = zip(first.T, other.T)
+    return any(abs(float(np.corrcoef(x, y)[0, 1])) > CORRELATED for x, y in both)
 
 
 def measure_unevenness(points: Array) -> float:
