@@ -328,6 +328,51 @@ def lower_half(problem, n, rng):
     return prm(problem, n, rng, sample=lambda chance: problem.sample(chance) * (1.0, 0.5))
 
 
+@wrong("prm_on_terrain")
+def new_generator_for_each_sample(problem, n, rng):
+    """Makes a generator inside the loop."""
+    seeds = iter(range(rng, rng + 100_000))
+    return prm(
+        problem, n, rng, sample=lambda chance: problem.sample(np.random.default_rng(next(seeds)))
+    )
+
+
+@wrong("prm_on_terrain")
+def moved_out_of_rocks(problem, n, rng):
+    """Moves a sample that is not free towards the start until it is."""
+
+    def sample(chance):
+        q = problem.sample(chance)
+        while not problem.is_free(q):
+            q = (q + problem.start) / 2.0
+        return q
+
+    return prm(problem, n, rng, sample=sample)
+
+
+@wrong("prm_on_terrain")
+def spread_out(problem, n, rng):
+    """Throws away samples near others."""
+    kept = []
+
+    def sample(chance):
+        for _ in range(100):
+            q = problem.sample(chance)
+            if problem.is_free(q) and all(problem.distance(q, p) > 1.0 for p in kept):
+                break
+        kept.append(q)
+        return q
+
+    return prm(problem, n, rng, sample=sample)
+
+
+@wrong("prm_on_terrain")
+def gives_up_early(problem, n, rng):
+    """Draws at most ten times as many samples as it needs."""
+    tries = iter(range(10 * n))
+    return prm(problem, n, rng, is_free=lambda q: problem.is_free(q) or next(tries, None) is None)
+
+
 # Repeated numbers
 
 

@@ -42,7 +42,6 @@ __all__ = [
     "Run",
     "StudentProblem",
     "Watched",
-    "empty_boxes",
     "find_motion_off_tree",
     "find_node_off_nearest",
     "find_path_fault",
@@ -198,15 +197,6 @@ def first_not_free(problem: ProblemLike, a: Array, b: Array) -> Fault | None:
         if not record.is_free_path(p, q):
             return Fault("free", np.array([p, q]))
     return None
-
-
-def empty_boxes(nodes: Array, lo: Array, hi: Array, k: int) -> int:
-    """Number of boxes without a node, among k x k equal boxes between two corners.
-
-    A sampler of the whole space leaves few boxes empty.
-    """
-    places = np.clip(np.floor(k * (nodes[:, :2] - lo[:2]) / (hi[:2] - lo[:2])), 0, k - 1)
-    return k * k - len(np.unique(places, axis=0))
 
 
 class Watched:

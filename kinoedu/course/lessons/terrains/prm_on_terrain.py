@@ -1,5 +1,7 @@
 """The exercise on the document's second planner: a PRM on a bitmap that joins every free pair."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ....geometry.checks import Array
@@ -15,16 +17,17 @@ from ..shared.planned import (
     PATH,
     Fault,
     ProblemShape,
+    Run,
     StudentProblem,
-    empty_boxes,
-    three_times,
+    Watched,
+    watched_three_times,
 )
-from .rrt_on_terrain import TerrainPlanner
+from .rrt_on_terrain import SMALL, TerrainPlanner, make_terrain_problem
 
-
-def find_bounds(problem: StudentProblem) -> tuple[Array, Array]:
-    """Return the corners of a problem's world."""
-    return problem.world.lo, problem.world.hi
+# a corridor of two cells among rocks: one sample in twenty is free
+CORRIDOR = make_terrain_problem(
+    [(0, 0, SMALL, 19), (0, 21, SMALL, SMALL)], (1.5, 20.5), (38.5, 20.5)
+)
 
 
 def build_roadmap(problem: PlanningProblem, n: int, rng: int) -> Value:
@@ -52,15 +55,20 @@ def find_shortest(problem: ProblemLike, nodes: Array, edges: Array) -> Value:
     )[0]
 
 
-class PrmOnTerrain(TerrainPlanner):
+class PrmOnTerrain(Watched, TerrainPlanner):
     """Build a roadmap of n free samples and all free pairs, and find a shortest path."""
 
     name = "prm_on_terrain"
     given = Record(problem=ProblemShape(), n=Integer(), rng=Integer())
     result = Together((NODES, Integers(("m", 2)), Maybe(PATH)))
-    answer = three_times(result)
+    answer = watched_three_times(result)
     source = staticmethod(build_roadmap)
     shown = staticmethod(prm)
+
+    def cases(self, rng: np.random.Generator) -> Iterator[Case]:
+        """Yield the cases of both planners, then a corridor among rocks."""
+        yield from super().cases(rng)
+        yield self.make_case("open", CORRIDOR, int(rng.integers(1000)))
 
     def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case with enough samples for every trap."""
@@ -70,14 +78,17 @@ class PrmOnTerrain(TerrainPlanner):
         """Another seed always gives another answer."""
         return True
 
-    def fault(self, case: Case, answer: Value) -> Fault | None:
+    def fault_of_run(self, case: Case, answer: Value, run: Run | None) -> Fault | None:
         """Judge the nodes, the edges and the path.
 
-        Each free pair must be there once; the path must follow edges and be shortest.
+        The nodes must be the first free samples, each free pair must be there once, and the path
+        must follow edges and be shortest.
         """
         nodes, edges, path = answer
         problem, n = case.given["problem"], case.given["n"]
-        fault = find_node_fault(problem, nodes, n) or find_edge_fault(problem, nodes, edges)
+        fault = find_node_fault(problem, nodes, n)
+        fault = fault or (None if run is None else find_sample_fault(problem, nodes[2:], run))
+        fault = fault or find_edge_fault(problem, nodes, edges)
         if fault is not None or path is None:
             known = fault is not None or find_shortest(problem, nodes, edges) is None
             return fault if known else Fault("missed", nodes[:0])
@@ -95,7 +106,7 @@ class PrmOnTerrain(TerrainPlanner):
 
 
 def find_node_fault(problem: StudentProblem, nodes: Array, n: int) -> Fault | None:
-    """Judge that the nodes are start, goal and n free samples of the whole terrain."""
+    """Judge that the nodes are start, goal and n free places."""
     if len(nodes) != n + 2:
         return Fault("count", nodes[:0])
     if not (np.array_equal(nodes[0], problem.start) and np.array_equal(nodes[1], problem.goal)):
@@ -103,11 +114,18 @@ def find_node_fault(problem: StudentProblem, nodes: Array, n: int) -> Fault | No
     for q in nodes:
         if not problem.problem.is_free(q):
             return Fault("free_node", q[None])
-    return (
-        Fault("corner", nodes[:0])
-        if n >= 40 and empty_boxes(nodes, *find_bounds(problem), 2)
-        else None
-    )
+    return None
+
+
+def find_sample_fault(problem: StudentProblem, nodes: Array, run: Run) -> Fault | None:
+    """Judge that nodes are the first free samples, in the order in which they were drawn."""
+    if run.generators > 1:
+        return Fault("generator", nodes[:0])
+    free = [q for q in run.samples if problem.problem.is_free(q)]
+    for i, q in enumerate(nodes):
+        if i == len(free) or not np.array_equal(q, free[i]):
+            return Fault("samples", q[None])
+    return None
 
 
 def find_edge_fault(problem: StudentProblem, nodes: Array, edges: Array) -> Fault | None:
