@@ -376,3 +376,28 @@ def not_a_number():
 def beside_the_wrong_arm():
     """The wall that leads back is the right-hand one, but the program turns left."""
     return (-4, -0.5), (10, 0), [[(x, -y) for x, y in HOOK]]
+
+
+# Long ways and thin walls
+
+a_thousand_steps = changed(
+    "bug_base",
+    ("math.dist(path[-1], goal) > 0 and", "len(path) < 1000 and math.dist(path[-1], goal) > 0 and"),
+)
+gives_up_after_a_thousand = changed(
+    "bug1",
+    (
+        "    while math.dist(path[-1], goal) > 0:",
+        "    while 0 < math.dist(path[-1], goal) and len(path) < 1000:",
+    ),
+)
+a_thousand_points = changed(
+    "bug2",
+    (
+        "    while math.dist(path[-1], goal) > 0:",
+        "    while len(path) < 1000 and math.dist(path[-1], goal) > 0:",
+    ),
+)
+much_nearer_than_the_hit = changed(
+    "bug2", ("math.dist(hit, goal) - step", "math.dist(hit, goal) - 12 * step")
+)

@@ -593,3 +593,10 @@ def hardly_turned():
 def swapped():
     """The time comes first."""
     return 600.0, 0.1
+
+
+# Tiny errors
+
+tiny_errors_are_zero = changed(
+    "order_of_error", ("np.log(errors)", "np.log(np.maximum(errors, 1e-13))")
+)

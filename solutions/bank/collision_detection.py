@@ -777,3 +777,21 @@ def a_segment(*_):
 def far_away(*_):
     """The coordinates are too large."""
     return [(0, 0), (-1, 4), (-1, -4)], [(1, -90000), (90000, 0), (1, 90000)]
+
+
+# Small shapes, sharp corners, many vertices
+
+inside_by_a_tolerance = changed("point_in_convex_polygon", ("< 0", "< -1e-3"))
+eight_edges = changed("point_in_convex_polygon", ("range(len(P))", "range(min(len(P), 8))"))
+short_segments_are_parallel = changed("segment_intersection", ("whole != 0", "abs(whole) > 1e-9"))
+contact_within_a_thousandth = changed("link_in_contact", ("r + width / 2", "r + width / 2 + 0.001"))
+
+
+@wrong("point_in_convex_polygon")
+def sum_of_angles(q, P):
+    """Adds up the angles at which q sees the edges, which fails at a sharp vertex."""
+    total = 0.0
+    for a, b in edges(P):
+        u, v = a - q, b - q
+        total += math.atan2(u[0] * v[1] - u[1] * v[0], u @ v)
+    return abs(total) > 1.0

@@ -441,6 +441,7 @@ three_times_at_most = changed(
     ("while", "times = [0] * len(cost)\n    while"),
     ("if cost[u] + w < cost[v]", "if times[v] < 3 and cost[u] + w < cost[v]"),
     ("parent[v] = u", "times[v] += 1\n                parent[v] = u"),
+    slip="closed",
 )
 parent_of_the_first_way = changed(
     "astar",
@@ -524,3 +525,21 @@ def weights_as_a_matrix():
 def two_parallel_edges():
     """Has only two nodes, with two edges between them."""
     return [[1, 1], []], [[1, 3], []], [0, 0], 0, 1
+
+
+# Long chains, costs that are nearly equal, nodes that are expanded again and again
+
+at_most_fifty_nodes = changed("extract_path", ("len(path) > len(parent)", "len(path) > 50"))
+rounded_queue = changed(
+    "astar", ("(cost[v] + estimate[v], v)", "(round(cost[v] + estimate[v]), v)")
+)
+expanded_twice_at_most = changed(
+    "astar",
+    ("    while heap:", "    times = [0] * len(cost)\n    while heap:"),
+    (
+        "        if u == goal:",
+        "        times[u] += 1\n        if times[u] > 2 and u != goal:\n            continue\n"
+        "        if u == goal:",
+    ),
+    slip="closed",
+)

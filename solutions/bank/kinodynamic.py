@@ -7,13 +7,16 @@ import heapq
 import math
 import random
 from math import hypot, pi, sqrt
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
 from kinoedu.curves.arcs import drive_arc
 from kinoedu.geometry import point_in_polygon
 from kinoedu.worlds.polygon_world import rings_of
+
+changed = Solutions(Path(__file__).parents[1] / "13_kinodynamic_planning.ipynb").changed
 
 # How far poses are apart
 
@@ -923,3 +926,15 @@ def greedy(n, edges, controls, durations, ends):
             return None
         path.append(min(on)[1])
     return path
+
+
+# Many turns, long drives
+
+five_turns_at_most = changed(
+    "heading_distance",
+    (
+        "(b[2] - a[2] + math.pi) % (2 * math.pi) - math.pi",
+        "min((b[2] - a[2] + 2 * math.pi * k for k in range(-5, 6)), key=abs)",
+    ),
+)
+less_than_a_thousand = changed("fastest_drive", ("time.get(v, math.inf)", "time.get(v, 1000.0)"))

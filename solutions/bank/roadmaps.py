@@ -7,11 +7,14 @@ import heapq
 import math
 import random
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
 import shapely
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
+
+changed = Solutions(Path(__file__).parents[1] / "08_roadmaps.ipynb").changed
 
 
 def turns(ring):
@@ -863,3 +866,17 @@ def halves():
 def touching():
     """Gives two triangles that touch."""
     return [[(0, 0), (2, -2), (2, 2)], [(2, 0), (5, -2), (5, 2)]]
+
+
+# Distances that are nearly equal, lengths that are large, free places that are rare
+
+ties_by_rounding = changed(
+    "k_closest",
+    ("problem.distance(nodes[i], nodes[j]))", "round(problem.distance(nodes[i], nodes[j]), 2))"),
+)
+shorter_than_a_million = changed("shortest_path", ("cost.get(v, math.inf)", "cost.get(v, 1e6)"))
+hundred_tries = changed(
+    "sampled_roadmap",
+    ("while len(nodes) < n + 2:", "for _ in range(10 * n):"),
+    ("if problem.is_free(q):", "if problem.is_free(q) and len(nodes) < n + 2:"),
+)

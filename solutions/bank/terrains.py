@@ -6,10 +6,13 @@ Each is a mistake that students make; `slip` is the misconception that a check m
 import heapq
 import random
 from math import ceil, floor, hypot, isfinite
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
+
+changed = Solutions(Path(__file__).parents[1] / "10_terrains.ipynb").changed
 
 # RRT on a terrain
 
@@ -778,3 +781,16 @@ def a_large_terrain():
 def a_middling_cut():
     """Cuts nearly deep enough."""
     return [[1, 0], [1, 1]], (0.98, 0.68), (1.5, 1.2)
+
+
+# Short pieces, fractions, steep motions
+
+short_pieces_left_out = changed(
+    "cost_along",
+    (
+        "        x, y = a",
+        "        if (s - t) * hypot(*(b - a)) < 0.01:\n            continue\n        x, y = a",
+    ),
+)
+whole_costs = changed("cost_along", ("cost[int(y), int(x)]", "int(cost[int(y), int(x)])"))
+steep_is_upright = changed("cost_along", ("int(x)]", "int(x if abs(b[0] - a[0]) > 0.1 else a[0])]"))

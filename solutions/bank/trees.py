@@ -405,3 +405,14 @@ def round_the_end():
 def outside():
     """Gives a goal outside the room."""
     return (1, 1), (11, 5), [(9, 4), (9.5, 4), (9.2, 6)]
+
+
+# A thin wall
+
+at_a_thousand_places = changed(
+    "follow",
+    (
+        "problem.is_free_path(a, q)",
+        "all(problem.is_free(a + s * (q - a)) for s in np.linspace(0, 1, 1000))",
+    ),
+)

@@ -42,6 +42,7 @@ class Bug1(BugExercise):
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("one", world((0, 0), (60, 0), [BOX]))
         yield Case("one", world((0, 0), (6, 0), [WIDE]))
         yield Case("many", world((0, 0), (5, 3), ME145))
         for n in (2, 3, 2):

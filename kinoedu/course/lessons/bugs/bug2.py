@@ -14,6 +14,7 @@ from .walking import BOX, ME145, TURNS, BugExercise, Choice, turned_world, walk_
 SPIRAL = np.array(
     [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float
 )
+THIN = np.array([(2, -1), (2.42, -1), (2.42, 2), (2, 2)], float)
 # open at the top
 HORSESHOE = np.array(
     [(-5, -2), (3, -2), (3, 2), (2, 2), (2, -1), (-4, -1), (-4, 2), (-5, 2)], float
@@ -49,6 +50,8 @@ class Bug2(BugExercise):
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("one", world((0, 0), (60, 0), [BOX]))
+        yield Case("one", world((0, 0), (6, 0), [THIN]))
         yield Case("many", world((0, 0), (5, 3), ME145))
         yield Case("spiral", world((7.5, 0.5), (0, 3.5), [SPIRAL]))
         yield Case("spiral", world((0, 0), (6, 0), [HORSESHOE]))

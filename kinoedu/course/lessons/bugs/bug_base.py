@@ -29,6 +29,7 @@ class BugBase(BugExercise):
         yield Case("passes", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX - 5.0 * UP]))
         yield Case("hit", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX]))
         yield Case("hit", world((0, 0), (5, 3), ME145, 0.1))
+        yield Case("free", world((0, 0), (60, 45), []))
         for n in (1, 2, 3) * 4:
             case = self.random_case(rng, "hit", 1)
             given = random_world(rng, n)

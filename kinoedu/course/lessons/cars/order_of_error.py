@@ -52,6 +52,7 @@ class OrderOfError(ValueExercise):
         yield order_case("steps", (0.9, 0.3), (0.9, 0.1))
         yield order_case("rising", (0.1, 0.2, 0.4), (0.01, 0.02, 0.04))
         yield order_case("floor", (0.2, 0.1, 0.05), (0.000001, 0.000001, 0.000004))
+        yield order_case("floor", (0.1, 0.05), (4e-15, 2e-16))
         for _ in range(12):
             n, p, c = int(rng.integers(2, 6)), int(rng.integers(1, 5)), rng.uniform(0.1, 20)
             halves = rng.choice([0.2, 0.4, 0.8, 1.6]) / 2.0 ** np.arange(n)

@@ -98,6 +98,8 @@ class LinkInContact(ValueExercise):
         ):
             lengths = (2.0, 1.0)
             yield case_of(kind, q, lengths, 0.5, discs)
+        for x, kind in ((0.0041, "free"), (0.0037, "end"), (0.0025, "link_2")):
+            yield case_of(kind, (0, 0), (0.002, 0.001), 0.0005, [(x, 0, 0.0005)])
         for number in range(12):
             for kind in self.kinds:
                 yield random_case(rng, kind, 1 + number // 3)

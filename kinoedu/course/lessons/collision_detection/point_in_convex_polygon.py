@@ -16,6 +16,9 @@ from .convex import RING, TRIANGLE, edge_areas
 from .pictures import draw_membership
 
 SQUARE = np.array([(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)])
+SHARP = np.array([(0.0, 0.0), (8.0, 1.0), (0.0, 2.0)])
+TURNS = 2.0 * np.pi * np.arange(40) / 40
+ROUND = np.round(10.0 * np.column_stack([np.cos(TURNS), np.sin(TURNS)]), 2) + 0.0
 
 
 class PointInConvexPolygon(ValueExercise):
@@ -55,6 +58,11 @@ class PointInConvexPolygon(ValueExercise):
             ("inside", (1, 1), TRIANGLE),
             ("boundary", (2, 2), TRIANGLE),
             ("aligned", (-4, 8), TRIANGLE),
+            ("boundary", (8, 1), SHARP),
+            ("outside", (0.02, 0.04), 0.01 * SQUARE),
+            ("aligned", (5e-5, 0), 1e-5 * SQUARE),
+            *((kind, q, ROUND) for kind, q in (("inside", (9, -2)), ("outside", (9, -7)))),
+            *((kind, q, ROUND) for kind, q in (("outside", (-9, -7)), ("outside", (-9, 7)))),
         ):
             yield Case(kind, {"q": np.array(q, float), "P": P})
         for number, size in enumerate(sizes(4)):

@@ -33,6 +33,18 @@ from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirect
 
 GAINS = [(0, i, i) for i in range(1, 6)] + [(i, 6, 20 - 3 * i) for i in range(1, 6)]  # five times
 ONE_MORE_TURN = [(0, 1, 13), (0, 2, 8), (1, 2, 2), (1, 3, 5), (2, 3, 8)]
+# node 1 becomes cheaper three times after it was expanded, and only then beats the edge to 5
+OFTEN_REOPENED = [
+    (0, 1, 10),
+    (0, 2, 1),
+    (1, 2, 7),
+    (0, 3, 1),
+    (1, 3, 5),
+    (0, 4, 1),
+    (1, 4, 3),
+    (1, 5, 20),
+    (0, 5, 26),
+]
 REOPENED = [(0, 1, 1), (0, 2, 3), (1, 2, 1), (2, 3, 4)]
 
 
@@ -89,11 +101,13 @@ class Astar(PathExercise):
         for kind, n, rows, estimate, start, goal in (
             ("small", 2, [(0, 1, 3)], [0, 0], 0, 1),
             ("small", 3, DETOUR, [0, 0, 0], 0, 2),
+            ("small", 3, [(0, 1, 2.4), (0, 2, 1.6), (1, 2, 0.6)], [0, 0, 0], 0, 1),
             ("estimate", 3, DETOUR, [2, 1, 0], 0, 2),
             ("estimate", 4, LATE_GAIN, [3, 2, 1, 0], 0, 3),
             ("estimate", 3, [(0, 1, 0.26), (1, 2, 0.26), (0, 2, 0.54)], [0.5, 0.25, 0], 0, 2),
             ("inconsistent", 4, REOPENED, [0, 5, 0, 0], 0, 3),
             ("inconsistent", 4, ONE_MORE_TURN, [0, 5, 7, 0], 0, 3),
+            ("inconsistent", 6, OFTEN_REOPENED, [0, 0, 10, 11, 12, 0], 0, 5),
             ("estimate", 7, GAINS, [10, 1, 1, 1, 1, 1, 0], 0, 6),
             ("start_is_goal", 2, [(0, 1, 3)], [3, 0], 1, 1),
             ("directed", 3, [(0, 1, 1), (1, 2, 1), (2, 0, 1)], [2, 1, 0], 0, 2),

@@ -63,6 +63,7 @@ class ExtractPath(GraphExercise):
             ("tree", [-1, 0, 3, 2], 1),
         ):
             yield Case(kind, {"parent": parent, "goal": goal})
+        yield Case("tree", {"parent": list(range(-1, 59)), "goal": 59})
         for i, n in enumerate((4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60)):
             for kind in self.kinds:
                 parent, goal = (draw_in_company if i % 2 else draw_parents)(kind, n, rng)

@@ -87,6 +87,7 @@ class HeadingDistance(ValueExercise):
             ("across", (0, 0, -3), (3, 4, 3), 5),
             ("turns", (0, 0, 0), (3, 4, TURN), 5),
             ("turns", (1, 2, 20), (1, 2, -20), 3),
+            ("turns", (1, 2, 150), (4, 6, -150), 3),
         ):
             yield make_case(kind, a, b, radian)
         for _ in range(14):

@@ -24,6 +24,11 @@ from .rules import Pairs, join_k_closest
 
 BUILT = Together((Numbers(("n", "d")), Integers(("m", 2))))
 MANY = 160
+# two blocks that leave a corridor with start and goal: one sample in forty is free
+NARROW = (
+    np.array([(0.01, 0.01), (15.99, 0.01), (15.99, 0.9), (0.01, 0.9)]),
+    np.array([(0.01, 1.1), (15.99, 1.1), (15.99, 9.99), (0.01, 9.99)]),
+)
 
 
 def build_roadmap(problem: PlanningProblem, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
@@ -63,6 +68,7 @@ class SampledRoadmap(Watched, PlannerExercise):
             yield case("room", make_hall(), 4 + 4 * i, 3)
             yield case("wall", make_hall(WALL), 10 + 6 * i, 3)
             yield case("several", make_hall(*draw_obstacles(rng, 2 + i // 2)), 20 + 5 * i, 4)
+        yield case("wall", make_hall(*NARROW), 10, 3)
         for room in (HALL, 2 * HALL):
             yield case("many", make_hall(room=room), MANY, 2)
 

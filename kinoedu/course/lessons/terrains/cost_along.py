@@ -13,6 +13,8 @@ from ...shapes import Number, Numbers, Record
 from ..geometry.lines import POINT
 from .motions import find_crossed_cells, find_cuts, measure_length
 
+PEAK = np.array([[1.0, 2.0], [4.0, 1000.0]])
+
 
 class CostAlong(ValueExercise):
     """Integrate the cost of the cells along a segment."""
@@ -63,6 +65,9 @@ class CostAlong(ValueExercise):
             ("column", two.T, (0.5, 0.5), (0.5, 1.5)),
             ("nowhere", two, (0.5, 0.5), (0.5, 0.5)),
             ("slanted", square, (0.5, 0.25), (1.75, 1.5)),
+            ("slanted", 0.5 * square, (0.5, 0.25), (1.75, 1.5)),
+            ("slanted", PEAK, (0.5, 1.5), (1.505, 0.5)),
+            ("slanted", square, (0.98, 0.5), (1.02, 1.75)),
             ("backwards", two, (1.75, 0.5), (0.5, 0.5)),
             ("corners", square, (0.5, 0.5), (1.5, 1.5)),
         ):

@@ -143,7 +143,9 @@ class Follow(ValueExercise):
             )
             i = int(rng.integers(1, len(path) - 1))
             x, y = np.round(0.5 * (path[i] + path[i + 1]), 2)
-            half = (0.2, 0.01)[turn % 2]  # a wall that is thinner than any step between places
+            half = (0.2, 0.01, 0.0005)[
+                turn % 3
+            ]  # a wall that is thinner than any step between places
             wall = in_room((0.1, 0.1), (9.9, 9.9), box(x - half, y - 0.2, x + half, y + 0.2))
             yield make_case(
                 "blocked",
