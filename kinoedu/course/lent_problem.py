@@ -22,6 +22,11 @@ def distance_in(metric: Metric) -> Callable[[Any, Any], Any]:
     return partial(distance, metric)
 
 
+def as_configuration(value: Any) -> Any:
+    """A list or tuple as an array; everything else as it is."""
+    return np.array(value, float) if isinstance(value, list | tuple) else value
+
+
 class LentProblem:
     """The start, the goal and the questions of a problem.
 
@@ -60,7 +65,7 @@ class LentProblem:
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self._questions:
-            return lambda *given: self._ask(name, *given)
+            return lambda *given: self._ask(name, *map(as_configuration, given))
         if name in self._numbers:
             return self._numbers[name]
         names = ("start", "goal", "distance", *self._questions, *self._numbers)

@@ -30,7 +30,11 @@ CELL_SECONDS = 10.0
 GRACE = 10.0  # seconds for runner.py to report what it stopped itself
 MOST_TIMES = 15.0  # times the limit of a call, for the call and for all its questions
 # what programs that draw or plan need, loaded once for all of them
-DRAWING = ("matplotlib.pyplot", "kinoedu.course.axes_contents")
+DRAWING = (
+    "matplotlib.pyplot",
+    "matplotlib.backends.backend_agg",
+    "kinoedu.course.axes_contents",
+)
 PLANNING = ("kinoedu.course.lent_problem",)
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
 NO_VALUE = Maybe(Truth())
@@ -101,7 +105,8 @@ def run_program(
     NoSandbox
         Where the sandbox does not start or breaks.
     """
-    run = Run(sandbox, lent, patience * slowdown(), Answers({}, {}))
+    patience *= slowdown()
+    run = Run(sandbox, lent, patience, time.monotonic() + LONGEST * patience, Answers({}, {}))
     shown = [Question(one.exercise, one.cases[: one.shown], one.shown) for one in questions]
     run.ask_apart(cells, shown)
     hidden = [
@@ -122,12 +127,13 @@ def run_program(
 class Run(NamedTuple):
     """One run of a program: on the shown cases, or on the hidden ones.
 
-    seconds : the time at which it must have ended.
+    until : the time at which it must have ended.
     """
 
     sandbox: Sandbox
     lent: tuple[str, ...]
     patience: float
+    until: float
     found: Answers
 
     def ask_apart(self, cells: list[Cell], questions: list[Question]) -> None:
@@ -140,9 +146,8 @@ class Run(NamedTuple):
 
     def ask(self, cells: list[Cell], questions: list[Question]) -> None:
         """Run the cells and ask the questions, and store what is found."""
-        until = time.monotonic() + LONGEST * self.patience
         while questions:
-            if time.monotonic() > until:
+            if time.monotonic() > self.until:
                 self.found.outcomes.update({one.name: [Late(False)] for one in questions})
                 return
             longest = max([CELL_SECONDS, *(one.exercise.seconds for one in questions)])

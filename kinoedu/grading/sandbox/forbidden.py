@@ -38,11 +38,13 @@ CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {
             *(248, 249, 250, 298, 321, 323),
             # fadvise64, mincore, preadv2, readahead, flock, inotify_init, inotify_init1
             *(221, 27, 327, 187, 73, 253, 294),
-            # fanotify_init, name_to_handle_at, open_by_handle_at, syslog
-            *(300, 303, 304, 103),
+            # fanotify_init, name_to_handle_at, open_by_handle_at, syslog, sysinfo
+            *(300, 303, 304, 103, 99),
+            # utime, utimes, futimesat, utimensat
+            *(132, 235, 261, 280),
         ),
     ),
-    "aarch64": (  # the same calls, but for fork, vfork and inotify_init, which it lacks
+    "aarch64": (  # the same calls, but for fork, vfork, inotify_init and utime, which it lacks
         0xC000_00B7,
         220,
         (
@@ -52,7 +54,8 @@ CALLS: dict[str, tuple[int, int, tuple[int, ...]]] = {
             *(92, 41, 51, 40, 39, 97, 268),
             *(217, 218, 219, 241, 280, 282),
             *(223, 232, 286, 213, 32, 26),
-            *(262, 264, 265, 116),
+            *(262, 264, 265, 116, 179),
+            *(88,),
         ),
     ),
 }

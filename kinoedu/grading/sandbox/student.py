@@ -18,6 +18,7 @@ import builtins
 import contextlib
 import gc
 import importlib
+import io
 import linecache
 import os
 import random
@@ -103,8 +104,30 @@ def serve(requests: int, replies: int) -> None:
     with contextlib.suppress(BaseException):
         for number in (0, 1, 2):
             os.dup2(nowhere, number)
+        os.close(nowhere)
         Program(requests, replies).obey()
     os._exit(0)  # so functions that a program registered for the exit are not called
+
+
+class Nowhere(io.RawIOBase):
+    """A file that keeps nothing of what is written into it."""
+
+    def writable(self) -> bool:
+        """Whether it can be written: always."""
+        return True
+
+    def write(self, data: Any) -> int:
+        """Discard the data."""
+        return memoryview(data).nbytes
+
+
+def discard_output() -> None:
+    """Discard what is printed, and use no file that others have."""
+    null = os.open(os.devnull, os.O_RDWR)
+    for number in (0, 1, 2):
+        os.dup2(null, number)
+    os.close(null)
+    sys.stdout = sys.stderr = io.TextIOWrapper(io.BufferedWriter(Nowhere()), encoding="utf-8")
 
 
 class TimeUp(BaseException):
@@ -125,6 +148,7 @@ class Program:
         """Do what each line says."""
         limits = self.receive()
         shut_in.give_up_rights(**limits)
+        discard_output()
         self.send(ready=True)
         random.seed(0)
         np.random.seed(0)

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 MOST_OUTPUT = 32 * 2**20  # bytes
 MOST_PARTS = 2**21  # commas and brackets; each may be a value, which takes far more than a byte
 MOST_LINE = 2**20
-LONGEST = 300.0  # seconds for the whole exchange
-USUAL = 42.0  # patience on a usual computer, in seconds
+LONGEST = 150.0  # seconds for the whole exchange
+USUAL = 160.0  # patience on a usual computer, in seconds
 START = 60.0  # seconds until the first line, on a slow computer
 
 
