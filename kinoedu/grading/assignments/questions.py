@@ -125,18 +125,25 @@ class Cases(NamedTuple):
 def draw_cases(name: str, secret: bytes, variant: str = "") -> Cases:
     """An exercise's cases, drawn from the secret; equal for all students with the same contract.
 
-    The small cases, which are always the same, come first. `check` shows them to everybody.
+    The small cases, which are always the same, come first. `check` shows them to everybody. Where
+    all cases are drawn, the first of each kind that `check` shows comes first.
     """
     exercise = find(name, variant)
     digest = hmac.digest(
         secret, (f"{name}:{variant}" if variant else name).encode(), hashlib.sha256
     )
     cases = list(exercise.cases(np.random.default_rng(int.from_bytes(digest))))
-    shown = {spell_case(exercise, case) for case in exercise.cases(np.random.default_rng(0))}
-    seen = [case for case in cases if spell_case(exercise, case) in shown]
-    return Cases(
-        seen + [case for case in cases if spell_case(exercise, case) not in shown], len(seen)
-    )
+    shown = list(exercise.cases(np.random.default_rng(0)))
+    spelled = {spell_case(exercise, case) for case in shown}
+    hidden = [case for case in cases if spell_case(exercise, case) not in spelled]
+    seen = [case for case in cases if spell_case(exercise, case) in spelled]
+    if not seen:
+        seen = [
+            next(case for case in shown if case.kind == kind)
+            for kind in exercise.kinds
+            if any(case.kind == kind for case in shown)
+        ]
+    return Cases(seen + hidden, len(seen))
 
 
 @functools.lru_cache(maxsize=256)
