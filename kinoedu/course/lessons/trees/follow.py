@@ -10,7 +10,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....planners import receding_horizon
 from ....problems.protocols import PlanningProblem
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...tasks import StudentProblem
@@ -157,6 +157,17 @@ class Follow(ValueExercise):
     def same(self, value: Value, truth: Value) -> bool:
         """Whether all rows are the same."""
         return np.shape(value) == np.shape(truth) and super().same(value, truth)
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Judge the first row and equal rows by rules of their own, then the rest."""
+        verdict = super().value_verdict(case, value)
+        rows, path = np.asarray(value), case.given["path"]
+        if verdict.is_right or (len(rows) > 0 and rows.shape[1:] != path.shape[1:]):
+            return verdict
+        if len(rows) == 0 or np.abs(rows[0] - path[0]).max() > self.tolerance:
+            return verdict._replace(rule="begins")
+        repeated = len(rows) > 1 and not np.diff(rows, axis=0).any(axis=1).all()
+        return verdict._replace(rule="repeated") if repeated else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the plan, the part that should be followed, and where the student's part ends."""

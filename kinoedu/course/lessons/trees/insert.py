@@ -13,7 +13,7 @@ from ....geometry.checks import Array
 from ....planners.trees.rrt_star import grow_shortest
 from ....problems import Tree
 from ....problems.protocols import PlanningProblem, ProblemLike
-from ...exercise import Axes, Case, Given, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
@@ -218,6 +218,19 @@ class Insert(ValueExercise):
             and (np.array(value[0]) == truth[0]).all()
             and super().same(value[1], truth[1])
         )
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Judge parents and costs; the rule is that of the first step that is wrong."""
+        verdict = super().value_verdict(case, value)
+        parent, cost = self.truth(case)
+        new = len(parent) - 1
+        lengths_differ = not len(value[0]) == len(value[1]) == len(parent)
+        if verdict.is_right or lengths_differ or differs(value, parent, cost, new):
+            return verdict
+        if list(value[0]) != list(parent):
+            return verdict if case.kind == "blocked" else verdict._replace(rule="rewire")
+        wrong = next(i for i in range(new) if differs(value, parent, cost, i))
+        return verdict._replace(rule="costs" if parent[wrong] == new else "below")
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right tree, and a cross at the first node with a wrong parent or cost."""
