@@ -27,7 +27,7 @@ LOADED = (
     *("kinoedu.errors", "kinoedu.support", "kinoedu.compiled", "kinoedu.spaces"),
     *("kinoedu.geometry.checks", "kinoedu.geometry.exact"),
     *("kinoedu.course.lent_problem", "kinoedu.course.poses", "kinoedu.course.exceptions"),
-    "kinoedu.course.axes_contents",
+    *("kinoedu.course.axes_contents", "kinoedu.grading.sandbox"),
 )
 
 

@@ -13,8 +13,9 @@ from types import ModuleType
 from typing import Any, ClassVar
 
 import numpy as np
-import wire
-from stand_ins import Silent
+
+from . import wire
+from .stand_ins import Silent
 
 Ask = Callable[..., Any]
 # what shows or checks something in a notebook is left out without a word

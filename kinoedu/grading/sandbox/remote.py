@@ -13,15 +13,15 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-import wire  # beside this file, as student.py has it
 
-from kinoedu.course.drawn import Canvas
-from kinoedu.course.exceptions import class_name, message_of
-from kinoedu.course.lent_problem import LentProblem
-from kinoedu.course.outcomes import Elsewhere, Late, Outcome, Raised, decode_outcome
-from kinoedu.course.plain import WrongShape
-from kinoedu.course.shapes import Maybe, Truth
-from kinoedu.support.time_limit import MAX_WAIT_FACTOR
+from ...course.drawn import Canvas
+from ...course.exceptions import class_name, message_of
+from ...course.lent_problem import LentProblem
+from ...course.outcomes import Elsewhere, Late, Outcome, Raised, decode_outcome
+from ...course.plain import WrongShape
+from ...course.shapes import Maybe, Truth
+from ...support.time_limit import MAX_WAIT_FACTOR
+from . import wire
 
 GRACE = 2.0  # seconds that a program has to report what stopped it
 LESSONS = "kinoedu.course.lessons."

@@ -27,13 +27,17 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent.parent.parent)]
-sys.path += map(str, HERE.parent.parent.parent.glob("site-packages-*"))
-# without numba the library gives the same answers, and starts at once
-sys.modules["numba"] = None  # type: ignore[assignment]
+COURSE = Path(__file__).resolve().parents[3]
+if not __package__:  # it is run as a program, and not read by a tool
+    sys.path[:0] = [str(COURSE), *map(str, COURSE.glob("site-packages-*"))]
+    # without numba the library gives the same answers, and starts at once
+    sys.modules["numba"] = None  # type: ignore[assignment]
 
-from remote import (  # noqa: E402  (beside this file)
+from kinoedu.course.exercise import Exercise  # noqa: E402
+from kinoedu.course.judging import is_unwritten, run_called  # noqa: E402
+from kinoedu.course.lessons import find  # noqa: E402
+from kinoedu.course.outcomes import Late, Outcome, encode_outcome  # noqa: E402
+from kinoedu.grading.sandbox.remote import (  # noqa: E402
     GRACE,
     NO_VALUE,
     Ended,
@@ -42,12 +46,6 @@ from remote import (  # noqa: E402  (beside this file)
     read_late,
     read_raised,
 )
-
-#
-from kinoedu.course.exercise import Exercise  # noqa: E402
-from kinoedu.course.judging import is_unwritten, run_called  # noqa: E402
-from kinoedu.course.lessons import find  # noqa: E402
-from kinoedu.course.outcomes import Late, Outcome, encode_outcome  # noqa: E402
 
 SELDOM = 0.05  # seconds between outcomes that are sent one by one
 MOST_TROUBLES = 50  # of one cell

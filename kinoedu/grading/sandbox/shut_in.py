@@ -11,7 +11,7 @@ import resource
 import signal
 from pathlib import Path
 
-import forbidden  # beside this file; loaded before a program runs
+from . import forbidden
 
 NEW_MOUNTS, NEW_IPC, NEW_PROCESSES = 0x0002_0000, 0x0800_0000, 0x2000_0000
 NO_SUID, NO_PROGRAMS, AND_BELOW, PRIVATE = 2, 8, 1 << 14, 1 << 18

@@ -31,27 +31,38 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-HERE = Path(__file__).resolve().parent
-COURSE = HERE.parent.parent.parent
-sys.path[:0] = [str(HERE), str(COURSE)]
-sys.path += map(str, COURSE.glob("site-packages-*"))
-PACKAGES = ("kinoedu", "kinoedu.course", "kinoedu.geometry", "kinoedu.spaces", "kinoedu.support")
-for package in PACKAGES:  # their own files would load the library
-    sys.modules[package] = ModuleType(package)
-    sys.modules[package].__path__ = [str(COURSE.joinpath(*package.split(".")))]
-# without numba the library gives the same answers, and starts at once
-sys.modules["numba"] = None  # type: ignore[assignment]
+COURSE = Path(__file__).resolve().parents[3]
+PACKAGES = (
+    *("kinoedu", "kinoedu.course", "kinoedu.geometry", "kinoedu.spaces", "kinoedu.support"),
+    *("kinoedu.grading", "kinoedu.grading.sandbox"),
+)
 
-# These are beside this file, which is run where there is no kinoedu.
-import cells  # noqa: E402
-import imports  # noqa: E402
+
+def prepare_imports() -> None:
+    """Let modules of these packages be imported without the packages' own files.
+
+    Those would load the library.
+    """
+    sys.path[:0] = [str(COURSE), *map(str, COURSE.glob("site-packages-*"))]
+    for package in PACKAGES:
+        sys.modules[package] = ModuleType(package)
+        sys.modules[package].__path__ = [str(COURSE.joinpath(*package.split(".")))]
+    # without numba the library gives the same answers, and starts at once
+    sys.modules["numba"] = None  # type: ignore[assignment]
+
+
+if not __package__:  # it is run as a program, and not read by a tool
+    prepare_imports()
+
 import numpy as np  # noqa: E402
-import shut_in  # noqa: E402
-import stand_ins  # noqa: E402
-import wire  # noqa: E402
-from lent import LentModules, LentValues, take_from_library  # noqa: E402
 
 from kinoedu.course.exceptions import describe_exception  # noqa: E402
+from kinoedu.grading.sandbox import cells, imports, shut_in, stand_ins, wire  # noqa: E402
+from kinoedu.grading.sandbox.lent import (  # noqa: E402
+    LentModules,
+    LentValues,
+    take_from_library,
+)
 
 # numpy loads these at their first use
 USUAL = ("numpy.fft", "numpy.linalg", "numpy.ma", "numpy.polynomial", "numpy.random", "secrets")
