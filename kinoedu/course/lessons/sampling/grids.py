@@ -10,6 +10,7 @@ from ....sampling.grids import integer_root, lattice, points_per_side
 from ...exercise import Axes, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
+from ...sizes import MOST_NUMBERS
 from ...whole_shapes import Integer
 from .pictures import draw_points
 
@@ -66,6 +67,10 @@ class GridExercise(ValueExercise):
             while integer_root(n, d) ** d == n:
                 n = int(rng.integers(2, 200))
             yield make_case(n, d)
+
+    def size_limit(self, case: Case) -> int:
+        """Return twice the numbers of a right answer, or the usual limit if that is more."""
+        return max(MOST_NUMBERS, 2 * case.given["n"] * case.given["d"])
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the number of points, whether they are in the cube, and where."""
