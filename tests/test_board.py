@@ -8,6 +8,7 @@ import re
 import sys
 import threading
 from contextlib import suppress
+from functools import partial
 
 import numpy as np
 import pytest
@@ -383,7 +384,8 @@ def test_a_planner_that_cannot_be_stopped_is_not_started_again(monkeypatch):
     module = sys.modules[
         "kinoedu.boards.planning.board"
     ]  # the package's attribute of that name is the function
-    monkeypatch.setattr(module, "try_planner", lambda *given: try_planner(*given, seconds=0.1))
+    patched = partial(try_planner, seconds=0.1)
+    monkeypatch.setattr(module, "try_planner", patched)
     made = board(walled(), planner=waits)
     assert "could not be stopped" in repr(made)
     Page(made.canvas).moves(("handle", 1, [9, 9]))

@@ -15,6 +15,12 @@ SWEEP = (
 GRAPH = """from kinoedu.graphs import Graph
 nodes = [(0, 0), (4, 3), (4, -3), (8, 0), (11, 0)]
 ke.boards.search_board(Graph(nodes=nodes, edges=[(0, 1), (0, 2), (1, 3), (2, 3), (3, 4)]))"""
+CODE = """def nearest_on(q, p1, p2):
+    way = p2 - p1
+    t = np.dot(q - p1, way) / np.dot(way, way)
+    t = min(max(t, 0.0), 1.0)
+    return p1 + t * way
+ke.boards.code_board(nearest_on, (3.0, 4.0), (0.0, 0.0), (6.0, 0.0), first=2)"""
 SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), search='astar')"
 
 
@@ -23,7 +29,7 @@ def page(tmp_path_factory):
     """One JupyterLab for all; the bugs' world is board 0, its plot board 1."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    (course / "planning.ipynb").write_text(written_notebook(BUG, SWEEP, SEARCH, GRAPH))
+    (course / "planning.ipynb").write_text(written_notebook(BUG, SWEEP, SEARCH, GRAPH, CODE))
     with (
         lab(course, home) as (address, token),
         notebook_page(address, token, "planning.ipynb") as page,
@@ -78,6 +84,29 @@ def test_a_search_is_scrubbed_with_its_frontier(page):
     scrub(seen, 0)
     seen.until("text === 'expanded 0 of 54; frontier 1'")
     assert seen.pixels() != before
+
+
+def test_code_is_stepped_through_and_its_arguments_dragged(page):
+    """By buttons, by a click on a line, by keys; a drag keeps the line that is shown."""
+    seen = Seen(page, 5)
+    lines, values = (seen.board.locator(f".kinoedu-{name}") for name in ("line", "values"))
+    lit = "root.querySelector('.kinoedu-lit').textContent.trim()"
+    seen.until(f"root.dataset.step === '2' && {lit}.startsWith('t = np.dot')")
+    assert "t = 0.5" in seen.shown_text() and "0.5" in values.inner_text()
+    seen.board.get_by_role("button", name="run the next line").click()
+    seen.until(f"root.dataset.step === '3' && {lit}.startsWith('t = min')")
+    lines.nth(1).click()
+    seen.until(f"root.dataset.step === '1' && {lit} === 'way = p2 - p1'")
+    assert lines.nth(0).is_disabled() and lines.nth(1).get_attribute("aria-current") == "step"
+    answers = int(seen.data("answers"))
+    seen.drag("handle-2", -30, -40)
+    seen.until("root.dataset.answers > answers && root.dataset.step === '1'", answers=answers)
+    assert "(6, 0)" not in values.inner_text()
+    slider = seen.board.locator(".kinoedu-slider")
+    slider.focus()
+    slider.press("End")
+    seen.until("root.dataset.step === root.dataset.total && text.includes('nearest_on returns')")
+    keep(page, "code_board")
 
 
 @pytest.fixture

@@ -8,6 +8,7 @@ from .arm.reach import reach_board, torus_board
 from .bugs.bugs import BugBoard, bug_board
 from .car.car import CarBoard, car_board
 from .car.curves import curves_board
+from .code.code_board import code_board
 from .core.canvas import Canvas
 from .core.drawing import Drawing, Layer
 from .exploring.exploring import ExploringBoard, exploring_board
@@ -50,6 +51,7 @@ __all__ = [
     "bug_board",
     "car_board",
     "chance_board",
+    "code_board",
     "curves_board",
     "distance_board",
     "exploring_board",

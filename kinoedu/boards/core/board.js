@@ -6,6 +6,8 @@
 //
 //   Board   shared by all views of one widget: the scene, its changes, the answers, the step shown
 //   View    one picture of it on a page: painting, pointers and keys
+//   Code    the code beside a picture, where the drawing has a *listing*: each step is a line that
+//           has run
 //
 // A *stop* is a handle that the answer draws. A click on it moves the second handle (the goal)
 // there, Shift and click the first.
@@ -117,7 +119,7 @@ class Board {
     this.id = Math.random().toString(36).slice(2);       // of this page; a widget may be on several
     this.scene = copy(model.get("scene"));
     this.drawing = { text: "", warning: "", layers: [], places: [] };
-    Object.assign(this.drawing, { total: 0, unit: "", stepTexts: [] });
+    Object.assign(this.drawing, { total: 0, unit: "", stepTexts: [], listing: null });
     this.seq = 0;                                        // the number of the newest scene
     this.shown = 0;                                      // the number of the scene that is answered
     this.open = 0;                                       // questions without an answer
@@ -319,7 +321,9 @@ class Board {
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
-    this.drawing = { text, warning, layers, total, unit, stepTexts, places };
+    const { listing, first } = message, before = this.drawing;
+    const scrubbed = before.listing && this.step < before.total;
+    this.drawing = { text, warning, layers, total, unit, stepTexts, places, listing };
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
@@ -327,7 +331,7 @@ class Board {
     this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
-    this.step = total;
+    this.step = scrubbed ? Math.min(this.step, total) : this.answers === 1 ? first ?? total : total;
     this.emit("answered", seq);
     this.changed();
   }
@@ -375,9 +379,38 @@ class Board {
     requestAnimationFrame(tick);
   }
 
+  // The variables after the present step, by name, and those that its line has changed.
+  variables() {
+    const { changes } = this.drawing.listing, values = new Map();
+    for (const changed of changes.slice(0, this.step)) {
+      for (const [name, text] of Object.entries(changed)) {
+        if (text === null) values.delete(name); else values.set(name, text);
+      }
+    }
+    return { values, changed: Object.keys(changes[this.step - 1] ?? {}) };
+  }
+
+  line() { return this.drawing.listing.ran[this.step - 1] ?? -1; }
+
+  // Go to the next time that a line runs, after the last one to its first time.
+  goToLine(line) {
+    const { ran } = this.drawing.listing;
+    const next = ran.indexOf(line, this.step);
+    this.playing = null;
+    this.growTo((next < 0 ? ran.indexOf(line) : next) + 1);
+  }
+
+  lineText() {                           // the present line in words, for those who hear it
+    const { lines } = this.drawing.listing, { values, changed } = this.variables();
+    const news = changed.filter((name) => values.has(name));
+    const parts = [lines[this.line()]?.trim(), ...news.map((name) => `${name} = ${values.get(name)}`)];
+    return parts.filter(Boolean).join("; ");
+  }
+
   text() {
-    const { text, warning, total, unit, stepTexts } = this.drawing;
+    const { text, warning, total, unit, stepTexts, listing } = this.drawing;
     if (this.isLate()) return this.words.thinking;
+    if (this.step < total && listing) return this.lineText() || this.words.begin;
     if (this.step < total && !warning) {
       return stepTexts[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     }
@@ -422,21 +455,24 @@ class View {
     this.root = make("div", "kinoedu-board", el, { "data-lm-suppress-shortcuts": "true" });
     this.root.style.setProperty("--kinoedu-focus", palette.ink);
     this.root.style.setProperty("--kinoedu-warning", palette.goal);
-    this.stage = make("div", "kinoedu-stage", this.root);
+    this.column = make("div", "kinoedu-column", this.root);
+    this.stage = make("div", "kinoedu-stage", this.column);
     this.canvas = make("canvas", "kinoedu-canvas", this.stage, { role: "img" });
     const group = { role: "group", "aria-label": words.movable };
     this.overlay = make("div", "kinoedu-overlay", this.stage, group);
-    this.growth = make("div", "kinoedu-growth", this.root);
+    this.growth = make("div", "kinoedu-growth", this.column);
     this.button = make("button", "kinoedu-play", this.growth, { type: "button" });
     const range = { type: "range", min: 0, step: 1, "aria-label": words.slider };
     this.slider = make("input", "kinoedu-slider", this.growth, range);
+    this.code = new Code(this);
     this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
     this.back.textContent = words.reset;
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
     if (this.driven >= 0) this.buildPad();
-    this.text = make("div", "kinoedu-text", this.root, { "aria-hidden": "true" });
-    this.state = make("div", "kinoedu-state", this.root, { role: "status", "aria-live": "polite" });
-    const hint = this.board.things().length ? make("div", "kinoedu-hint", this.root) : null;
+    this.text = make("div", "kinoedu-text", this.column, { "aria-hidden": "true" });
+    const spoken = { role: "status", "aria-live": "polite" };
+    this.state = make("div", "kinoedu-state", this.column, spoken);
+    const hint = this.board.things().length ? make("div", "kinoedu-hint", this.column) : null;
     if (hint) hint.textContent = this.hint();
     this.pen = this.canvas.getContext("2d");
   }
@@ -510,7 +546,7 @@ class View {
   resize() {
     const { lo, hi } = this.board.scene;
     const [wide, high] = [hi[0] - lo[0], hi[1] - lo[1]];
-    const room = Math.max(Math.min(this.root.clientWidth || WIDEST, WIDEST), 160) - 2 * PAD;
+    const room = Math.max(Math.min(this.column.clientWidth || WIDEST, WIDEST), 160) - 2 * PAD;
     this.fit = Math.min(room / wide, (HIGHEST - 2 * PAD) / high);
     this.width = Math.round(wide * this.fit + 2 * PAD);
     this.height = Math.round(high * this.fit + 2 * PAD);
@@ -748,6 +784,7 @@ class View {
     board.scene.handles.forEach((handle) => this.paintHandle(handle));
     this.placeButtons();
     this.showState(late);
+    this.code.show();
     this.paints += 1;
     this.emit("painted", board.shown);
   }
@@ -1023,5 +1060,73 @@ class View {
       this.state.textContent = text;
       this.canvas.ariaLabel = text;
     }, QUIET);
+  }
+}
+
+// ---- the code beside a picture
+
+class Code {
+  constructor(view) {
+    const { words } = view.board;
+    this.view = view;
+    this.shown = null;                   // the listing whose lines are on the page
+    this.back = this.stepper("◀", words.lineBack, -1);
+    this.on = this.stepper("▶", words.lineOn, 1);
+    const group = { role: "group", "aria-label": words.code };
+    this.panel = make("div", "kinoedu-code", view.root, group);
+    this.lines = make("div", "kinoedu-lines", this.panel);
+    this.table = make("table", "kinoedu-values", this.panel);
+    make("div", "kinoedu-hint", this.panel).textContent = words.coded;
+  }
+
+  stepper(sign, label, by) {             // a button that goes some steps on
+    const { board, growth } = this.view;
+    const button = make("button", "kinoedu-step", growth, { type: "button", "aria-label": label });
+    button.textContent = sign;
+    button.title = label;
+    button.addEventListener("click", () => {
+      board.playing = null;
+      board.growTo(board.step + by);
+    });
+    return button;
+  }
+
+  show() {
+    const { board, root } = this.view, { listing, total } = board.drawing;
+    root.classList.toggle("kinoedu-coded", Boolean(listing));
+    if (!listing) return;
+    if (!same(listing.lines, this.shown?.lines)) this.write(listing);
+    this.shown = listing;
+    const ran = new Set(listing.ran), now = board.line();
+    [...this.lines.children].forEach((line, k) => {
+      line.classList.toggle("kinoedu-lit", k === now);
+      line.disabled = !ran.has(k);
+      if (k === now) line.ariaCurrent = "step"; else line.ariaCurrent = null;
+    });
+    this.back.disabled = board.step <= 0;
+    this.on.disabled = board.step >= total;
+    this.list(listing);
+  }
+
+  write({ lines }) {                     // each line is a button that goes to its next run
+    const { board } = this.view;
+    this.lines.replaceChildren(...lines.map((text, k) => {
+      const line = make("button", "kinoedu-line", null, { type: "button", "data-line": k });
+      line.textContent = text || " ";
+      line.addEventListener("click", () => board.goToLine(k));
+      return line;
+    }));
+  }
+
+  list({ colours }) {
+    const { board } = this.view, { values, changed } = board.variables();
+    this.table.replaceChildren(...[...values].map(([name, text]) => {
+      const row = make("tr", changed.includes(name) ? "kinoedu-changed" : "", null);
+      const head = make("th", "", row, { scope: "row" });
+      head.textContent = name;
+      if (colours[name]) head.style.setProperty("--kinoedu-own", board.palette[colours[name]]);
+      make("td", "", row).textContent = text;
+      return row;
+    }));
   }
 }

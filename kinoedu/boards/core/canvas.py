@@ -9,8 +9,8 @@ The messages between the two halves:
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
                 {kind: "keys", from, seq, held: ["ArrowUp", ...]}
                     sent repeatedly while arrow keys are held on a driven handle
-    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, step_texts, places,
-                 layers} and a buffer of float32 for each layer
+    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, step_texts, listing,
+                 first, places, layers} and a buffer of float32 for each layer
                 {kind: "note", text}
                     the reason why an answer takes long
 
@@ -47,9 +47,10 @@ log = logging.getLogger("kinoedu")
 
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 PLAIN = ("play", "pause", "next", "reset", "slider", "movable", "thinking")
-HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad")
+CODE = ("code", "lineBack", "lineOn", "begin")
+HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad", "coded")
 FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, and their values
-    **dict.fromkeys((*PLAIN, *HINTS, *ARROWS), ()),
+    **dict.fromkeys((*PLAIN, *CODE, *HINTS, *ARROWS), ()),
     "growth": ("shown", "total", "unit"),
     "handle": ("name", "x", "y"),
     "stop": ("name", "x", "y"),

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from ...geometry.checks import Array
 from ...support.json_fields import JsonObject
+from .listing import Listing, encode_listing
 
 # The number of points that begin each row; the rows of polygons consist of points.
 POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "eye": 1}
@@ -67,6 +68,8 @@ class Drawing:
     unit : the unit of a step, in words.
     step_texts : the text at each step before the last, from step 0; without them the board shows
         the number of the step.
+    listing : the code beside the picture; then each step is a line that has run.
+    first : the step that is shown at first; None for the last one.
     places : where the answer moves things, each (kind, number, coordinates) as in `move_parts`;
         things that are being dragged are not moved.
     """
@@ -77,6 +80,8 @@ class Drawing:
     total: int = 0
     unit: str = ""
     step_texts: Sequence[str] = ()
+    listing: Listing | None = None
+    first: int | None = None
     places: Sequence[tuple[str, int, Any]] = ()
 
     @property
@@ -149,10 +154,16 @@ def arrows(
 
 
 def labels(
-    points: ArrayLike, texts: Sequence[str], colour: str, *, when: ArrayLike | None = None
+    points: ArrayLike,
+    texts: Sequence[str],
+    colour: str,
+    *,
+    when: ArrayLike | None = None,
+    until: ArrayLike | None = None,
 ) -> Layer:
     """Texts beside points, shape (n, 2)."""
-    return Layer("labels", as_rows(points, 2), colour, texts=tuple(texts), when=as_steps(when))
+    layer = Layer("labels", as_rows(points, 2), colour, texts=tuple(texts))
+    return layer._replace(when=as_steps(when), until=as_steps(until))
 
 
 def cells(
@@ -260,5 +271,7 @@ def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonOb
         "warning": drawing.warning,
         "unit": drawing.unit,
         "step_texts": list(drawing.step_texts),
+        "listing": encode_listing(drawing.listing),
+        "first": drawing.first,
     }
     return message, buffers

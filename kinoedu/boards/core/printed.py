@@ -17,11 +17,13 @@ from ...figures import palette
 from ...figures.drawing import HALO, compound
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
+from .listing import Listing
 from .scene import Scene
 
 Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
 DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
+LIT = "#FFE9A8"  # behind the line that has just run
 ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
 
 
@@ -30,15 +32,13 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
     size, margin = max(x1 - x0, y1 - y0), 0.01 * max(x1 - x0, y1 - y0)
     width, height = max(6.0 * (x1 - x0) / size, 2.2) + 1.0, max(6.0 * (y1 - y0) / size, 2.2) + 1.0
-    figure = Figure(figsize=(width, height), dpi=DPI[0], layout="constrained")
-    FigureCanvasAgg(figure)
-    ax = figure.add_subplot()
+    figure, ax = make_page(width, height, drawing.listing, drawing.first)
     ax.set(aspect="equal", xlim=(x0 - margin, x1 + margin), ylim=(y0 - margin, y1 + margin))
     ax.set_title(drawing.message, fontsize=palette.TEXT_SIZE, wrap=True)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     print_world(scene, free, ax)
     for layer in drawing.layers:
-        print_layer(layer, ax, drawing.total)
+        print_layer(layer, ax, drawing)
     print_handles(scene, ax)
     for x, y, seen in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
         half_x, half_y = 0.5 * seen * (x1 - x0) / size, 0.5 * seen * (y1 - y0) / size
@@ -49,6 +49,33 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     smallest = save_with_few_colours(figure, DPI[-1])
     pictures = (save_with_few_colours(figure, dpi) for dpi in DPI)
     return next((picture for picture in pictures if len(picture) <= ENOUGH), smallest)
+
+
+def make_page(
+    width: float, height: float, listing: Listing | None, step: int | None
+) -> tuple[Figure, Axes]:
+    """A figure and the axes of the picture; the code stands to the right of it."""
+    beside = 0.0 if listing is None else 0.115 * max(map(len, listing.lines)) + 0.3
+    figure = Figure(figsize=(width + beside, height), dpi=DPI[0], layout="constrained")
+    FigureCanvasAgg(figure)
+    if listing is None:
+        return figure, figure.add_subplot()
+    ax, page = figure.subplots(1, 2, width_ratios=(width, beside))
+    print_listing(listing, len(listing.ran) if step is None else step, page)
+    return figure, ax
+
+
+def print_listing(listing: Listing, step: int, page: Axes) -> None:
+    """Write the code, with the line that has just run lit, and the variables after it below."""
+    page.set_axis_off()
+    lit = listing.ran[step - 1] if 0 < step <= len(listing.ran) else -1
+    values = listing.values[step - 1] if 0 < step <= len(listing.values) else {}
+    texts = [*listing.lines, "", *(f"{name} = {text}" for name, text in values.items())]
+    font: palette.Style = {"fontfamily": "monospace", "fontsize": palette.TEXT_SIZE - 1}
+    page.set(xlim=(0.0, 1.0), ylim=(max(len(texts), 16), -1.0))
+    for number, text in enumerate(texts):
+        box = {"facecolor": LIT, "edgecolor": "none", "pad": 2.0} if number == lit else None
+        page.text(0.0, number, text, bbox=box, va="center", **font)
 
 
 def save_with_few_colours(figure: Figure, dpi: int) -> bytes:
@@ -114,11 +141,20 @@ def orient_ring(ring: np.ndarray, *, inner: bool) -> np.ndarray:
     return ring[::-1] if left == inner else ring
 
 
-def print_layer(layer: Layer, ax: Axes, total: int) -> None:
-    """Draw one layer as it is after the last step."""
-    rows = layer.rows if layer.until is None else layer.rows[layer.until > total]
-    if len(rows) and layer.kind in PRINTERS:
-        PRINTERS[layer.kind](layer, rows, palette.NAMED[layer.colour], ax)
+def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> None:
+    """Draw one layer as it is at the step that is shown first."""
+    step = drawing.total if drawing.first is None else drawing.first
+    if layer.last and step < drawing.total:
+        return
+    there = np.ones(len(layer.rows), np.bool_)
+    if layer.when is not None:
+        there &= layer.when <= step
+    if layer.until is not None:
+        there &= layer.until > step
+    if there.any() and layer.kind in PRINTERS:
+        texts = tuple(text for text, is_there in zip(layer.texts, there) if is_there)
+        shown = layer._replace(texts=texts)
+        PRINTERS[layer.kind](shown, layer.rows[there], palette.NAMED[layer.colour], ax)
 
 
 def zorder_of(layer: Layer) -> float:

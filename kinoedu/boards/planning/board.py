@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import ipywidgets as widgets
@@ -12,18 +13,22 @@ from ...messages import get_message
 from ...planners import rrt
 from ...planners.problem_input import world_size
 from ...planners.registry import PLANNERS
+from ...planners.trees.rrt import grow
 from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
 from ..core.drawing import Drawing
 from ..core.framed import Framed, control_style, make_length_slider, make_menu, title_of
 from ..core.scene import Scene
+from ..tracing.code_run import CodeRun, Look
 from .own import Attempt, draw_attempt, try_planner
 from .plans import check_in_plane, draw_plan, make_problem_canvas, problem_in
 
 OWN = "own"
-CONTROLS = ("seed", "step_size", "samples")
+CONTROLS = ("seed", "step_size", "samples", "code")
 SETTINGS = {"step_size": "step_size", "samples": "nodes"}  # the setting of each control
+# the function of a planner whose lines are shown, and what is drawn of its variables
+CODE = {"rrt": (grow, Look({"q_near": "tree.nodes[near]"}, lines=(("q_near", "q_rand"),)))}
 ON_BOARD = {name: planner for name, planner in PLANNERS.items() if planner.board is not None}
 
 
@@ -42,7 +47,8 @@ def board(
     problem : a Problem in the plane.
     planner : "rrt", "prm", "astar", or a function of yours, `f(problem)` or `f(problem, rng)`, that
         returns a path (n, 2), a Plan or None. The questions that yours asks are recorded and drawn
-        in order, its path is compared with our RRT's, and it is stopped after two seconds.
+        in order, its path is compared with our RRT's, and it is stopped after two seconds. With
+        the box "code" the lines of RRT, or of yours, are shown beside the picture as they run.
     step_size : the first value of the control for the longest edge of a tree.
     samples : the first value of the control for the number of a roadmap's samples.
     rng : the first seed.
@@ -90,8 +96,9 @@ class Board(Framed):
         self._stuck: Attempt | None = None
         self.planner = self._menu(chosen)
         self.seed, self.step_size, self.samples = self._sliders(step_size, samples, rng)
+        self.code = widgets.Checkbox(False, indent=False, **control_style("board.show_code"))
         self._dress()
-        controls = [self.planner, self.seed, self.step_size, self.samples]
+        controls = [self.planner, self.seed, self.step_size, self.samples, self.code]
         super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def _menu(self, chosen: str) -> widgets.Dropdown:
@@ -116,13 +123,20 @@ class Board(Framed):
         seed, self.problem = self.seed.value, problem
         if self.planner.value == OWN and self._own is not None:
             ours = rrt(problem, step_size=self.step_size.value, rng=seed)
-            tried = self._stuck or try_planner(self._own, problem, seed)
+            run = CodeRun(self._own, Look()) if self.code.value else None
+            tried = self._stuck or try_planner(self._own, problem, seed, run=run)
             self._stuck = tried if tried.still_running else None
             self.plan = tried
-            return draw_attempt(tried, ours)
+            return draw_attempt(tried, ours, run)
         given = {name: getattr(self, control).value for control, name in SETTINGS.items()}
         planner = ON_BOARD[self.planner.value]
-        self.plan = planner.plan(problem, seed=seed, **{n: given[n] for n in planner.board or ()})
+        settings = {n: given[n] for n in planner.board or ()}
+        if self.code.value and planner.name in CODE:
+            run = CodeRun(*CODE[planner.name])
+            own = partial(planner.plan, seed=seed, **settings)
+            self.plan = try_planner(own, problem, seed, run=run)
+            return draw_attempt(self.plan, None, run)
+        self.plan = planner.plan(problem, seed=seed, **settings)
         return draw_plan(self.plan)
 
     def _changed(self, change: object) -> None:
@@ -133,6 +147,8 @@ class Board(Framed):
         """Show the controls that apply to the chosen planner."""
         own = self.planner.value == OWN
         takes = ["seed", "step_size"] if own else list_controls(self.planner.value)
+        if own or self.planner.value in CODE:
+            takes = [*takes, "code"]
         for name in CONTROLS:
             getattr(self, name).layout.display = None if name in takes else "none"
 

@@ -4,12 +4,10 @@ It is stopped when it takes too long.
 """
 
 import inspect
-import linecache
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
+from contextlib import nullcontext
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
-from pathlib import Path
-from traceback import walk_tb
 from typing import Any
 
 import numpy as np
@@ -23,23 +21,11 @@ from ...problems.protocols import ProblemLike
 from ...support.text import shortened
 from ...support.time_limit import TimeUp, run_within_processor_time
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path
+from ..tracing.code_run import CodeRun
+from ..tracing.faults import describe_exception, describe_timeout
+from ..tracing.questions import FirstQuestions, draw_questions
 
 SECONDS = 2.0
-MOST = 20_000  # the questions kept and drawn; of later ones only the motions are counted
-MOTIONS = ("is_free_path", "is_semi_free_path")
-PACKAGE = Path(__file__).resolve().parent.parent.parent
-
-
-class FirstQuestions(list[Question]):
-    """A recorder's log that keeps the first questions about free space and counts motions."""
-
-    motions = 0
-
-    def append(self, question: Question) -> None:
-        """Count a motion, and keep the question if there is room."""
-        self.motions += question.name in MOTIONS
-        if len(self) < MOST and question.name in (*MOTIONS, "is_free"):
-            super().append(question)
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,15 +53,24 @@ class Attempt:
 
 
 def try_planner(
-    planner: Callable[..., object], problem: ProblemRecord, seed: int, *, seconds: float = SECONDS
+    planner: Callable[..., object],
+    problem: ProblemRecord,
+    seed: int,
+    *,
+    seconds: float = SECONDS,
+    run: CodeRun | None = None,
 ) -> Attempt:
-    """Run a reader's planner on a copy of a problem, for a bounded time."""
+    """Run a reader's planner on a copy of a problem, for a bounded time.
+
+    Its lines are traced where a `run` is given.
+    """
     recorder = Recorder(deepcopy(problem))
-    recorder.log = log = FirstQuestions()
+    recorder.log = log = FirstQuestions() if run is None else run.log
 
     def work() -> tuple[Any, BaseException | None]:
         try:
-            return call_planner(planner, recorder, seed), None
+            with nullcontext() if run is None else run.trace:
+                return call_planner(planner, recorder, seed), None
         except TimeUp:
             raise
         except BaseException as error:  # SystemExit too: the reader should see every exception
@@ -85,22 +80,16 @@ def try_planner(
         answer, error = run_within_processor_time(seconds, work)
     except TimeUp as over:
         return Attempt(
-            log[:], log.motions, fault=describe_timeout(over), still_running=over.left_running
+            log[:],
+            log.motions,
+            fault=describe_timeout(over, get_message("board.own.who")),
+            still_running=over.left_running,
         )
     if error is not None:
-        return Attempt(log[:], log.motions, fault=describe_exception(error))
+        return Attempt(
+            log[:], log.motions, fault=describe_exception(error, get_message("board.own.who"))
+        )
     return judge_answer(answer, problem, log)
-
-
-def describe_timeout(over: TimeUp) -> str:
-    """A message why a planner was stopped: the time it used and the time allowed."""
-    why = "time_up" if over.used > over.allowed else "waited"
-    seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
-    words = get_message(
-        f"board.own.{why}", **{name: f"{value:.1f}" for name, value in seconds.items()}
-    )
-    ending = "board.own.left_running" if over.left_running else "board.own.stopped"
-    return f"{words} {get_message(ending)}"
 
 
 def call_planner(planner: Callable[..., object], problem: ProblemLike, seed: int) -> Any:
@@ -120,33 +109,6 @@ def call_planner(planner: Callable[..., object], problem: ProblemLike, seed: int
     if len(places) > 1 and places[1].default is inspect.Parameter.empty:
         return planner(problem, rng)
     return planner(problem)
-
-
-def describe_exception(error: BaseException) -> str:
-    """An exception in words, with the reader's own line and none of the package's."""
-    name = type(error).__name__
-    text = f"{name}: {shorten_message(error)}" if str(error) else name
-    frames = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
-    own = [(file, line) for file, line in frames if is_readers_code(file)]
-    if not own:
-        return get_message("board.own.raised", error=text)
-    line = linecache.getline(*own[-1]).strip()
-    return get_message("board.own.raised_in", error=text, number=own[-1][1], line=line)
-
-
-def is_readers_code(file: str) -> bool:
-    """Whether code is a reader's: neither this package's nor a library's."""
-    return (
-        PACKAGE not in Path(file).parents
-        and "site-packages" not in file
-        and not file.startswith("<frozen")
-    )
-
-
-def shorten_message(error: BaseException) -> str:
-    """The message of an exception, on one line."""
-    text = " ".join(str(error).split())
-    return text if len(text) <= 200 else text[:197] + "..."
 
 
 def judge_answer(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
@@ -218,12 +180,24 @@ def describe_result(length: float | None, motions: int) -> str:
     return get_message("board.own.length", length=f"{length:.4g}", motions=count)
 
 
-def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
+def draw_attempt(tried: Attempt, ours: Plan | None, run: CodeRun | None = None) -> Drawing:
     """Draw the questions in order, the path with its wrong motions, and our path.
 
-    Blocked motions are dashed.
+    Blocked motions are dashed. With a `run`, the steps are its lines, which are shown too.
     """
-    layers = draw_questions(tried.questions)
+    text = "" if ours is None else describe_race(tried, ours)
+    if run is not None:
+        drawing = run.draw(fault=tried.fault)
+        layers = [*drawing.layers, *draw_paths(tried, ours)]
+        return replace(drawing, layers=layers, text=text or drawing.text)
+    layers = [*draw_questions(tried.questions), *draw_paths(tried, ours)]
+    total, unit = len(tried.questions), get_message("board.own.questions")
+    return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
+
+
+def draw_paths(tried: Attempt, ours: Plan | None) -> list[Layer]:
+    """The reader's path with its wrong motions, and ours."""
+    layers = list[Layer]()
     if ours is not None and ours.path is not None:
         layers.append(path(ours.path[:, :2], "ink", width=1.5, dash=(2, 4), casing=False))
         middle = ours.path[len(ours.path) // 2, :2]
@@ -233,40 +207,4 @@ def draw_attempt(tried: Attempt, ours: Plan | None) -> Drawing:
         segments = np.stack([tried.path[:-1, :2], tried.path[1:, :2]], axis=1)[tried.wrong]
         layers.append(edges(segments, "contact", width=4.0, dash=(3, 6))._replace(last=True))
         layers.append(dots(segments.mean(axis=1), "contact", radius=5.0)._replace(last=True))
-    text, unit = (
-        "" if ours is None else describe_race(tried, ours),
-        get_message("board.own.questions"),
-    )
-    total = len(tried.questions)
-    return Drawing(layers, text=text, warning=tried.fault, total=total, unit=unit)
-
-
-def draw_questions(questions: list[Question]) -> list[Layer]:
-    """Questions as layers that grow."""
-    kinds: dict[tuple[bool, bool], list[tuple[int, Any]]] = {
-        (motion, free): [] for motion in (True, False) for free in (True, False)
-    }
-    for number, question in enumerate(questions, start=1):
-        points = plane_points(question.given)
-        if points is not None:
-            kinds[len(points) == 2, bool(question.answer)].append((number, points))
-    layers = []
-    for (motion, free), found in kinds.items():
-        rows, when = [points for _, points in found], [number for number, _ in found]
-        colour = "tree" if free else "contact"
-        if motion:
-            width, dash = (1.2, ()) if free else (1.0, (4, 4))
-            layers.append(edges(rows, colour, width=width, dash=dash, when=when))
-        else:
-            layers.append(dots(rows, colour, when=when))
     return layers
-
-
-def plane_points(given: Iterable[Any]) -> list[Array] | None:
-    """The configurations of a question as points of the plane, or None where they are none."""
-    try:
-        points = [as_array(q, "q") for q in given]
-    except KinoeduError:
-        return None
-    planar = points and all(q.ndim == 1 and len(q) >= 2 for q in points)
-    return [q[:2] for q in points] if planar else None

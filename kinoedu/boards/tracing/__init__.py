@@ -1,0 +1,1 @@
+"""Runs of a function line by line: what its variables and its questions were, as layers."""

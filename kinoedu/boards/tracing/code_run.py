@@ -1,0 +1,149 @@
+"""A run of a function whose lines are traced, and the drawing of it: one step for each line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...messages import get_message
+from ...problems import Question
+from ...support.line_trace import RAISED, LineTrace
+from ..core.drawing import Drawing, Layer, edges
+from ..core.listing import Listing, read_code
+from .moments import Noted, draw_lines, draw_moments, draw_variables, draw_vectors
+from .questions import FirstQuestions, draw_questions
+from .variables import compile_expressions, evaluate, format_short, note_variables
+
+Draw = Callable[[dict[str, Any]], Iterable[Layer]]
+FEW = 3
+COLOURS = ("tree", "path", "hit", "robot", "roadmap")  # of variables, in the order they appear
+
+
+@dataclass(frozen=True)
+class Look:
+    """What the picture shows of a function's variables, as `code_board` takes it."""
+
+    points: Mapping[str, str] = field(default_factory=dict)
+    vectors: Mapping[str, str] = field(default_factory=dict)
+    lines: Sequence[tuple[str, str]] = ()
+    draw: Draw | None = None
+    first: int | None = None
+    most: int = 1000
+
+
+class CodeRun:
+    """One run of a function; `trace` is the context in which it is to be called.
+
+    Attributes
+    ----------
+    log : the questions that the function asks a Recorder.
+    """
+
+    def __init__(self, function: Callable[..., object], look: Look) -> None:
+        self.name, self.look = getattr(function, "__name__", "?"), look
+        self.points = compile_expressions(look.points)
+        self.log = FirstQuestions()
+        self.asked: list[int] = []  # the number of questions after each line
+        self.drawn: list[list[Layer]] = []
+        self.trace = LineTrace(function, self.note, most=look.most)
+
+    def note(self, local: dict[str, Any], names: dict[str, Any]) -> Noted:
+        """What is kept of the variables after a line."""
+        self.asked.append(len(self.log))
+        self.drawn.append([] if self.look.draw is None else list(self.look.draw(dict(local))))
+        return note_variables({**local, **evaluate(self.points, local, names)})
+
+    def draw(self, *, fault: str = "", dragged: Collection[str] = ()) -> Drawing:
+        """The code, the variables and the questions, step by step.
+
+        Parameters
+        ----------
+        fault : what was wrong with the run, in words.
+        dragged : the names of variables that the scene shows.
+        """
+        code = read_code(self.trace.source)
+        kept = [k for k, moment in enumerate(self.trace.moments) if moment.line in code]
+        moments = [self.trace.moments[k] for k in kept]
+        notes = [moment.note or {} for moment in moments]
+        colours = choose_colours(notes, dragged)
+        layers = [
+            *draw_asked(self.log[:], [self.asked[k] for k in kept if k < len(self.asked)]),
+            *draw_moments([self.drawn[k] for k in kept if k < len(self.drawn)]),
+            *draw_lines(notes, self.look.lines),
+            *draw_vectors(notes, self.look.vectors, colours),
+            *draw_variables(notes, without(colours, self.look.vectors)),
+        ]
+        listing = Listing(
+            [*code.values()],
+            [[*code].index(moment.line) for moment in moments],
+            [{name: one.text for name, one in note.items()} for note in notes],
+            colours,
+        )
+        first = self.look.first
+        return Drawing(
+            layers,
+            text=self.describe(),
+            warning=fault,
+            total=len(moments),
+            unit=get_message("board.code.lines"),
+            listing=listing,
+            first=None if first is None else min(first, len(moments)),
+        )
+
+    def describe(self) -> str:
+        """What the run came to, in words."""
+        if self.trace.is_cut:
+            return get_message("board.code.cut", name=self.name, most=f"{self.look.most:,}")
+        last = self.trace.moments[-1] if self.trace.moments else None
+        if last is None or last.ending in ("", RAISED):
+            return get_message("board.code.raised", name=self.name)
+        return get_message("board.code.returned", name=self.name, value=format_short(last.result))
+
+
+def choose_colours(notes: Sequence[Noted], dragged: Collection[str]) -> dict[str, str]:
+    """A colour for each variable that is drawn, in the order in which they appear."""
+    names = [
+        name
+        for name in dict.fromkeys(name for note in notes for name in note)
+        if name not in dragged and any(has_points(note, name) for note in notes)
+    ]
+    return {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
+
+
+def has_points(note: Noted, name: str) -> bool:
+    """Whether a variable has points to draw after a line."""
+    return name in note and note[name].points is not None
+
+
+def without(colours: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
+    """The colours of the other variables."""
+    return {name: colour for name, colour in colours.items() if name not in names}
+
+
+def draw_asked(questions: list[Question], asked: Sequence[int]) -> list[Layer]:
+    """The questions to a problem, each from the step at which it was asked.
+
+    At that step it is drawn thick, unless one line has asked many.
+    """
+    steps = np.searchsorted(asked, np.arange(1, len(questions) + 1)) + 1.0
+    layers = list[Layer]()
+    for layer in draw_questions(questions):
+        if layer.when is None or not len(layer.rows):
+            continue
+        when = steps[layer.when.astype(int) - 1]
+        layers.append(layer._replace(when=when))
+        if layer.kind == "edges":
+            few = np.isin(when, find_few(steps))
+            now = edges(layer.rows[few], layer.colour, width=4.0, dash=layer.dash, when=when[few])
+            layers.append(now._replace(until=when[few] + 1.0))
+    return layers
+
+
+def find_few(steps: NDArray[np.floating]) -> NDArray[np.floating]:
+    """The steps at which at most FEW questions were asked, of the steps of all questions."""
+    found, numbers = np.unique(steps, return_counts=True)
+    return found[numbers <= FEW]

@@ -1,0 +1,114 @@
+"""Layers of what the variables of a running function show, step by step."""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from ...geometry.checks import Array
+from ..core.drawing import Layer, arrows, dots, edges, labels
+from .variables import Variable
+
+Noted = dict[str, Variable]
+
+
+def draw_variables(notes: Sequence[Noted], colours: dict[str, str]) -> list[Layer]:
+    """Points with their names, and lists of points as small dots, at the steps that have them."""
+    layers = []
+    for name, colour in colours.items():
+        rows, when, until = rows_over_time([note.get(name) for note in notes])
+        many = any(name in note and not note[name].is_point for note in notes)
+        layers.append(dots(rows, colour, radius=4.0 if many else 6.0, when=when, until=until))
+        if not many:
+            layers.append(labels(rows, [name] * len(rows), colour, when=when, until=until))
+    return layers
+
+
+def draw_lines(notes: Sequence[Noted], lines: Iterable[tuple[str, str]]) -> list[Layer]:
+    """A dashed line between two variables, at the steps at which both are points."""
+    layers = []
+    for first, second in lines:
+        ends = [join_points(note.get(first), note.get(second)) for note in notes]
+        rows, when, until = rows_over_time(ends)
+        layers.append(edges(rows, "ink", width=2.0, dash=(6, 4), when=when, until=until))
+    return layers
+
+
+def draw_vectors(
+    notes: Sequence[Noted], vectors: Mapping[str, str], colours: Mapping[str, str]
+) -> list[Layer]:
+    """An arrow with its name for each variable that is a vector, from the point where it begins."""
+    layers = []
+    for name, begin in vectors.items():
+        ends = [join_points(note.get(begin), note.get(name)) for note in notes]
+        rows, when, until = rows_over_time(ends)
+        if not len(rows) or name not in colours:
+            continue
+        at, vector = rows[:, :2], rows[:, 2:]
+        layers += [
+            arrows(at, vector, colours[name], when=when, until=until),
+            labels(at + vector / 2, [name] * len(rows), colours[name], when=when, until=until),
+        ]
+    return layers
+
+
+def join_points(a: Variable | None, b: Variable | None) -> Variable | None:
+    """Two points as one row (1, 4), or None."""
+    if a is None or b is None or a.points is None or b.points is None:
+        return None
+    return Variable("", np.hstack([a.points[-1:], b.points[-1:]]))
+
+
+def rows_over_time(values: Sequence[Variable | None]) -> tuple[Array, list[int], list[int]]:
+    """The rows that variables have in the course of the steps.
+
+    A row that stays is there once: a growing list has each of its points once.
+
+    Returns
+    -------
+    The rows, for each the step at which it appears, and the step at which it disappears.
+    """
+    rows, when, until = list[Array](), list[int](), list[int]()
+    present = list[int]()  # the indices of the rows that are there now
+    for step, value in enumerate(values, start=1):
+        now = np.empty((0, 2)) if value is None or value.points is None else value.points
+        same = count_same([rows[k] for k in present], now)
+        for k in present[same:]:
+            until[k] = step
+        del present[same:]
+        for row in now[same:]:
+            present.append(len(rows))
+            rows.append(row)
+            when.append(step)
+            until.append(len(values) + 1)
+    return np.array(rows).reshape(len(rows), -1), when, until
+
+
+def count_same(before: Sequence[Array], now: Array) -> int:
+    """How many of the first rows are the same."""
+    most = min(len(before), len(now))
+    if most == 0:
+        return 0
+    differ = (np.array(before[:most]) != now[:most]).any(axis=1)
+    return int(differ.argmax()) if differ.any() else most
+
+
+def draw_moments(drawn: Sequence[Iterable[Layer]]) -> list[Layer]:
+    """The layers of each step, shown at that step only; those of one style become one layer."""
+    found: dict[object, list[tuple[int, Layer]]] = {}
+    for step, layers in enumerate(drawn, start=1):
+        for layer in layers:
+            style = (layer.kind, layer.colour, layer.width, layer.dash, layer.rows.shape[1])
+            found.setdefault((*style, layer.casing, layer.hatched), []).append((step, layer))
+    return [join_layers(parts) for parts in found.values()]
+
+
+def join_layers(parts: Sequence[tuple[int, Layer]]) -> Layer:
+    """Layers of one style as one, each shown at its own step."""
+    when = np.concatenate([np.full(len(layer.rows), float(step)) for step, layer in parts])
+    return parts[0][1]._replace(
+        rows=np.concatenate([layer.rows for _, layer in parts]),
+        texts=tuple(text for _, layer in parts for text in layer.texts),
+        when=when,
+        until=when + 1.0,
+        last=False,
+    )

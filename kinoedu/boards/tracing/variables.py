@@ -1,0 +1,127 @@
+"""The variables of a running function: each as a short text, and as points if it is that."""
+
+from collections.abc import Iterable, Mapping
+from types import CodeType, ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import InvalidParameter
+from ...geometry.checks import Array
+from ...problems import Recorder
+
+MOST_POINTS = 500  # of a list; a longer one is not drawn
+ENDS = 3  # items of a long list that are written
+
+
+class Variable(NamedTuple):
+    """A variable after a line: its text, and its points (n, 2), or None where it has none."""
+
+    text: str
+    points: Array | None = None
+    is_point: bool = False
+
+
+def note_variables(values: Mapping[str, Any]) -> dict[str, Variable]:
+    """The variables that a reader wants to see: no functions, modules, problems or generators."""
+    return {
+        name: Variable(format_short(value), *find_points(value))
+        for name, value in values.items()
+        if not name.startswith(("_", ".")) and not is_hidden(value)
+    }
+
+
+def is_hidden(value: object) -> bool:
+    """Whether a value is a tool of the function rather than something that it computes."""
+    tools = (ModuleType, type, Recorder, np.random.Generator)
+    return isinstance(value, tools) or callable(value) or hasattr(value, "is_free_path")
+
+
+def find_points(value: object) -> tuple[Array | None, bool]:
+    """The points (n, 2) that a value holds, or None; and whether it is a single point.
+
+    Integers are no coordinates: they are numbers of nodes, or places in a grid.
+    """
+    if is_point(value):
+        return np.array([value], float), True
+    if isinstance(value, np.ndarray):
+        fits = value.ndim == 2 and value.shape[1] == 2 and value.dtype.kind == "f"
+        return (value.copy(), False) if fits and len(value) <= MOST_POINTS else (None, False)
+    if isinstance(value, list) and 0 < len(value) <= MOST_POINTS and all(map(is_point, value)):
+        return np.array(value, float), False
+    return None, False
+
+
+def is_point(value: object) -> bool:
+    """Whether a value is a point of the plane: an array of two floats, or a tuple of two."""
+    if isinstance(value, np.ndarray):
+        return value.shape == (2,) and value.dtype.kind == "f"
+    return isinstance(value, tuple) and len(value) == 2 and all(isinstance(x, float) for x in value)
+
+
+def format_short(value: object) -> str:
+    """A value on one short line.
+
+    >>> format_short(np.array([1.0, 1 / 3])), format_short([0, 1, 2, 3, 4, 5, 6, 7])
+    ('(1, 0.3333)', '[0, 1, 2, ..., 7] (8)')
+    >>> format_short({"a": (1, 2.5)}), format_short(np.ones((30, 2)))
+    ('{a: (1, 2.5)}', '30 x 2 numbers')
+    """
+    if isinstance(value, bool | np.bool_ | str) or value is None:
+        return str(value)
+    if isinstance(value, int | np.integer):
+        return str(int(value))
+    if isinstance(value, float | np.floating):
+        return f"{0.0 if value == 0 else float(value):.4g}"
+    if isinstance(value, np.ndarray):
+        if value.ndim == 1 and len(value) <= 4:
+            return f"({', '.join(map(format_short, value))})"
+        return f"{' x '.join(map(str, value.shape))} numbers"
+    if isinstance(value, dict):
+        pairs = (f"{format_short(key)}: {format_short(item)}" for key, item in value.items())
+        return join_items(pairs, len(value), "{}")
+    if hasattr(value, "_fields"):
+        return type(value).__name__
+    if isinstance(value, tuple):
+        return join_items(map(format_short, value), len(value), "()")
+    try:
+        items = list(value)  # type: ignore[call-overload]
+    except TypeError:
+        return type(value).__name__
+    return join_items(map(format_short, items), len(items), "[]")
+
+
+def join_items(texts: Iterable[str], number: int, brackets: str) -> str:
+    """Items in brackets; of many only the first ones and the last, and how many there are."""
+    found = list(texts)
+    if number <= 2 * ENDS:
+        return f"{brackets[0]}{', '.join(found)}{brackets[1]}"
+    written = [*found[:ENDS], "...", found[-1]]
+    return f"{brackets[0]}{', '.join(written)}{brackets[1]} ({number})"
+
+
+def compile_expressions(expressions: Mapping[str, str]) -> dict[str, CodeType]:
+    """Expressions by name, compiled.
+
+    Raises
+    ------
+    InvalidParameter
+        Where one is not an expression of Python.
+    """
+    try:
+        return {name: compile(text, name, "eval") for name, text in expressions.items()}
+    except (SyntaxError, TypeError, ValueError) as error:
+        raise InvalidParameter(f"points must be expressions of Python: {error}") from error
+
+
+def evaluate(
+    expressions: Mapping[str, CodeType], local: dict[str, Any], names: dict[str, Any]
+) -> dict[str, Any]:
+    """The values of expressions that have one where a function is now."""
+    found = {}
+    for name, expression in expressions.items():
+        try:
+            found[name] = eval(expression, names, local)
+        except Exception:  # the variables that it needs have no values yet, or none that fit
+            continue
+    return found

@@ -1,0 +1,157 @@
+"""Which lines of a function run, in which order, and what its variables are after each."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import textwrap
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import CodeType, FrameType, TracebackType
+from typing import Any, NamedTuple
+
+from ..errors import InvalidParameter
+from .text import shortened
+
+Variables = dict[str, Any]
+RETURNED, RAISED = "returned", "raised"
+
+
+class Source(NamedTuple):
+    """A function's source: its lines without indentation, the number of the first, its code."""
+
+    lines: tuple[str, ...]
+    first: int
+    code: CodeType
+
+
+@dataclass
+class Moment:
+    """A line that has run.
+
+    Attributes
+    ----------
+    line : its index in the source, from 0.
+    note : what was noted of the variables after it.
+    ending : RETURNED or RAISED where the call ended with this line, or "".
+    result : what the call returned.
+    """
+
+    line: int
+    note: Any = None
+    ending: str = ""
+    result: object = None
+
+
+class LineTrace:
+    """A context in which the lines of one function are traced as they run, in this thread.
+
+    Parameters
+    ----------
+    function : a function written in Python; decorators are looked through.
+    note : called after each line with the local and the global variables. It returns what is to be
+        kept of them, because they go on changing.
+    most : the number of lines that are kept; later ones run at full speed.
+
+    Attributes
+    ----------
+    moments : the lines that have run, in order.
+    is_cut : whether more than the most have run.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the source of the function is not known.
+
+    Examples
+    --------
+    >>> from kinoedu.graphs import extract_path
+    >>> with LineTrace(extract_path, lambda variables, _: variables.get("node"), most=100) as trace:
+    ...     path = extract_path([-1, 0, 1], 2)
+    >>> trace.moments[-1].ending, len(trace.moments) > 3
+    ('returned', True)
+    """
+
+    def __init__(
+        self,
+        function: Callable[..., object],
+        note: Callable[[Variables, Variables], Any],
+        *,
+        most: int,
+    ) -> None:
+        self.source, self.note, self.most = source_of(function), note, most
+        self.moments: list[Moment] = []
+        self.is_cut = False
+
+    def __enter__(self) -> LineTrace:
+        self.before = sys.gettrace()
+        sys.settrace(self.enter_call)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        sys.settrace(self.before)
+
+    def enter_call(self, frame: FrameType, event: str, _: object) -> Any:
+        """Trace the calls of the function, and no others."""
+        if event == "call" and frame.f_code is self.source.code:
+            return CallTrace(self, frame).step
+        return None
+
+    def begin(self, line: int) -> Moment | None:
+        """A new moment, or None where there are enough."""
+        if len(self.moments) == self.most:
+            self.is_cut = True
+            sys.settrace(None)
+            return None
+        self.moments.append(Moment(line))
+        return self.moments[-1]
+
+
+class CallTrace:
+    """The lines of one call. The variables after a line are known when the next one begins."""
+
+    def __init__(self, trace: LineTrace, frame: FrameType) -> None:
+        self.trace, self.frame = trace, frame
+        self.now: Moment | None = None
+        self.raises = False
+
+    def step(self, frame: FrameType, event: str, value: object) -> Any:
+        """Handle an event of this call, as Python asks of a tracer."""
+        if event == "exception":
+            self.raises = True
+            return self.step
+        if self.now is not None:
+            self.now.note = self.trace.note(frame.f_locals, frame.f_globals)
+        if event == "line":
+            self.raises = False
+            self.now = self.trace.begin(frame.f_lineno - self.trace.source.first)
+            return None if self.now is None else self.step
+        if event == "return" and self.now is not None:
+            self.now.ending = RAISED if self.raises else RETURNED
+            self.now.result = value
+        return None
+
+
+def source_of(function: Callable[..., object]) -> Source:
+    """The source of a function.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not written in Python, or its source is not known.
+    """
+    code = getattr(inspect.unwrap(getattr(function, "py_func", function)), "__code__", None)
+    if not isinstance(code, CodeType):
+        raise InvalidParameter(
+            f"only a function written in Python has lines to show, got {shortened(function)}"
+        )
+    try:
+        lines, first = inspect.getsourcelines(code)
+    except (OSError, TypeError) as error:
+        raise InvalidParameter(f"the source of {shortened(function)} is not known") from error
+    return Source(tuple(textwrap.dedent("".join(lines)).splitlines()), first, code)

@@ -1,0 +1,288 @@
+"""Lines traced as they run, and the board that shows them beside their picture."""
+
+import io
+import sys
+
+import numpy as np
+import pytest
+from PIL import Image
+from test_board import WALL, Page, walled
+from test_planning_boards import shown
+
+import kinoedu as ke
+from kinoedu.boards import board, code_board
+from kinoedu.boards.core.drawing import dots, encode_drawing
+from kinoedu.boards.tracing.moments import rows_over_time
+from kinoedu.boards.tracing.variables import Variable, note_variables
+from kinoedu.errors import InvalidParameter
+from kinoedu.geometry.segments import closest_on_segment
+from kinoedu.support.line_trace import RAISED, RETURNED, LineTrace
+
+SOURCE_OF_COUNT = ["def count(n):", "    total = 0", "    for i in range(n):", "        total += i"]
+
+
+def count(n):
+    """Add up the numbers below n."""
+    total = 0
+    for i in range(n):
+        total += i
+    return total
+
+
+def halve(n):
+    if n == 0:
+        raise ValueError("nothing to halve")
+    try:
+        halve(n // 2)
+    except ValueError:
+        return n
+    return 0
+
+
+def traced(function, *given, most=100):
+    """The trace of a call, and what it raised."""
+    with LineTrace(function, lambda local, _: dict(local), most=most) as trace:
+        try:
+            function(*given)
+        except ValueError as error:
+            return trace, error
+    return trace, None
+
+
+def test_lines_are_traced_in_the_order_in_which_they_run():
+    """Each with the variables after it; the last one says how the call ended."""
+    trace, _ = traced(count, 2)
+    first = SOURCE_OF_COUNT.index("    total = 0") + 1  # the docstring is a line of the source
+    assert [moment.line - first for moment in trace.moments] == [0, 1, 2, 1, 2, 1, 3]
+    assert [moment.note.get("total") for moment in trace.moments] == [0, 0, 0, 0, 1, 1, 1]
+    assert trace.moments[-1].ending == RETURNED and trace.moments[-1].result == 1
+    assert [moment.ending for moment in trace.moments[:-1]] == [""] * 6
+
+
+def test_calls_within_calls_and_errors_are_traced():
+    """A call that raises ends so; one that catches the error goes on and returns."""
+    trace, error = traced(halve, 1)
+    endings = [moment.ending for moment in trace.moments if moment.ending]
+    assert error is None and endings == [RAISED, RETURNED]
+    trace, error = traced(halve, 0)
+    assert isinstance(error, ValueError) and trace.moments[-1].ending == RAISED
+
+
+def test_only_the_first_lines_are_kept_and_the_result_is_the_same():
+    """Later lines run without being traced."""
+    before = sys.gettrace()
+    trace, _ = traced(count, 1000, most=10)
+    assert len(trace.moments) == 10 and trace.is_cut and sys.gettrace() is before
+    with LineTrace(count, lambda *_: None, most=10):
+        assert count(1000) == 499500
+
+
+@pytest.mark.parametrize("function", [len, np.add, 5, "count"])
+def test_what_has_no_source_is_refused(function):
+    with pytest.raises(InvalidParameter, match="written in Python"):
+        LineTrace(function, lambda *_: None, most=1)
+
+
+def test_rows_are_there_from_their_step_to_their_last():
+    """A list that grows and shrinks has each of its points once while it stays."""
+    lists = [[(0, 0)], [(0, 0), (1, 1)], [(0, 0)], [(2, 2)], []]
+    values = [Variable("", np.array(points, float).reshape(-1, 2)) for points in lists]
+    rows, when, until = rows_over_time([None, *values])
+    assert rows.tolist() == [[0, 0], [1, 1], [2, 2]]
+    assert (when, until) == ([2, 3, 5], [5, 4, 6])
+
+
+def test_points_are_told_from_numbers_of_nodes():
+    """Two floats are a point; two integers are not, nor is a number with a node."""
+    noted = note_variables(
+        {
+            "q": (1.0, 2.0),
+            "pair": (1.5, 3),
+            "parent": [-1, 0],
+            "nodes": [np.zeros(2), np.ones(2)],
+            "cell": (2, 3),
+            "rng": np.random.default_rng(0),
+            "f": len,
+        }
+    )
+    drawn = {name for name, one in noted.items() if one.points is not None}
+    assert drawn == {"q", "nodes"} and noted["q"].is_point and not noted["nodes"].is_point
+    assert "rng" not in noted and "f" not in noted
+
+
+def nearest_on(q, p1, p2):
+    """The nearest point of a segment."""
+    way = p2 - p1
+    t = np.dot(q - p1, way) / np.dot(way, way)
+    t = min(max(t, 0.0), 1.0)
+    return p1 + t * way
+
+
+def test_the_code_stands_beside_the_picture():
+    """Its lines without the docstring, the line of each step, and the variables after it."""
+    made = code_board(nearest_on, (3.0, 4.0), (0.0, 0.0), (6.0, 0.0), vectors={"way": "p1"})
+    message, _ = encode_drawing(made.drawing, (0, 0), 1.0)
+    listing = message["listing"]
+    assert listing["lines"][0] == "def nearest_on(q, p1, p2):" and "way" in listing["lines"][1]
+    assert listing["ran"] == [1, 2, 3, 4] and message["total"] == 4
+    assert listing["changes"][1] == {"t": "0.5"} and listing["changes"][2] == {}
+    assert made.drawing.text == "nearest_on returns (3, 0)"
+    kinds = {layer.kind for layer in made.drawing.layers}
+    assert kinds == {"arrows", "labels"}
+
+
+def test_a_dragged_argument_runs_the_function_again():
+    """The points that were passed in are handles, in the order of the parameters."""
+    made = code_board(nearest_on, (3.0, 4.0), (0.0, 0.0), (6.0, 0.0))
+    drawing = Page(made).moves(["handle", 0, [9.0, 1.0]])
+    assert drawing["text"] == "nearest_on returns (6, 0)"
+    drawing = Page(made).moves(["handle", 2, [0.0, 0.0]], seq=2)  # a segment of length 0
+    assert "nearest_on" in drawing["text"] + drawing["warning"]
+
+
+def test_polygons_lists_of_them_and_other_arguments():
+    """Polygons are dragged, what is fixed is not, and lists are copied before each run."""
+
+    def work(polygon, obstacles, log, q):
+        log.append(len(obstacles))
+        return len(polygon), log
+
+    square = np.array([(0.0, 0), (1, 0), (1, 1), (0, 1)])
+    given = square, [square + 2, square[:3] + 4], [], (0.5, 0.5)
+    made = code_board(work, *given, fixed=["q"])
+    names = [polygon["name"] for polygon in made.scene["polygons"]]
+    assert names == ["polygon", "obstacles 0", "obstacles 1"] and not made.scene["handles"]
+    made.refresh()
+    assert made.drawing.text == "work returns (4, [2])"
+
+
+def extend(problem, nodes, q_rand, step):
+    near = int(np.argmin([problem.distance(q, q_rand) for q in nodes]))
+    q_new = problem.steer(nodes[near], q_rand, step)
+    if problem.is_free_path(nodes[near], q_new):
+        return q_new
+    return None
+
+
+def test_the_motions_that_a_function_asks_about_are_drawn():
+    """From the line that asks, thick while it runs; the problem's parts can be dragged too."""
+    nodes = [np.array([1.0, 1.0]), np.array([3.0, 3.0])]
+    made = code_board(extend, walled(), nodes, (8.0, 3.0), 2.0, points={"q_near": "nodes[near]"})
+    assert made.drawing.text == "extend returns None"
+    thin, thick = (
+        layer for layer in made.drawing.layers if (layer.kind, layer.colour) == ("edges", "contact")
+    )
+    asks = 3  # the third line that runs
+    assert len(shown(thin, asks - 1)) == 0 and len(shown(thin, asks)) == 1
+    assert len(shown(thick, asks)) == 1 and len(shown(thick, asks + 1)) == 0
+    drawing = Page(made).moves(["polygon", 0, [np.add(WALL, (0, 4)).tolist()]])
+    assert drawing["text"] == "extend returns (5, 3)"
+
+
+def test_a_function_that_fails_stops_at_its_line():
+    """The error is told with its line; the steps end with it."""
+    made = code_board(lambda q: 1 / 0, (0.0, 0.0))
+    assert "ZeroDivisionError" in made.drawing.warning and "your planner" not in repr(made)
+
+    def fails(q):
+        x = q[0]
+        return [][int(x)]
+
+    made = code_board(fails, (0.0, 0.0))
+    assert made.drawing.total == 2 and "IndexError" in made.drawing.warning
+    assert "return [][int(x)]" in made.drawing.warning
+
+
+def test_a_function_that_never_ends_is_stopped(monkeypatch):
+    monkeypatch.setattr("kinoedu.boards.code.code_board.SECONDS", 0.2)
+
+    def endless(q):
+        while True:
+            q = q + 1.0
+
+    made = code_board(endless, (0.0, 0.0), most=50)
+    assert made.drawing.total == 50 and made.drawing.warning.startswith("no answer after")
+
+
+def test_own_layers_are_shown_at_their_moment():
+    """`draw` gets the variables after each line; its layers stay for that step."""
+
+    def steps(a, b):
+        middle = (a + b) / 2
+        for end in (a,):
+            middle = (end + middle) / 2
+        return middle
+
+    def draw(variables):
+        return [dots([variables["middle"]], "hit", radius=9.0)] if "middle" in variables else []
+
+    made = code_board(steps, (0.0, 0.0), (4.0, 0.0), draw=draw)
+    (own,) = [layer for layer in made.drawing.layers if layer.width == 9.0]
+    assert [shown(own, step).tolist() for step in (0, 2, 3)] == [[], [[2.0, 0.0]], [[1.0, 0.0]]]
+
+
+def test_functions_of_the_library_are_shown_too():
+    """A compiled function's own source runs, without types, as the reader would write it."""
+    given = 3.0, 4.0, 0.0, 0.0, 6.0, 0.0
+    made = code_board(closest_on_segment, *given, window=((0, 0), (6, 6)))
+    assert made.drawing.listing.lines[0] == "def closest_on_segment(px, py, ax, ay, bx, by):"
+    assert made.drawing.total > 0 and not made.drawing.warning
+
+
+@pytest.mark.parametrize(
+    ("given", "more", "says"),
+    [
+        ((), {}, "do not fit"),
+        (((0.0, 0.0), 1, 2, 3), {}, "do not fit"),
+        ((1, 2, 3), {}, "window"),
+        (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"points": {"a": "b ="}}, "expressions"),
+        (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"most": 0}, "most"),
+        (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"first": -1}, "first"),
+    ],
+)
+def test_arguments_that_do_not_fit_are_refused(given, more, says):
+    with pytest.raises(InvalidParameter, match=says):
+        code_board(nearest_on, *given, **more)
+
+
+def own(problem, rng):
+    """A planner that takes one random step, and then goes straight to the goal."""
+    q_new = problem.steer(problem.start, problem.sample(rng), 1.0)
+    if problem.is_free_path(problem.start, q_new):
+        return [problem.start, q_new, problem.goal]
+    return None
+
+
+@pytest.mark.parametrize(
+    ("planner", "head"), [("rrt", "def grow(problem, tree,"), (own, "def own(")]
+)
+def test_a_planners_lines_are_shown_on_its_board(planner, head):
+    """The box "code" makes each line a step; without it the steps are as before."""
+    made = board(walled(), planner=planner)
+    before = made.canvas.drawing
+    made.code.value = True
+    drawing = made.canvas.drawing
+    assert before.listing is None and drawing.listing.lines[0].startswith(head)
+    assert drawing.total == len(drawing.listing.ran) and drawing.layers[-1].last
+    made.code.value = False
+    assert made.canvas.drawing.text == before.text
+
+
+def test_the_lit_rrt_is_the_rrt():
+    """Tracing changes no answer."""
+    made = board(walled(), planner="rrt")
+    length = made.plan.cost
+    made.code.value = True
+    assert made.plan.length == pytest.approx(length)
+
+
+def test_a_notebook_stores_the_code_in_its_picture():
+    """The picture has the code at its right, at the step that the board shows at first."""
+    given = (3.0, 4.0), (0.0, 0.0), (6.0, 0.0)
+    wide = Image.open(io.BytesIO(code_board(nearest_on, *given, first=2).picture()))
+    early = code_board(nearest_on, *given, first=0).picture()
+    plain = Image.open(
+        io.BytesIO(ke.boards.distance_board([(0, 0), (6, 0), (3, 4)], (9, 9)).picture())
+    )
+    assert wide.width > 1.3 * plain.width
+    assert early != code_board(nearest_on, *given, first=2).picture()
