@@ -403,8 +403,8 @@ class Board {
   lineText() {                           // the present line in words, for those who hear it
     const { lines } = this.drawing.listing, { values, changed } = this.variables();
     const news = changed.filter((name) => values.has(name));
-    const parts = [lines[this.line()]?.trim(), ...news.map((name) => `${name} = ${values.get(name)}`)];
-    return parts.filter(Boolean).join("; ");
+    const texts = news.map((name) => `${name} = ${values.get(name)}`);
+    return [lines[this.line()]?.trim(), ...texts].filter(Boolean).join("; ");
   }
 
   text() {
