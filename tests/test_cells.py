@@ -17,7 +17,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinoedu.grading.collect.notebook import read_cells
+from kinoedu.grading.collect.left_out import MOST_TOLD, find_left_out
+from kinoedu.grading.collect.notebook import Cell, read_cells
 from kinoedu.grading.collect.notebook_python import LONGEST, PythonReader, split_lines
 from kinoedu.grading.sandbox import cells
 
@@ -322,3 +323,13 @@ def test_a_bomb_is_read_in_bounded_time(part):
         for _, source in read_cells(make_notebook(*sources)):
             assert len(list(cells.parse_cell(source, "cell 1"))) <= 2 + cells.MOST_BROKEN
     assert time.process_time() - began < 60.0  # some 10 seconds where nothing else runs
+
+
+def test_commands_that_are_left_out_are_told_with_their_places():
+    """As the notebook has them; what is run, and what changes nothing, is not told."""
+    book = make_notebook("%matplotlib inline\nx = 1\n!ls -l", "len?\n%time 1", "%%bash\nls")
+    told = find_left_out(read_cells(book))
+    assert [(one.line, one.command) for one in told] == [(3, "!ls -l"), (1, "len?"), (1, "%%bash")]
+    assert find_left_out([Cell(1, "def f(:\n  get_ipython().system('ls')")]) == []
+    many = find_left_out([Cell(1, "get_ipython().system('ls')\n" * 1000)])
+    assert len(many) == MOST_TOLD

@@ -124,3 +124,20 @@ def test_time_of_a_thread_counts_whatever_it_calls():
         run_within_thread_time(0.2, compute_for_ever)
     with pytest.raises(ZeroDivisionError):
         run_within_thread_time(0.2, lambda: 1 / 0)
+
+
+def judge_with(monkeypatch, judge):
+    """The record of a question whose judge is replaced."""
+    exercise, case = first_case("bfs_tree")
+    question = AssignmentQuestion(exercise, 5.0)
+    monkeypatch.setattr(submission, "judge_outcomes", judge)
+    return submission.judge_in_time(question, Cases([case], 1), [Answer([0])], frozenset())
+
+
+def test_a_judge_that_takes_too_much_memory_is_stopped(monkeypatch):
+    """The question has no points and the reason; the memory is there again afterwards."""
+    monkeypatch.setattr(submission, "MEMORY", 2**28)
+    record = judge_with(monkeypatch, lambda *_: np.ones(2**27))  # a gigabyte
+    assert (record["status"], record["score"]) == (submission.STOPPED, 0.0)
+    assert "MemoryError" in record["message"]
+    assert np.ones(2**26).sum() == 2**26  # half a gigabyte

@@ -7,6 +7,7 @@ from ...course.feedback import hint_message, rule_message
 from ...course.judging import JudgedCase, Report, judge_outcomes
 from ...course.outcomes import Late, Outcome, encode_outcome
 from ...messages import get_message
+from ...support.memory import bounded_memory
 from ...support.time_limit import TimeUp, run_within_thread_time, slowdown
 from ..assignments.questions import (
     Assignment,
@@ -15,6 +16,7 @@ from ..assignments.questions import (
     draw_cases,
     draw_trivial_kinds,
 )
+from ..collect.left_out import find_left_out
 from ..collect.notebook import Cell, UnreadableSubmission, read_cells
 from ..sandbox.cells import Failure, find_names, parse_cell
 from ..sandbox.sandbox import Sandbox
@@ -23,6 +25,7 @@ from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
 UNANSWERED, LATE, STOPPED, SYNTAX = "not answered", "too late", "stopped", "syntax error"
 JUDGING = 60.0  # seconds of processor time in which the answers to a question are judged
+MEMORY = 2**31  # bytes that judging may use beyond those that are in use
 JUDGED_TOO_LONG = "rules.judging"
 Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
@@ -35,8 +38,8 @@ def grade(
     Returns
     -------
     dict
-        "status", "message", "questions" and "cells". Each question has its score, what the student
-        may read, and the case that failed if everybody has seen that case.
+        "status", "message", "questions", "cells" and "left_out". Each question has its score, what
+        the student may read, and the case that failed if everybody has seen that case.
 
     Raises
     ------
@@ -51,6 +54,7 @@ def grade(
             "message": str(trouble),
             "questions": [make_blank_record(question) for question in task.questions],
             "cells": [],
+            "left_out": [],
         }
     exercises = [question.exercise for question in task.questions]
     drawn_from = [(exercise.name, secret, exercise.variant) for exercise in exercises]
@@ -75,6 +79,7 @@ def grade(
             for question, drawn, whose in zip(task.questions, cases, drawn_from, strict=True)
         ],
         "cells": encode_troubles(answers, cells),
+        "left_out": [one._asdict() for one in find_left_out(cells)],
     }
 
 
@@ -121,15 +126,16 @@ def judge_in_time(
     trivial: frozenset[frozenset[str]],
     patience: float = 1.0,
 ) -> Grade:
-    """The record of a question, without points if its outcomes cannot be judged in time.
+    """The record of a question, without points if its outcomes cannot be judged in time and memory.
 
     Nor if the judge fails on them: no answer keeps the others from being graded.
     """
     try:
-        return run_within_thread_time(
-            JUDGING * patience * slowdown(),
-            lambda: judge_question(question, cases, outcomes, trivial),
-        )
+        with bounded_memory(MEMORY):
+            return run_within_thread_time(
+                JUDGING * patience * slowdown(),
+                lambda: judge_question(question, cases, outcomes, trivial),
+            )
     except TimeUp:
         return make_blank_record(question) | {
             "status": STOPPED,

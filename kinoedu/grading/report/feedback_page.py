@@ -16,6 +16,7 @@ from ...course.shapes import Maybe, Truth
 from ...messages import get_message
 from ...support.csv_cells import number
 from ...support.file_names import file_name
+from ...support.text import show_controls
 from ..judge.answers import is_stopped
 from ..judge.submission import RIGHT, Grade
 from .failures import explain_failure, find_picture
@@ -53,6 +54,8 @@ def render_feedback(
             body += render_question(row, records.get(row.question), pictures)
     if record is not None and record["cells"]:
         body += render_cells(record["cells"])
+    if record is not None and record.get("left_out"):
+        body += render_left_out(record["left_out"])
     return page(assignment or get_message("grades.unknown"), body)
 
 
@@ -125,6 +128,15 @@ def render_cells(troubles: list[Grade]) -> Iterator[str]:
         yield paragraph(get_message("grades.cell", number=trouble["cell"], words=words))
         if lines:
             yield f"<pre>{escape(chr(10).join(lines))}</pre>"
+
+
+def render_left_out(commands: list[Grade]) -> Iterator[str]:
+    """The commands of the notebook that were not run; what a command would have given is empty."""
+    yield heading(get_message("grades.left_out"))
+    yield paragraph(get_message("grades.left_out_about"), "quiet")
+    for one in commands:
+        place = get_message("grades.left_out_place", cell=one["cell"], line=one["line"])
+        yield f"<p>{escape(place)} <code>{escape(show_controls(one['command']))}</code></p>"
 
 
 def describe_cell(data: Mapping[str, Any]) -> tuple[str, list[str]]:

@@ -46,7 +46,9 @@ from kinoedu.grading.sandbox.remote import (  # noqa: E402
     read_late,
     read_raised,
 )
+from kinoedu.support.memory import bounded_memory  # noqa: E402
 
+MEMORY = 2**31  # bytes that the cases of a request may take here
 SELDOM = 0.05  # seconds between outcomes that are sent one by one
 MOST_TROUBLES = 50  # of one cell
 MOST_LINES = 10**6  # of one cell
@@ -76,13 +78,15 @@ def serve(requests: int, replies: int, to_student: int, from_student: int) -> No
     with os.fdopen(replies, "w", encoding="utf-8") as out:
         grader = Grader(out)
         try:
-            with os.fdopen(requests, encoding="utf-8") as stream:
+            with os.fdopen(requests, encoding="utf-8") as stream, bounded_memory(MEMORY):
                 Session(grader, Student(to_student, from_student)).run(
                     map(json.loads, iter(stream.readline, ""))
                 )
             out.flush()
         except Ended as end:
             grader.send(ended=end.reason)
+        except MemoryError:
+            grader.send(ended="flood")
         except BaseException as error:
             grader.send(broken=f"{type(error).__name__}: {error}")
     os._exit(0)
