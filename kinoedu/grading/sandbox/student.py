@@ -68,6 +68,8 @@ from kinoedu.grading.sandbox.lent import (  # noqa: E402
 USUAL = ("numpy.fft", "numpy.linalg", "numpy.ma", "numpy.polynomial", "numpy.random", "secrets")
 ALARMS = {signal.SIGPROF: signal.ITIMER_PROF, signal.SIGALRM: signal.ITIMER_REAL}
 MOST_WAITS = 4.0  # times its limit of computing that a program may wait
+BUSY_SHARE = 0.1  # a program that computes for less of the time only waits
+LONGEST = 12.0  # times its limit, after which every program ends
 AGAIN = 0.05  # seconds until an alarm is repeated
 
 
@@ -253,8 +255,9 @@ class Program:
     def run_with_alarm(self, seconds: float, work: Callable[[], Any]) -> Any:
         """Run `work`, and return what it returns or raise what it raises.
 
-        Raises TimeUp if it computes for more than `seconds`, or waits for MOST_WAITS times that.
-        The time in which the runner answers does not count. No thread may be started here, so
+        Raises TimeUp if it computes for more than `seconds`, or only waits for MOST_WAITS times
+        that. A busy computer gives more time, up to LONGEST times the limit. The time in which the
+        runner answers does not count. No thread may be started here, so
         signals are used. They are sent again and again until Python code stops; code that never
         handles them is killed from outside.
         """
@@ -262,7 +265,9 @@ class Program:
 
         def ring(*_: object) -> None:
             used, passed = time.process_time() - processor, time.monotonic() - wall - self.asked
-            if not self.is_asking and (used >= seconds or passed >= MOST_WAITS * seconds):
+            waits = passed >= MOST_WAITS * seconds and used < BUSY_SHARE * passed
+            is_over = used >= seconds or waits or passed >= LONGEST * seconds
+            if is_over and not self.is_asking:
                 raise TimeUp(used, seconds, passed)
 
         for alarm, limit in ((signal.SIGPROF, seconds), (signal.SIGALRM, MOST_WAITS * seconds)):
