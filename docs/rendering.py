@@ -4,6 +4,7 @@ that say what they are.
 
 import ast
 import inspect
+import json
 import re
 import shutil
 import textwrap
@@ -12,7 +13,13 @@ from pathlib import Path, PurePosixPath
 from docutils import nodes
 from sphinx import addnodes
 
+import kinoedu
+from kinoedu.boards.core.canvas import front_messages
+from kinoedu.boards.core.recorded import RECORD
+from kinoedu.figures import palette
 from kinoedu.messages import get_message
+
+CORE = Path(kinoedu.__file__).parent / "boards" / "core"
 
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 HEADING = re.compile(r"(\w+)\n-+\n")
@@ -32,6 +39,7 @@ def setup(app):
     app.connect("autodoc-process-signature", as_written)
     app.connect("autodoc-skip-member", is_field)
     app.connect("doctree-read", describe_pictures)
+    app.connect("builder-inited", write_boards)
     # before Sphinx copies what is linked
     app.connect("doctree-read", lead_to_sources, priority=400)
     app.connect("build-finished", name_the_entrance)
@@ -132,11 +140,33 @@ def lead_to_sources(app, doctree):
             link += code
 
 
+def write_boards(app):
+    """The script and the style of recorded boards, among the site's own files."""
+    folder = Path(app.outdir, ".boards")
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "boards.js").write_text(script_of_boards(), encoding="utf-8")
+    shutil.copy(CORE / "board.css", folder / "board.css")
+    app.config.html_static_path.append(str(folder))
+    app.add_js_file("boards.js", loading_method="defer")
+    app.add_css_file("board.css")
+
+
+def script_of_boards():
+    """One script, which works from a disk too: modules do not."""
+    board = (CORE / "board.js").read_text(encoding="utf-8")
+    player = (CORE / "recorded.js").read_text(encoding="utf-8")
+    words = {**front_messages(), "recorded": get_message("site.recorded")}
+    values = f"const WORDS = {json.dumps(words)}, PALETTE = {json.dumps(palette.NAMED)};"
+    board = board.replace("export default", "const widget =")
+    return f"(() => {{\n{values}\n{board}\n{player}}})();\n"
+
+
 def describe_pictures(app, doctree):
     """A picture of a notebook says in words what it shows, and if it is wide; one of a board, that
     the board is elsewhere.
     """
-    for output in doctree.findall(nodes.container):
+    records = iter(records_of(app, doctree))
+    for output in list(doctree.findall(nodes.container)):
         if output.get("nb_element") == "mime_bundle":
             kinds = {kind["mime_type"]: kind for kind in output.children}
             for image in output.findall(nodes.image):
@@ -150,6 +180,26 @@ def describe_pictures(app, doctree):
                 kinds["image/png"] += nodes.paragraph(
                     "", get_message("site.still"), classes=["still"]
                 )
+                add_record(kinds["image/png"], next(records))
+
+
+def records_of(app, doctree):
+    """What a notebook stored of each of its boards, in order; None for one with only a picture."""
+    file = Path(app.env.doc2path(app.env.docname))
+    if file.suffix != ".ipynb":
+        return []
+    book = json.loads(file.read_text(encoding="utf-8"))
+    outputs = [output for cell in book["cells"] for output in cell.get("outputs", ())]
+    stored = [output.get("data", {}) for output in outputs]
+    return [data.get(RECORD) for data in stored if BOARD in data]
+
+
+def add_record(picture, record):
+    """Put what was stored of a board beside its picture, for the page's script."""
+    if record is not None:
+        script = f'<script type="application/json">{json.dumps(record)}</script>'
+        picture.insert(0, nodes.raw("", '<div class="kinoedu-record">', format="html"))
+        picture += nodes.raw("", f"{script}</div>", format="html")
 
 
 def section_of(node):

@@ -242,6 +242,28 @@ def test_pages_fit_a_telephone(browser_page, site):
     keep(page, "site_lesson")
 
 
+def test_recorded_boards_play(browser_page):
+    """A picture gives place to its board, which is scrubbed; nothing is dragged."""
+    page, address = browser_page
+    page.goto(f"{address}/notebooks/09_trees.html", wait_until="load")
+    records = page.locator(".kinoedu-record")
+    assert records.count() > 0
+    for number in range(records.count()):
+        record = records.nth(number)
+        record.scroll_into_view_if_needed()
+        board = record.locator(".kinoedu-board[data-paints]").first
+        board.wait_for()
+        assert not record.locator("img").is_visible()
+        total = int(board.get_attribute("data-total"))
+        if total == 0:
+            continue
+        board.locator(".kinoedu-slider").press("Home")
+        board.locator(".kinoedu-slider").press("ArrowRight")
+        page.wait_for_function("board => board.dataset.step === '1'", arg=board.element_handle())
+        assert board.locator(".kinoedu-thing").count() == 0
+    keep(page, "site_recorded")
+
+
 def test_words_are_found(browser_page):
     """Search answers with the lesson, the exercises and the place in the reference."""
     page, address = browser_page

@@ -139,6 +139,7 @@ class Board {
   // the scene: the places of things, and moving them
 
   things() {
+    if (this.model.get("recorded")) return [];
     const { handles, polygons, discs } = this.scene;
     const found = handles.map((_, i) => ({ kind: "handle", i }));
     polygons.forEach((polygon, i) => { if (polygon.movable) found.push({ kind: "polygon", i }); });
@@ -468,7 +469,9 @@ class View {
     this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
     this.back.textContent = words.reset;
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
-    if (this.driven >= 0) this.buildPad();
+    const recorded = this.board.model.get("recorded");
+    this.back.hidden = Boolean(recorded);
+    if (this.driven >= 0 && !recorded) this.buildPad();
     this.text = make("div", "kinoedu-text", this.column, { "aria-hidden": "true" });
     const spoken = { role: "status", "aria-live": "polite" };
     this.state = make("div", "kinoedu-state", this.column, spoken);
@@ -624,7 +627,7 @@ class View {
   grab(event) {
     const { board } = this, anchor = this.toWorld(event);
     const thing = this.under(anchor, event.pointerType === "touch");
-    if (event.button > 0 || (!thing && !board.scene.posed)) return;
+    if (board.model.get("recorded") || event.button > 0 || (!thing && !board.scene.posed)) return;
     event.preventDefault();
     if (thing && board.item(thing).driven) { this.focus(thing); return; }
     this.canvas.setPointerCapture(event.pointerId);

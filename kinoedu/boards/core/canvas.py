@@ -41,6 +41,7 @@ from ...messages import get_message
 from ...support.json_fields import JsonObject
 from .drawing import Drawing, encode_drawing
 from .printed import Bitmap, print_board
+from .recorded import RECORD, pack_records, record_drawing
 from .scene import Scene, arrange_like, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
@@ -114,10 +115,7 @@ class Canvas(anywidget.AnyWidget):
             home=deepcopy(self._shown),
             bitmap=pack_bitmap(self._free),
             palette=palette.NAMED,
-            words={
-                name: get_message(f"board.front.{name}", **{v: f"{{{v}}}" for v in values})
-                for name, values in FRONT.items()
-            },
+            words=front_messages(),
         )
         self.on_msg(self._received)
         self.observe(self._arranged, "scene")
@@ -233,11 +231,25 @@ class Canvas(anywidget.AnyWidget):
         """The board as it is now, as a PNG."""
         return print_board(self._shown, self.drawing, self._free)
 
+    def record(self) -> list[JsonObject]:
+        """The board as it is now, for pages without a kernel."""
+        bitmap = base64.b64encode(pack_bitmap(self._free)).decode("ascii")
+        drawing = record_drawing(self._content, self._buffers)
+        return [{"scene": self._shown, "bitmap": bitmap, "team": 0, **drawing}]
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.drawing.message})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[JsonObject, JsonObject] | None:
         return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
+
+
+def front_messages() -> dict[str, str]:
+    """The messages that the browser shows, by name; it fills in their values."""
+    return {
+        name: get_message(f"board.front.{name}", **{value: f"{{{value}}}" for value in values})
+        for name, values in FRONT.items()
+    }
 
 
 def pack_bitmap(bitmap: Bitmap | None) -> bytes:
@@ -248,9 +260,11 @@ def pack_bitmap(bitmap: Bitmap | None) -> bytes:
 
 
 def add_picture(bundle: Any, widget: object, canvas: Any) -> tuple[JsonObject, JsonObject] | None:
-    """Add a picture for readers without JavaScript to what a notebook stores of a widget."""
+    """Add a picture and a record, for readers without a kernel, to what a notebook stores."""
     data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
     if data is None:
         return None
     picture = base64.b64encode(canvas.picture()).decode("ascii")
-    return {**data, "text/plain": repr(widget), "image/png": picture}, about
+    records = canvas.record()
+    recorded = {RECORD: pack_records(records)} if records else {}
+    return {**data, "text/plain": repr(widget), "image/png": picture, **recorded}, about

@@ -24,11 +24,32 @@ class Pictured(widgets.Box):
         """The board as it is now, as a PNG."""
         return self.canvas.picture()
 
+    def record(self) -> list[JsonObject]:
+        """Its canvases as they are now, for pages without a kernel.
+
+        Those that are scrubbed together have one `team`.
+        """
+        canvases = find_canvases(self)
+        teams = [canvas.partner or canvas.key for canvas in canvases]
+        records = [record for canvas in canvases for record in canvas.record()]
+        return [{**one, "team": teams.index(team)} for one, team in zip(records, teams)]
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.canvas.drawing.message})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
+
+
+def find_canvases(box: widgets.Box) -> list[Canvas]:
+    """The canvases in a widget, in their order."""
+    found = list[Canvas]()
+    for child in box.children:
+        if isinstance(child, Canvas):
+            found.append(child)
+        elif isinstance(child, widgets.Box):
+            found += find_canvases(child)
+    return found
 
 
 class Framed(Pictured, widgets.VBox):

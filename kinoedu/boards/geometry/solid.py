@@ -262,6 +262,10 @@ class SolidBoard(anywidget.AnyWidget):
         figure.savefig(stream, format="png")
         return stream.getvalue()
 
+    def record(self) -> list[JsonObject]:
+        """Nothing: pages without a kernel show the picture."""
+        return []
+
     def __repr__(self) -> str:
         return f"SolidBoard({self.section['text']})"
 

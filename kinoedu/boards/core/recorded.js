@@ -1,0 +1,64 @@
+// Boards on a page without a kernel. Each element `.kinoedu-record` holds what a notebook stored of
+// a board, and a picture of it. The picture gives place to the board, which can be played and
+// scrubbed, but not dragged, since there is nobody who would answer.
+//
+// The page's script begins with `WORDS`, `PALETTE` and `widget`, what board.js exports.
+
+// A model as anywidget gives it. It answers "hello" with the recorded drawing, and nothing else.
+function recordedModel(record, key, team) {
+  const heard = [];
+  const values = {
+    key, partner: team, scene: record.scene, home: record.scene, palette: PALETTE, words: WORDS,
+    bitmap: new DataView(bytesOf(record.bitmap).buffer), recorded: true,
+  };
+  const answer = () => heard.forEach((hear) => {
+    const buffers = record.buffers.map((text) => new DataView(bytesOf(text).buffer));
+    hear({ kind: "drawing", to: null, seq: null, ...record.drawing }, buffers);
+  });
+  return {
+    get: (name) => values[name],
+    set: () => {},
+    save_changes: () => {},
+    on: (event, hear) => { if (event === "msg:custom") heard.push(hear); },
+    send: ({ kind }) => { if (kind === "hello") queueMicrotask(answer); },
+  };
+}
+
+const bytesOf = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+
+async function unpacked({ boards }) {
+  const packed = new Blob([bytesOf(boards)]).stream();
+  return new Response(packed.pipeThrough(new DecompressionStream("deflate"))).json();
+}
+
+async function play(element, number) {
+  const records = await unpacked(JSON.parse(element.querySelector("script").textContent));
+  const row = document.createElement("div");
+  row.className = "kinoedu-row";
+  element.append(row);
+  records.forEach((record, k) => {
+    const place = document.createElement("div");
+    row.append(place);
+    const model = recordedModel(record, `${number}-${k}`, `${number}-${record.team}`);
+    widget.initialize({ model });
+    widget.render({ model, el: place });
+  });
+  element.classList.add("kinoedu-plays");
+  const said = element.querySelector(".still"), grows = ({ drawing }) => drawing.total > 0;
+  if (said && records.some(grows)) said.textContent = WORDS.recorded;
+}
+
+// A board is unpacked when it comes near the screen.
+function begin() {
+  const elements = [...document.querySelectorAll(".kinoedu-record")];
+  const seen = new IntersectionObserver((entries) => {
+    for (const { target } of entries.filter((entry) => entry.isIntersecting)) {
+      seen.unobserve(target);
+      play(target, elements.indexOf(target));
+    }
+  }, { rootMargin: "600px" });
+  elements.forEach((element) => seen.observe(element));
+}
+
+if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
+else begin();
