@@ -158,6 +158,7 @@ def test_help_begins_with_a_signature_that_fits_a_screen(room):
     for name, line in lines.items():
         assert len(line) <= 500, name
         assert not any(long in line for long in ("Union[", "_SupportsArray", "numpy.")), name
+        assert "ForwardRef" not in pydoc.render_doc(getattr(module, name)), name
 
 
 def signature_in_help(thing):

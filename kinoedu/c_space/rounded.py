@@ -8,8 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..geometry.checks import Array
+from ..support.constructors import with_type_names
 
 
+@with_type_names
 class Rounded(NamedTuple):
     """A convex polygon, a segment or a point, grown by a radius; its outline is segments and arcs.
 

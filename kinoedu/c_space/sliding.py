@@ -13,8 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array
 from ..geometry.minkowski import as_convex_corners, corner_pairs
+from ..support.constructors import with_type_names
 
 
+@with_type_names
 class Slide(NamedTuple):
     """The motion of a convex robot round a convex obstacle, counter-clockwise, by stretches.
 

@@ -21,6 +21,7 @@ from ..geometry.checks import Array
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.minkowski import corner_pairs, leftmost
 from ..geometry.rings import as_convex_ring, as_ring
+from ..support.constructors import with_type_names
 from .translating import rotate_corners
 
 if TYPE_CHECKING:
@@ -31,6 +32,7 @@ Pairs = list[tuple[int, int]]
 Numbers = dict[tuple[int, int], int]
 
 
+@with_type_names
 class Slice(NamedTuple):
     """The slice of the solid at one angle, by the pairs i, j that make its corners, in order."""
 

@@ -19,6 +19,7 @@ from ..geometry.parts import Parts
 from ..robots.kinds import Robot
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
+from ..support.constructors import with_type_names
 from ..support.text import shortened
 from ..worlds.uncertain import UncertainWorldRecord, scenarios
 from .interface import is_free_path
@@ -27,6 +28,7 @@ from .passing import gap, touches
 SURE = 1e-9  # an offset shorter than (1 - SURE) times a gap cannot close it
 
 
+@with_type_names
 class Chance(NamedTuple):
     """An estimated probability: the fraction of n scenarios with contact.
 

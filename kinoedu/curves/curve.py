@@ -15,12 +15,14 @@ from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..spaces.angles import wrap_angle
+from ..support.constructors import with_type_names
 from ..support.text import shortened
 from .arcs import drive_arc
 
 LETTERS = {1: "L", 0: "S", -1: "R"}
 
 
+@with_type_names
 class Curve(NamedTuple):
     """A curve from `start` (x, y, theta).
 

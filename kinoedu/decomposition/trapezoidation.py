@@ -16,6 +16,7 @@ from ..compiled import algorithm, compiled
 from ..errors import InvalidWorld
 from ..geometry.checks import Array, as_point
 from ..graphs.flat import counting_sort
+from ..support.constructors import with_type_names
 from ..worlds.polygon_world import PolygonWorldRecord
 from .cells import CELLS, CLOSED, WALLS
 from .crossing import CROSSED, side
@@ -24,6 +25,7 @@ from .status import CELL, NOBODY, next_above
 from .sweep import Sweep, events, new_sweep
 
 
+@with_type_names
 class Trapezoidation(NamedTuple):
     """The free space of a world, decomposed into trapezoids.
 
@@ -99,6 +101,7 @@ KINDS = {  # of a vertex, by the numbers of cells that end and begin there: the 
 }
 
 
+@with_type_names
 class Step(NamedTuple):
     """One event of the sweep, and the state after it.
 

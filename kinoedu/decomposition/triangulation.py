@@ -14,10 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled
 from ..geometry.checks import Array, as_point
 from ..geometry.convex import corner_tuples, directed_edges, in_convex, triangulate_ring
+from ..support.constructors import with_type_names
 from ..worlds.polygon_world import PolygonWorldRecord
 from .free_space import as_polygons, free_polygons
 
 
+@with_type_names
 class Triangulation(NamedTuple):
     """The free space of a world, decomposed into triangles.
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from ..errors import InvalidParameter
 from ..geometry.checks import integer, is_real, positive
 from ..problems import ProblemRecord
+from ..support.constructors import with_type_names
 from ..support.json_fields import JsonObject
 from ..support.text import shortened
 from .cells import Cell
@@ -20,6 +21,7 @@ from .digests import digest, version
 Planner = Callable[..., Any]
 
 
+@with_type_names
 class Contestant(NamedTuple):
     """A planner with its arguments.
 
@@ -36,6 +38,7 @@ class Contestant(NamedTuple):
     seeded: bool
 
 
+@with_type_names
 class ExperimentRecord(NamedTuple):
     """The result of `Experiment`."""
 

@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 from ..errors import InvalidPolygon, MendedPolygons, UnknownFormat
 from ..geometry.checks import Array, as_array
 from ..geometry.rings import as_ring
+from ..support.constructors import with_type_names
 from ..support.json_fields import Field, read_json
 from ..support.reading import regular_file
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
@@ -36,6 +37,7 @@ from .outlines import rectangle
 SLIVER = 1e-12
 
 
+@with_type_names
 class PolygonMap(NamedTuple):
     """The world of a map, and its start and goal, or None; y points up."""
 

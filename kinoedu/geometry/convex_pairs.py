@@ -9,13 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm, inlined
 from ..errors import InvalidPolygon
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from .checks import Array, as_array
 from .convex import has_separating_edge
 from .exact import orientation_sign
 from .rings import as_convex_ring
 
 
+@with_type_names
 class ConvexPolygonsRecord(NamedTuple):
     """The result of `ConvexPolygons`; treat it as read-only.
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..compiled import algorithm, compiled, generic, record
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
+from ..support.constructors import with_type_names
 from ..support.text import shortened
 
 Searchable = object  # a Graph, or a record with answers for `degree` and `edge`
@@ -37,6 +38,7 @@ def edge(graph: Searchable, u: int, k: int) -> tuple[int, float]:
     raise TypeError("this kind of graph cannot be searched")
 
 
+@with_type_names
 @record
 class GraphRecord(NamedTuple):
     """A graph in flat arrays.

@@ -10,10 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
+from ..support.constructors import with_type_names
 from ..support.text import shortened
 from .flat import Searchable, as_searchable, check_node
 
 
+@with_type_names
 class Steps(NamedTuple):
     """The work of a search, counted in steps: nodes that left the frontier, and edges examined."""
 
@@ -21,6 +23,7 @@ class Steps(NamedTuple):
     edges: int
 
 
+@with_type_names
 class Search(NamedTuple):
     """The result of a search.
 
@@ -40,6 +43,7 @@ class Search(NamedTuple):
     steps: Steps | None = None
 
 
+@with_type_names
 class Expansion(NamedTuple):
     """One moment of a search: `node` has just left the frontier, and its edges are examined next.
 

@@ -16,7 +16,7 @@ from ..compiled import record
 from ..errors import InvalidGoal, InvalidParameter, InvalidStart
 from ..geometry.checks import Array, nonnegative, positive
 from ..robots.kinds import Robot
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from ..support.text import shortened
 from ..worlds.moving import MovingWorldRecord
 from .configurations import as_configuration, space_of
@@ -26,6 +26,7 @@ __all__ = ["TimedProblem", "TimedProblemRecord", "in_time"]
 ROUNDING = 1e-9  # a motion may exceed the greatest speed by this fraction
 
 
+@with_type_names
 @record
 class TimedProblemRecord(NamedTuple):
     """The record that `TimedProblem` returns.

@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from ..geometry.checks import Array
 from ..robots.trajectory import DrivenTree, TrajectoryRecord
+from ..support.constructors import with_type_names
 
 
+@with_type_names
 class Tree(NamedTuple):
     """A tree in the order it grew: nodes (n, d), the root first; parent (n,), -1 for the root."""
 
@@ -19,6 +21,7 @@ class Tree(NamedTuple):
     parent: NDArray[np.int64]
 
 
+@with_type_names
 class Roadmap(NamedTuple):
     """A roadmap in the order it grew: nodes (n, d), and edges (m, 2), pairs of node numbers."""
 
@@ -26,6 +29,7 @@ class Roadmap(NamedTuple):
     edges: NDArray[np.int64]
 
 
+@with_type_names
 class Walk(NamedTuple):
     """The walk of a bug, in order.
 

@@ -30,7 +30,7 @@ from ..robots.controls import control, curvature, drive
 from ..robots.kinds import Robot
 from ..spaces import distance, interpolate, nearest, sample
 from ..spaces.buckets import GrowingTree
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from ..worlds.checks import World, check_world
 from .configurations import as_configuration, explain_not_free, space_of
 
@@ -38,6 +38,7 @@ from .configurations import as_configuration, explain_not_free, space_of
 MOTIONS, PLACES = 0, 1
 
 
+@with_type_names
 @record
 class ProblemRecord(NamedTuple):
     """The record that `Problem` returns. Configurations have shape (d,), float64.

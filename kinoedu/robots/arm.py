@@ -14,12 +14,13 @@ from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
 from ..geometry.parts import Parts, make_parts
 from ..spaces.angles import wrap_angle
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from ..support.text import shortened
 
 RIM = 1e-12  # of the arm's length: a target so near to the rim of the reachable ring is on it
 
 
+@with_type_names
 class ArmRobot(NamedTuple):
     """The record that `TwoLinkArm` and `ArmChain` return.
 

@@ -18,11 +18,12 @@ from ..curves.curve import as_pose
 from ..errors import InvalidParameter, InvalidRobot
 from ..geometry.checks import Array, as_array
 from ..geometry.parts import Parts
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from ..support.text import shortened
 from .polygon import shape_of
 
 
+@with_type_names
 class CarRobot(NamedTuple):
     """The record that `Car` returns.
 

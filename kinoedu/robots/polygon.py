@@ -15,9 +15,10 @@ from ..geometry.checks import Array, as_array
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 
 
+@with_type_names
 class TranslatingPolygonRobot(NamedTuple):
     """A polygon that translates without rotating.
 
@@ -28,6 +29,7 @@ class TranslatingPolygonRobot(NamedTuple):
     shape: Parts
 
 
+@with_type_names
 class RigidPolygonRobot(NamedTuple):
     """A polygon that translates and rotates about its reference point, the origin of its outline.
 

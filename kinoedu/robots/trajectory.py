@@ -13,10 +13,11 @@ from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from .car import CarRobot
 
 
+@with_type_names
 class TrajectoryRecord(NamedTuple):
     """The record that `Trajectory` returns.
 
@@ -79,6 +80,7 @@ class TrajectoryRecord(NamedTuple):
         return poses if times.ndim else poses[0]
 
 
+@with_type_names
 class DrivenTree(NamedTuple):
     """A tree that was grown by driving, in the order it grew.
 
@@ -94,6 +96,7 @@ class DrivenTree(NamedTuple):
     durations: Array
 
 
+@with_type_names
 class DrivenRoadmap(NamedTuple):
     """A directed roadmap that was grown by driving, in the order it grew.
 

@@ -19,10 +19,12 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
+from ..support.constructors import with_type_names
 from .empty_square import largest_empty_square
 from .grids import sukharev_grid
 
 
+@with_type_names
 class EmptyBall(NamedTuple):
     """A ball without points inside, by its centre, shape (d,), and its radius.
 

@@ -10,12 +10,14 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array
+from ..support.constructors import with_type_names
 from .buckets import GrowingTree
 from .euclidean import nearest_euclidean_node, squared_difference
 from .interface import distance, interpolate, nearest, sample, sample_box
 from .rings import squared_distance
 
 
+@with_type_names
 class RealSpace(NamedTuple):
     """The box from lo to hi, shapes (d,), with the Euclidean distance."""
 

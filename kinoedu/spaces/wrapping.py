@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..geometry.checks import Array, as_array, integer, positive
+from ..support.constructors import with_type_names
 from .angles import FULL_TURN, angle_difference, wrap_angle
 from .buckets import GrowingTree
 from .interface import diameter, distance, interpolate, nearest, sample, sample_box
@@ -28,6 +29,7 @@ from .rings import (
 )
 
 
+@with_type_names
 class WrappingSpace(NamedTuple):
     """Coordinates between lo and hi, shapes (d,), of which some wrap.
 

@@ -1,4 +1,10 @@
-"""Public classes that check their arguments and make a record."""
+"""Public classes that check their arguments and make a record, and the help of records."""
+
+from __future__ import annotations
+
+from typing import ForwardRef, TypeVar
+
+C = TypeVar("C", bound=type)
 
 
 class Constructor(type):
@@ -16,3 +22,14 @@ class Constructor(type):
     def _makes(cls, thing: object) -> bool:
         """Whether this class can make the record, and not only another class of the same record."""
         return True
+
+
+def with_type_names(record_class: C) -> C:
+    """Let `help` print the types of a NamedTuple's fields as the source names them.
+
+    Under `from __future__ import annotations`, NamedTuple stores `Array` as `ForwardRef('Array')`.
+    """
+    types = record_class.__annotations__  # the same dictionary as that of its `__new__`
+    for field, kind in types.items():
+        types[field] = kind.__forward_arg__ if isinstance(kind, ForwardRef) else kind
+    return record_class

@@ -14,11 +14,12 @@ from ..geometry.checks import Array, as_array, as_list
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from ..support.text import shortened
 from .polygon_world import PolygonWorldRecord, as_disc
 
 
+@with_type_names
 class Mover(NamedTuple):
     """The record that `Moving` returns: an obstacle and its motion.
 
@@ -36,6 +37,7 @@ class Mover(NamedTuple):
         return np.array(position_at(self.times, self.places, 0, len(self.times), float(t)))
 
 
+@with_type_names
 class MovingWorldRecord(NamedTuple):
     """The record that `MovingWorld` returns. Configurations in it are (x, y, t).
 

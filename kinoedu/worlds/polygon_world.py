@@ -14,11 +14,12 @@ from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.polygons import locate_points
 from ..geometry.rings import as_ring
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from .occupancy import Occupancy, make_occupancy, no_occupancy
 from .parts_index import PartsIndex, index_parts
 
 
+@with_type_names
 class PolygonWorldRecord(NamedTuple):
     """The record that `PolygonWorld` returns; nothing writes to it.
 

@@ -17,11 +17,13 @@ from ..geometry.checks import Array, as_array, as_point
 from ..geometry.exact import length
 from ..geometry.polygons import locate_points
 from ..geometry.segments import shared_points
+from ..support.constructors import with_type_names
 from ..support.text import shortened
 from .checks import World
 from .polygon_world import PolygonWorldRecord, discs_of, rings_of
 
 
+@with_type_names
 class Scan(NamedTuple):
     """The measurement of a range sensor at `origin`.
 

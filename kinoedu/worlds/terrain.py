@@ -9,11 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidWorld
 from ..geometry.checks import LIMIT, Array, as_array, as_point
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 
 MOST_COST = 1e9
 
 
+@with_type_names
 class TerrainRecord(NamedTuple):
     """The record that `Terrain` returns.
 

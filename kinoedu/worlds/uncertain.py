@@ -15,10 +15,11 @@ from ..geometry.convex import convex_parts
 from ..geometry.grown import grow_piece
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
-from ..support.constructors import Constructor
+from ..support.constructors import Constructor, with_type_names
 from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_with_radius
 
 
+@with_type_names
 class UncertainWorldRecord(NamedTuple):
     """The record that `UncertainWorld` returns.
 

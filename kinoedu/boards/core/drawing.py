@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...geometry.checks import Array
+from ...support.constructors import with_type_names
 from ...support.json_fields import JsonObject
 from .listing import Listing, encode_listing
 
@@ -22,6 +23,7 @@ from .listing import Listing, encode_listing
 POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "eye": 1}
 
 
+@with_type_names
 class Layer(NamedTuple):
     """Rows of numbers and their style; made by the functions below.
 

@@ -18,6 +18,7 @@ from ...geometry.checks import Array
 from ...problems import Plan, ProblemRecord, Recorder
 from ...robots.polygon import RigidPolygonRobot
 from ...spaces.angles import wrap_angle
+from ...support.constructors import with_type_names
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..problem_input import count_checks
 from ..roadmaps.connecting import KClosest, Rule, connect_nodes
@@ -25,6 +26,7 @@ from ..roadmaps.search import Search, dijkstra_path, plan_on_roadmap
 from ..tuning import integer
 
 
+@with_type_names
 class CellsWithHeadings(NamedTuple):
     """A roadmap over cells, in the order in which it grew.
 

@@ -24,6 +24,7 @@ from ...geometry.checks import Array, as_generator
 from ...geometry.exact import orientation_sign
 from ...problems import Plan, Problem, ProblemRecord, Recorder, Tree
 from ...robots.round import RoundRobot
+from ...support.constructors import with_type_names
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
 from ...worlds.range_sensor import Scan, scan
 from ..answers import plan_along
@@ -75,6 +76,7 @@ class SeenMap(NamedTuple):
         return np.array(list(self.walls.values())).reshape(-1, 3, 2)
 
 
+@with_type_names
 class Look(NamedTuple):
     """One iteration of the loop.
 

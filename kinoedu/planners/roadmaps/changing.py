@@ -18,12 +18,14 @@ from ...geometry.checks import Array, as_generator, as_point
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...problems.protocols import PlanningProblem
 from ...robots.round import RoundRobot
+from ...support.constructors import with_type_names
 from ...support.text import shortened
 from ...worlds.terrain import TerrainRecord
 from ..tuning import integer
 from .neighbours import k_closest
 
 
+@with_type_names
 class ChangingRoadmap(NamedTuple):
     """A roadmap with its blocked edges.
 

@@ -19,6 +19,7 @@ from ...graphs.components import label_components
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...robots.round import RoundRobot
+from ...support.constructors import with_type_names
 from ...support.text import shortened
 from ..problem_input import as_problem
 from ..tuning import integer
@@ -28,6 +29,7 @@ from .prm import sample_free
 Length = Callable[[Array, Array], float]
 
 
+@with_type_names
 class RoadmapProperties(NamedTuple):
     """The four properties of a roadmap, as measured by `roadmap_properties`.
 
@@ -44,6 +46,7 @@ class RoadmapProperties(NamedTuple):
     efficiency: float
 
 
+@with_type_names
 class RoadmapSurvey(NamedTuple):
     """The data from which the properties of a roadmap are computed.
 

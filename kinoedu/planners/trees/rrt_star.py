@@ -30,6 +30,7 @@ from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan
 from ...problems.protocols import PlanningProblem, ProblemLike
+from ...support.constructors import with_type_names
 from ..answers import plan_from_tree
 from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
 from ..tuning import fraction, integer, iteration_limit, positive
@@ -38,6 +39,7 @@ from .informed import Everywhere, Informed, draw
 from .near import near_nodes
 
 
+@with_type_names
 class Growth(NamedTuple):
     """A tree that has grown, with its problem and the work that it took.
 
