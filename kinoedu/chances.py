@@ -46,8 +46,8 @@ def wilson_interval(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
         )
     if trials == 0:
         return np.zeros_like(counts), np.ones_like(counts)
-    share, square = counts / trials, Z * Z / trials
-    middle = (share + square / 2) / (1 + square)
-    reach = Z * np.sqrt(share * (1 - share) / trials + square / (4 * trials)) / (1 + square)
+    p, square = counts / trials, Z * Z / trials
+    middle = (p + square / 2) / (1 + square)
+    reach = Z * np.sqrt(p * (1 - p) / trials + square / (4 * trials)) / (1 + square)
     low, high = np.maximum(middle - reach, 0.0), np.minimum(middle + reach, 1.0)
     return np.where(counts == 0, 0.0, low), np.where(counts == trials, 1.0, high)

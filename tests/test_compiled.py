@@ -28,7 +28,7 @@ from kinoedu.compiled import (
     store,
     tiers,
 )
-from kinoedu.compiled.kinds import kind_of, kinds_of, spelled
+from kinoedu.compiled.kinds import kind_of, kinds_of, spell_kind
 from kinoedu.compiled.numba_thread import WatchedCall
 from kinoedu.compiled.store import UPPER_ROOMS, Request, is_digested, source_digest
 from kinoedu.course.exercise import Exercise
@@ -473,7 +473,7 @@ def test_kinds_agree_with_the_types_of_numba(value: Any) -> None:
 def test_kinds_are_told_apart_by_their_names() -> None:
     """Different kinds have different file names."""
     kinds = {kind_of(value) for value in VALUES}
-    assert len({spelled(kind) for kind in kinds}) == len(kinds)
+    assert len({spell_kind(kind) for kind in kinds}) == len(kinds)
 
 
 @pytest.mark.parametrize(

@@ -48,7 +48,7 @@ from kinoedu.grading.report.feedback_page import file_name, name_page
 from kinoedu.grading.report.rows import list_class_rows
 from kinoedu.grading.report.writing import write_all
 from kinoedu.grading.sandbox import sandbox
-from kinoedu.support.csv_cells import harmless, unharmed
+from kinoedu.support.csv_cells import escape_formula, unescape_formula
 
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, HAND = "01_geometry", "02_bug_algorithms"
@@ -191,9 +191,9 @@ def test_late_submissions_are_marked(tmp_path):
 def test_cells_of_a_table_are_no_formulas():
     """No spreadsheet computes a cell, and its text can be restored."""
     for text in ("=1+1", "+1", "-1", "@x", "'=x", "\t=x", "\n@x", " =x"):
-        assert harmless(text)[0] == "'", text
+        assert escape_formula(text)[0] == "'", text
     for text in ("ann", "=ann", "'tis", "O'Hara", "'=x", ""):
-        assert unharmed(harmless(text)) == text
+        assert unescape_formula(escape_formula(text)) == text
 
 
 def test_every_question_has_a_row_and_trouble_is_no_zero(tmp_path):
@@ -382,7 +382,7 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
         "another file was handed in since",
     )
     assert "bob" not in why
-    assert [change.question for change in found if change.kept] == ["exposing_case"]
+    assert [change.question for change in found if change.decided] == ["exposing_case"]
 
 
 def test_grades_of_other_folders_stay():

@@ -216,9 +216,9 @@ def test_what_is_no_graph_is_refused(search_of, graph):
 @pytest.mark.parametrize(
     "estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3]
 )
-def test_a_bad_estimate_is_refused(estimate):
+def test_a_bad_heuristic_is_refused(estimate):
     """The heuristic must be a number of zero or more for each node."""
-    with pytest.raises(InvalidGraph, match="estimate"):
+    with pytest.raises(InvalidGraph, match="heuristic"):
         astar(Graph(3, [(0, 1)]), 0, 1, estimate)
 
 

@@ -174,7 +174,7 @@ def test_a_survey_is_what_the_properties_are_reckoned_from():
     found = ke.roadmap_properties(problem, roadmap, n=60, rng=5)
     assert found == survey.properties
     assert survey.efficiency == np.inf or survey.efficiency == pytest.approx(
-        length_of(roadmap.nodes[survey.way])
+        length_of(roadmap.nodes[survey.path])
         / np.hypot(*np.subtract(*roadmap.nodes[list(survey.worst)]))
     )
 
@@ -204,7 +204,7 @@ def test_the_worst_pair_is_the_worst_of_all_that_were_drawn():
     )
     u, v = survey.worst
     assert survey.efficiency == pytest.approx(
-        length_of(roadmap.nodes[survey.way]) / shortest(*roadmap.nodes[[u, v]])
+        length_of(roadmap.nodes[survey.path]) / shortest(*roadmap.nodes[[u, v]])
     )
 
 
@@ -254,14 +254,14 @@ def test_the_log_of_an_rrt_star_ends_with_its_tree():
             else cost(parent[node]) + np.hypot(*(log.nodes[node] - log.nodes[parent[node]]))
         )
 
-    for node, above, came in zip(log.node, log.parent, log.came, strict=True):
+    for node, above, came in zip(log.node, log.parent, log.created_at, strict=True):
         before = cost(node) if node != came else np.inf
         assert above < came or node != came
         parent[node] = above
         assert cost(node) < before
         assert node == came or above == came
     assert np.array_equal(parent, same.tree.parent)
-    assert np.count_nonzero(log.node != log.came) > 50
+    assert np.count_nonzero(log.node != log.created_at) > 50
 
 
 def test_a_log_without_room_is_kept_once_more():
@@ -303,7 +303,7 @@ def test_every_re_hung_node_was_within_the_ball():
     _, log = rrt_star_rewirings(problem_of(), max_nodes=300, rng=4)
     near = set(map(tuple, find_near_pairs(log).tolist()))
     for node, parent, came in zip(
-        log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
+        log.node.tolist(), log.parent.tolist(), log.created_at.tolist(), strict=True
     ):
         if node != came:
             assert (came, node) in near and parent == came
@@ -397,7 +397,7 @@ def test_an_exploration_is_shown_as_it_was_known():
     (robot,) = layers_of(made.canvas, "dots", "robot")
     for k, look in enumerate(made.looks):
         assert len(shown(red, 8 * k)) == len(look.walls)
-        assert shown(robot, 8 * k)[0] == pytest.approx(look.seen.origin)
+        assert shown(robot, 8 * k)[0] == pytest.approx(look.scan.origin)
         assert len(shown(region, 8 * k + 3)) == 1
     assert shown(robot, made.canvas.drawing.total)[0].tolist() == [9, 1]
 

@@ -43,12 +43,12 @@ class Slide(NamedTuple):
         along = np.roll(self.corners, -1, axis=0) - self.corners
         return np.sqrt((along * along).sum(axis=1))
 
-    def at(self, share: float) -> tuple[Array, int]:
+    def at(self, fraction: float) -> tuple[Array, int]:
         """The position of the reference point after a fraction of the whole way, and its stretch.
 
         Parameters
         ----------
-        share : from 0 to 1.
+        fraction : from 0 to 1.
 
         Returns
         -------
@@ -57,14 +57,14 @@ class Slide(NamedTuple):
         Raises
         ------
         InvalidParameter
-            Where `share` is not one number from 0 to 1.
+            Where `fraction` is not one number from 0 to 1.
         """
-        gone = as_array(share, "share")
-        if gone.ndim or not 0.0 <= gone <= 1.0:
-            raise InvalidParameter(f"share must be one number from 0 to 1, got {share!r}")
+        value = as_array(fraction, "fraction")
+        if value.ndim or not 0.0 <= value <= 1.0:
+            raise InvalidParameter(f"fraction must be one number from 0 to 1, got {fraction!r}")
         ends = np.cumsum(self.lengths)
-        i = min(int(np.searchsorted(ends, gone * ends[-1], side="right")), len(ends) - 1)
-        rest = (ends[i] - gone * ends[-1]) / (self.lengths[i] or 1.0)
+        i = min(int(np.searchsorted(ends, value * ends[-1], side="right")), len(ends) - 1)
+        rest = (ends[i] - value * ends[-1]) / (self.lengths[i] or 1.0)
         here, there = self.corners[i], self.corners[(i + 1) % len(self.corners)]
         return there + rest * (here - there), i
 

@@ -168,10 +168,10 @@ def run_regrade(arguments: argparse.Namespace) -> int:
     listed = f"; all of them in {of.out / 'changes.csv'}" if changes else ""
     print(f"{len(changes)} scores changed{listed}")
     for one in changes[:MOST_LISTED]:
-        kept = f" (yours holds: {one.kept})" if one.kept else ""
+        note = f" (yours holds: {one.decided})" if one.decided else ""
         scores = f"{number(one.before) or '-'} -> {number(one.after) or '-'}"
         question = f"{one.student} {one.assignment} {one.question}"
-        print(f"  {one_line(f'{question}: {scores}{kept}; {one.why}')}")
+        print(f"  {one_line(f'{question}: {scores}{note}; {one.why}')}")
     return status
 
 

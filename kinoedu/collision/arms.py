@@ -195,8 +195,10 @@ def paint_second_link(
         ahead = wrap_angle(towards - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
         for begin, step in ((below, -1), (below + 1, 1)):
-            kept = arm.shape.radius[1] + parts.radius[j] + contact
-            turn = ahead + step * last_contact(parts, j, x, y, arm.lengths[1], kept, towards, step)
+            radius = arm.shape.radius[1] + parts.radius[j] + contact
+            turn = ahead + step * last_contact(
+                parts, j, x, y, arm.lengths[1], radius, towards, step
+            )
             count = cells_in_contact(
                 arm, q, still, corners, parts, j, contact, begin, step, n, turn
             )
@@ -240,9 +242,16 @@ def cells_in_contact(
 
 @compiled
 def last_contact(
-    parts: Parts, j: int, x: float, y: float, length: float, kept: float, towards: float, side: int
+    parts: Parts,
+    j: int,
+    x: float,
+    y: float,
+    length: float,
+    radius: float,
+    towards: float,
+    side: int,
 ) -> float:
-    """The largest angle to one side at which a link comes within `kept` of part j; radians, >= 0.
+    """The largest angle to one side at which a link comes within `radius` of part j; radians, >= 0.
 
     The link turns about (x, y), starting in the direction `towards` of the part's nearest point, to
     the side 1 or -1. At the last contact its end or its flank touches a circle round a corner, or
@@ -256,26 +265,26 @@ def last_contact(
         before = k
         last = max(
             last,
-            side * wrap_angle(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, kept),
+            side * wrap_angle(math.atan2(by, bx) - towards)
+            + angle_at_corner(bx, by, length, radius),
         )
-        last = max(last, angle_at_edge(ax, ay, bx, by, length, kept, towards, side))
+        last = max(last, angle_at_edge(ax, ay, bx, by, length, radius, towards, side))
     return last
 
 
 @compiled
-def angle_at_corner(x: float, y: float, length: float, kept: float) -> float:
+def angle_at_corner(x: float, y: float, length: float, radius: float) -> float:
     """The angle from a corner's direction to a link that touches the circle round it.
 
-    The link begins at the origin, the circle has the radius `kept`. -inf where the circle is out of
-    reach.
+    The link begins at the origin. -inf where the circle, of this radius, is out of reach.
     """
     squared = x * x + y * y
     d = math.sqrt(squared)
-    if not kept <= d <= length + kept:
+    if not radius <= d <= length + radius:
         return -np.inf
-    if squared - kept * kept <= length * length:
-        return math.asin(kept / d)
-    return math.acos(min((squared + length * length - kept * kept) / (2.0 * d * length), 1.0))
+    if squared - radius * radius <= length * length:
+        return math.asin(radius / d)
+    return math.acos(min((squared + length * length - radius * radius) / (2.0 * d * length), 1.0))
 
 
 @compiled
@@ -285,13 +294,13 @@ def angle_at_edge(
     bx: float,
     by: float,
     length: float,
-    kept: float,
+    offset: float,
     towards: float,
     side: int,
 ) -> float:
     """The angle at which the end of a link crosses the line parallel to the edge a-b.
 
-    The link begins at the origin; the line lies at distance `kept` on the origin's side. The angle
+    The link begins at the origin; the line lies at this offset on the origin's side. The angle
     is measured from `towards` to one side; -inf where the end of the link passes beyond the ends of
     the edge.
     """
@@ -301,9 +310,9 @@ def angle_at_edge(
         return -np.inf
     # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
     apart = (ax * ey - ay * ex) / size
-    if not 0.0 <= abs(apart) - kept <= length:
+    if not 0.0 <= abs(apart) - offset <= length:
         return -np.inf
-    straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - kept) / length)
+    straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - offset) / length)
     tip = straight + side * half
     along = ((length * math.cos(tip) - ax) * ex + (length * math.sin(tip) - ay) * ey) / size
     return side * wrap_angle(straight - towards) + half if 0.0 <= along <= size else -np.inf

@@ -69,7 +69,7 @@ def collision_intervals(
 
     The motion has the velocity (vx, vy) for `duration`.
     """
-    met, size = np.empty((stretches(knots), 2)), 0
+    contacts, size = np.empty((stretches(knots), 2)), 0
     for i in range(len(knots)):
         begin, end = knots[i, 0], knots[i, 1]
         for k in range(begin, end + 1):  # the stretch before knot k; for k = end, after all knots
@@ -86,9 +86,9 @@ def collision_intervals(
                 hulls, i, a[0] - x, a[1] - y, vx, vy, wx, wy, duration, first, last
             )
             if low <= high:
-                met[size, 0], met[size, 1] = low - PAUSE * horizon, high + PAUSE * horizon
+                contacts[size, 0], contacts[size, 1] = low - PAUSE * horizon, high + PAUSE * horizon
                 size += 1
-    return met[:size].copy()
+    return contacts[:size].copy()
 
 
 @compiled
@@ -157,42 +157,42 @@ def clip_by_half_plane(region: Array, size: int, c: float, a: float, b: float) -
 
     The region is the first `size` rows.
     """
-    kept, n = np.empty_like(region), 0
+    clipped, n = np.empty_like(region), 0
     for k in range(size):
         s0, t0 = region[k - 1 if k > 0 else size - 1, 0], region[k - 1 if k > 0 else size - 1, 1]
         s1, t1 = region[k, 0], region[k, 1]
         before, here = c + a * s0 + b * t0, c + a * s1 + b * t1
         if (before < 0.0) != (here < 0.0):
-            share = before / (before - here)
-            kept[n, 0], kept[n, 1] = s0 + share * (s1 - s0), t0 + share * (t1 - t0)
+            fraction = before / (before - here)
+            clipped[n, 0], clipped[n, 1] = s0 + fraction * (s1 - s0), t0 + fraction * (t1 - t0)
             n += 1
         if here >= 0.0:
-            kept[n, 0], kept[n, 1] = s1, t1
+            clipped[n, 0], clipped[n, 1] = s1, t1
             n += 1
-    return kept, n
+    return clipped, n
 
 
 @compiled
-def first_free_time(met: Array, t: float) -> float:
+def first_free_time(contacts: Array, t: float) -> float:
     """The first time from t on that lies in none of the closed intervals (k, 2)."""
     waiting = True
     while waiting:
         waiting = False
-        for i in range(len(met)):
-            if met[i, 0] <= t <= met[i, 1]:
-                t, waiting = np.nextafter(met[i, 1], np.inf), True
+        for i in range(len(contacts)):
+            if contacts[i, 0] <= t <= contacts[i, 1]:
+                t, waiting = np.nextafter(contacts[i, 1], np.inf), True
     return t
 
 
 @compiled
-def complement_intervals(met: Array, horizon: float) -> Array:
+def complement_intervals(contacts: Array, horizon: float) -> Array:
     """The intervals of [0, horizon] outside the closed intervals (k, 2), in order; shape (m, 2)."""
-    order, free, size, t = np.argsort(met[:, 0]), np.empty((len(met) + 1, 2)), 0, 0.0
+    order, free, size, t = np.argsort(contacts[:, 0]), np.empty((len(contacts) + 1, 2)), 0, 0.0
     for i in order:
-        if met[i, 0] > t:
-            free[size, 0], free[size, 1] = t, min(met[i, 0], horizon)
+        if contacts[i, 0] > t:
+            free[size, 0], free[size, 1] = t, min(contacts[i, 0], horizon)
             size += 1
-        t = max(t, np.nextafter(met[i, 1], np.inf))
+        t = max(t, np.nextafter(contacts[i, 1], np.inf))
         if t > horizon:
             break
     if t <= horizon:
@@ -214,8 +214,10 @@ def find_safe_intervals(
     safe = np.empty((len(nodes) * (stretches(knots) + 1), 2))
     first = np.zeros(len(nodes) + 1, np.int64)
     for i in range(len(nodes)):
-        met = collision_intervals(hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0)
-        own = complement_intervals(met, horizon)
+        contacts = collision_intervals(
+            hulls, knots, times, places, horizon, nodes[i], 0.0, 0.0, 0.0
+        )
+        own = complement_intervals(contacts, horizon)
         safe[first[i] : first[i] + len(own)] = own
         first[i + 1] = first[i] + len(own)
     return safe[: first[-1]].copy(), first

@@ -18,7 +18,7 @@ from .turning import contact_size, first_in_contact
 
 @is_free_drive.register(CarRobot, PolygonWorldRecord)
 @is_free_drive.register(CarRobot, TerrainRecord)
-def driving_freely(
+def is_free_arc(
     robot: CarRobot, world: World, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
     """Conservative advancement along the arc."""
@@ -29,16 +29,14 @@ def driving_freely(
 
 @is_free.register(CarRobot, PolygonWorldRecord)
 @is_free.register(CarRobot, TerrainRecord)
-def standing_freely(robot: CarRobot, world: World, q: Array, clearance: float) -> bool:
+def is_free_pose(robot: CarRobot, world: World, q: Array, clearance: float) -> bool:
     """An arc of length zero."""
     return is_free_drive(robot, world, q, 0.0, 0.0, clearance)
 
 
 @is_free_path.register(CarRobot, PolygonWorldRecord)
 @is_free_path.register(CarRobot, TerrainRecord)
-def driving_the_curve_freely(
-    robot: CarRobot, world: World, a: Array, b: Array, clearance: float
-) -> bool:
+def is_free_curve(robot: CarRobot, world: World, a: Array, b: Array, clearance: float) -> bool:
     """Every arc of the shortest curve from a to b."""
     turns, lengths = pieces_between(a, b, robot.radius, robot.both_ways)
     pose = np.array([a[0], a[1], a[2]])

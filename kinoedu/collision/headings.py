@@ -162,9 +162,9 @@ def edge_directions(corners: Array, edges: Array) -> Array:
     foot = a + middle[..., None] * u
     room = size - (foot * foot).sum(axis=-1)
     half = np.sqrt(np.where(room >= -SLACK * size, np.maximum(room, 0.0), np.nan) / square)
-    share = np.stack([middle - half, middle + half], axis=-1)
-    share[(share < -SLACK) | (share > 1.0 + SLACK)] = np.nan
-    return direction(a[..., None, :] + share[..., None] * u[..., None, :])
+    fractions = np.stack([middle - half, middle + half], axis=-1)
+    fractions[(fractions < -SLACK) | (fractions > 1.0 + SLACK)] = np.nan
+    return direction(a[..., None, :] + fractions[..., None] * u[..., None, :])
 
 
 def circle_directions(centres: Array, corners: Array, radius: Array) -> Array:

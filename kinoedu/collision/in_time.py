@@ -17,7 +17,7 @@ from .passing import touches
 
 @is_free_path.register(RoundRobot, MovingWorldRecord)
 @is_free_path.register(TranslatingPolygonRobot, MovingWorldRecord)
-def free_in_time(
+def is_free_in_time(
     robot: Robot, world: MovingWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether the motion touches no fixed and no moving obstacle at any moment.
@@ -29,13 +29,13 @@ def free_in_time(
     if not is_free_path(robot, world.still, a[:2], b[:2], clearance):
         return False
     for i in range(len(world.shapes.radius)):
-        if is_met(robot, world, i, a, b, clearance):
+        if touches_mover(robot, world, i, a, b, clearance):
             return False
     return True
 
 
 @inlined
-def is_met(
+def touches_mover(
     robot: Robot, world: MovingWorldRecord, i: int, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether moving piece i touches the robot on its way from a to b."""
@@ -47,8 +47,8 @@ def is_met(
     while True:
         then = world.times[k] if k < end and world.times[k] < b[2] else b[2]
         x, y = position_at(world.times, world.places, world.knots[i, 0], end, then)
-        share = (then - a[2]) / (b[2] - a[2]) if then < b[2] else 1.0
-        bx, by = a[0] + share * (b[0] - a[0]) - x, a[1] + share * (b[1] - a[1]) - y
+        fraction = (then - a[2]) / (b[2] - a[2]) if then < b[2] else 1.0
+        bx, by = a[0] + fraction * (b[0] - a[0]) - x, a[1] + fraction * (b[1] - a[1]) - y
         if touches(robot, ax, ay, bx, by, world.shapes, i, clearance):
             return True
         if then >= b[2]:

@@ -200,7 +200,7 @@ def as_mover(robot: Robot) -> Any:
 
 def as_path(path: ArrayLike) -> Array:
     """Check a path of at least one point, (k, 2); raise InvalidPoint otherwise."""
-    way = as_array(path, "path")
-    if way.ndim != 2 or way.shape[1] != 2 or len(way) == 0:
-        raise InvalidPoint(f"a path must have shape (k, 2), k >= 1, got {way.shape}")
-    return way
+    points = as_array(path, "path")
+    if points.ndim != 2 or points.shape[1] != 2 or len(points) == 0:
+        raise InvalidPoint(f"a path must have shape (k, 2), k >= 1, got {points.shape}")
+    return points

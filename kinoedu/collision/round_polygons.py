@@ -18,7 +18,7 @@ ROUND = 1e-12
 
 
 @is_free_path.register(RoundRobot, PolygonWorldRecord)
-def round_among_polygons(
+def is_free_disc_path(
     robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
     """Both ends are inside the hull of the boundary, and no part is touched on the way.
@@ -39,9 +39,7 @@ def round_among_polygons(
 
 
 @is_free.register(RoundRobot, PolygonWorldRecord)
-def round_in_place(
-    robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float
-) -> bool:
+def is_free_disc(robot: RoundRobot, world: PolygonWorldRecord, q: Array, clearance: float) -> bool:
     """A motion of length zero; for a point, only one cell of the index is searched."""
     x, y, radius = q[0], q[1], robot.radius + clearance
     if not is_in_box(q, world):
@@ -77,7 +75,7 @@ def is_inside(q: Array, radius: float, ring: Array) -> bool:
 
 
 @is_semi_free_path.register(RoundRobot, PolygonWorldRecord)
-def round_sliding_on_polygons(
+def is_semi_free_disc_path(
     robot: RoundRobot, world: PolygonWorldRecord, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether the centre of a disc keeps the radius, or a point stays outside every interior."""
@@ -163,11 +161,11 @@ def contacts_along(world: PolygonWorldRecord, a: Array, b: Array) -> Array:
     found = np.empty(2 + 2 * len(world.edges))
     found[0], found[1], size = 0.0, 1.0, 2
     points = np.empty((2, 2))
-    whole = length(b[0] - a[0], b[1] - a[1])
+    total = length(b[0] - a[0], b[1] - a[1])
     for edge in world.edges:
         for i in range(shared_points(a, b, edge[0:2], edge[2:4], points)):
             found[size] = (
-                length(points[i, 0] - a[0], points[i, 1] - a[1]) / whole if whole > 0.0 else 0.0
+                length(points[i, 0] - a[0], points[i, 1] - a[1]) / total if total > 0.0 else 0.0
             )
             size += 1
     return found[:size]

@@ -21,7 +21,7 @@ SLACK = 1e-3  # of a cell: rows are searched a little beyond the motion
 
 
 @is_free_path.register(RoundRobot, TerrainRecord)
-def round_on_terrain(
+def is_free_path_on_terrain(
     robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether the robot stays inside the terrain and touches no blocked cell, not even a corner."""
@@ -39,7 +39,7 @@ def round_on_terrain(
 
 
 @is_semi_free_path.register(RoundRobot, TerrainRecord)
-def round_sliding_on_terrain(
+def is_semi_free_path_on_terrain(
     robot: RoundRobot, world: TerrainRecord, a: Array, b: Array, clearance: float
 ) -> bool:
     """Whether the robot enters no blocked cell.

@@ -20,7 +20,7 @@ ROUND = 1e-12  # of a distance: a robot that slides may be nearer by this fracti
 
 @is_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
 @is_free_path.register(TranslatingPolygonRobot, TerrainRecord)
-def translating_freely(
+def is_free_translation(
     robot: TranslatingPolygonRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """The hull of each piece at both ends lies inside the boundary's hull and touches nothing."""
@@ -29,7 +29,7 @@ def translating_freely(
         hull = swept_hull(robot.shape, i, a, b)
         if not hull_within(hull, clearance, ring):
             return False
-        parts, near = obstacles_near(world, *box_round(hull, clearance))
+        parts, near = obstacles_near(world, *bounding_box(hull, clearance))
         for j in near:
             if hull_touches(hull, parts, j, clearance):
                 return False
@@ -38,7 +38,7 @@ def translating_freely(
 
 @is_semi_free_path.register(TranslatingPolygonRobot, PolygonWorldRecord)
 @is_semi_free_path.register(TranslatingPolygonRobot, TerrainRecord)
-def translating_in_contact(
+def is_semi_free_translation(
     robot: TranslatingPolygonRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """The interior of the hull of each piece does not meet the interior of an obstacle."""
@@ -47,7 +47,7 @@ def translating_in_contact(
         hull = swept_hull(robot.shape, i, a, b)
         if not hull_slides_within(hull, clearance, ring):
             return False
-        parts, near = obstacles_near(world, *box_round(hull, clearance))
+        parts, near = obstacles_near(world, *bounding_box(hull, clearance))
         for j in near:
             if hull_enters(hull, parts, j, clearance):
                 return False
@@ -80,7 +80,7 @@ def hull_of(points: Array) -> Array:
 
 
 @compiled
-def box_round(hull: Array, margin: float) -> tuple[float, float, float, float]:
+def bounding_box(hull: Array, margin: float) -> tuple[float, float, float, float]:
     """The bounding box of points, grown by a margin."""
     return (
         hull[:, 0].min() - margin,

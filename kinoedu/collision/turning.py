@@ -36,7 +36,7 @@ FAR = 1e-14  # of the largest coordinate: an upper bound on the rounding of a co
 @is_free_path.register(RigidPolygonRobot, TerrainRecord)
 @is_free_path.register(ArmRobot, PolygonWorldRecord)
 @is_free_path.register(ArmRobot, TerrainRecord)
-def turning_freely(
+def is_free_turning_path(
     robot: ArmRobot | RigidPolygonRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """Every piece stays inside the world and off each obstacle by more than the tolerance."""
@@ -51,7 +51,7 @@ def turning_freely(
 @is_semi_free_path.register(RigidPolygonRobot, TerrainRecord)
 @is_semi_free_path.register(ArmRobot, PolygonWorldRecord)
 @is_semi_free_path.register(ArmRobot, TerrainRecord)
-def turning_in_contact(
+def is_semi_free_turning_path(
     robot: ArmRobot | RigidPolygonRobot, world: World, a: Array, b: Array, clearance: float
 ) -> bool:
     """No piece penetrates an obstacle by more than twice the tolerance."""
@@ -102,15 +102,15 @@ def piece_in_contact(
 ) -> bool:
     """Whether piece i does not keep `margin` from the boundary or an obstacle on its motion."""
     begin, end = robot.shape.first[i], robot.shape.first[i + 1]
-    kept, ring = robot.shape.radius[i] + margin, rim(world)
+    offset, ring = robot.shape.radius[i] + margin, rim(world)
     place_piece(robot, i, a, change, 0.5, corners)
-    x0, y0, x1, y1 = swept_box(corners, begin, end, kept)
+    x0, y0, x1, y1 = swept_box(corners, begin, end, offset)
     for edge in range(0 if box_within(x0, y0, x1, y1, ring) else len(ring)):
-        if crosses_edge(robot, i, a, change, corners, ring[edge - 1], ring[edge], kept, contact):
+        if crosses_edge(robot, i, a, change, corners, ring[edge - 1], ring[edge], offset, contact):
             return True
     parts, near = obstacles_near(world, x0, y0, x1, y1)
     for j in near:
-        if meets_part(robot, i, a, change, corners, parts, j, kept, contact):
+        if meets_part(robot, i, a, change, corners, parts, j, offset, contact):
             return True
     return False
 
@@ -124,11 +124,11 @@ def meets_part(
     corners: Array,
     parts: Parts,
     j: int,
-    kept: float,
+    offset: float,
     contact: float,
 ) -> bool:
     """Whether piece i does not keep its distance from part j on its motion."""
-    begin, end, least = robot.shape.first[i], robot.shape.first[i + 1], kept + parts.radius[j]
+    begin, end, least = robot.shape.first[i], robot.shape.first[i + 1], offset + parts.radius[j]
     t = 0.0
     while True:
         place_piece(robot, i, a, change, t, corners)
@@ -152,7 +152,7 @@ def crosses_edge(
     corners: Array,
     p: Array,
     q: Array,
-    kept: float,
+    offset: float,
     contact: float,
 ) -> bool:
     """Whether piece i does not keep its distance from the outer side of the boundary's edge p-q."""
@@ -162,7 +162,7 @@ def crosses_edge(
     while True:
         place_piece(robot, i, a, change, t, corners)
         room, time = clear_time(
-            corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, kept
+            corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, offset
         )
         t += time
         if room <= 0.0 or t > 1.0:
@@ -173,12 +173,12 @@ def crosses_edge(
 
 @compiled
 def clear_time(
-    corners: Array, begin: int, end: int, x: float, y: float, nx: float, ny: float, kept: float
+    corners: Array, begin: int, end: int, x: float, y: float, nx: float, ny: float, offset: float
 ) -> tuple[float, float]:
-    """The least distance of the corners from a line, less `kept`, and a time without contact."""
+    """The least distance of the corners from a line, less `offset`, and a time without contact."""
     least, time = np.inf, np.inf
     for k in range(begin, end):
-        room = (corners[k, X] - x) * nx + (corners[k, Y] - y) * ny - kept
+        room = (corners[k, X] - x) * nx + (corners[k, Y] - y) * ny - offset
         speed = -(corners[k, VX] * nx + corners[k, VY] * ny)
         least, time = min(least, room), min(time, time_across(room, speed, corners[k, ACC]))
     return least, time
@@ -200,12 +200,12 @@ def time_across(room: float, speed: float, acceleration: float) -> float:
 
 @compiled
 def swept_box(
-    corners: Array, begin: int, end: int, kept: float
+    corners: Array, begin: int, end: int, offset: float
 ) -> tuple[float, float, float, float]:
-    """A bounding box of the corners for half a unit of time, back and forth, grown by `kept`."""
+    """A bounding box of the corners for half a unit of time, back and forth, grown by `offset`."""
     x0, y0, x1, y1 = np.inf, np.inf, -np.inf, -np.inf
     for k in range(begin, end):
-        off = kept + corners[k, ACC] / 8.0
+        off = offset + corners[k, ACC] / 8.0
         dx, dy = abs(corners[k, VX]) / 2.0 + off, abs(corners[k, VY]) / 2.0 + off
         x0, y0 = min(x0, corners[k, X] - dx), min(y0, corners[k, Y] - dy)
         x1, y1 = max(x1, corners[k, X] + dx), max(y1, corners[k, Y] + dy)

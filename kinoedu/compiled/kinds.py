@@ -83,17 +83,17 @@ def is_tuple_kind(kind: Kind) -> bool:
     return isinstance(kind, tuple) and isinstance(kind[0], type)
 
 
-def spelled(kind: Kind) -> str:
+def spell_kind(kind: Kind) -> str:
     """A kind as text, the same in every process.
 
     Examples
     --------
-    >>> spelled(kind_of((1.0, np.zeros((2, 2)))))
+    >>> spell_kind(kind_of((1.0, np.zeros((2, 2)))))
     'tuple(f8, f8:2:C:w)'
     """
     if is_tuple_kind(kind):
         name = "tuple" if kind[0] is tuple else f"{kind[0].__module__}.{kind[0].__qualname__}"
-        return f"{name}({', '.join(map(spelled, kind[1]))})"
+        return f"{name}({', '.join(map(spell_kind, kind[1]))})"
     if isinstance(kind, tuple):
         dtype, dimensions, layout, writable = kind
         return f"{dtype}:{dimensions}:{layout}:{'w' if writable else 'r'}"

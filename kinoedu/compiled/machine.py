@@ -1,6 +1,6 @@
 """Machine code in numba's format: reading it from the disk, and calling it.
 
-In a user's process only one thread (keeper.py) works with numba, so that the interruption of
+In a user's process only one thread (numba_thread.py) works with numba, so that the interruption of
 another thread never leaves numba's lock held.
 """
 

@@ -15,7 +15,7 @@ MODES = (WHEN_IT_PAYS, COMPILED_FIRST, INTERPRETED)
 def _mode_of_process() -> str:
     """The mode that KINOEDU_MACHINE_CODE names, or the default."""
     given = os.environ.get("KINOEDU_MACHINE_CODE", WHEN_IT_PAYS)
-    return next((known for known in MODES if known == given), WHEN_IT_PAYS)
+    return next((name for name in MODES if name == given), WHEN_IT_PAYS)
 
 
 mode = _mode_of_process()  # read as modes.mode; set by running()
@@ -41,7 +41,7 @@ def running(new: str) -> Iterator[None]:
     global mode
     if new not in MODES:
         raise ValueError(f"a mode is one of {', '.join(MODES)}, got {new!r}")
-    before, mode = mode, next(known for known in MODES if known == new)
+    before, mode = mode, next(name for name in MODES if name == new)
     try:
         yield
     finally:

@@ -52,7 +52,7 @@ def compile_and_wait(place: Path, request: Request) -> bool:
 
 def compile_all(
     place: Path,
-    wanted: Collection[Request],
+    requests: Collection[Request],
     *,
     workers: int,
     gives_way: bool = False,
@@ -63,7 +63,7 @@ def compile_all(
     Parameters
     ----------
     place : the folder of machine code.
-    wanted : the requests.
+    requests : what to compile.
     workers : how many processes compile.
     gives_way : whether they run at low priority.
     report_progress : is called with the number of requests that are done, and the number of all.
@@ -73,7 +73,7 @@ def compile_all(
     list
         The requests that could not be compiled.
     """
-    missing = [request for request in wanted if is_pending(place, request)]
+    missing = [request for request in requests if is_pending(place, request)]
     for request in missing:
         write_request(place, request)
     total, slots = len(missing), range(1, 1 + min(workers, len(missing)))
@@ -90,7 +90,7 @@ def compile_all(
         for slot in slots:
             stop_worker(slot)
         raise
-    return [request for request in wanted if not is_there(place, request)]
+    return [request for request in requests if not is_there(place, request)]
 
 
 def start_worker(place: Path, slot: int, *, gives_way: bool = True) -> None:
@@ -99,7 +99,7 @@ def start_worker(place: Path, slot: int, *, gives_way: bool = True) -> None:
     if (worker is not None and worker.poll() is None) or has_worker(place, slot):
         return
     path = os.pathsep.join(filter(None, [str(PACKAGE.parent), os.environ.get("PYTHONPATH")]))
-    kept = {name: value for name, value in os.environ.items() if name != "KINOEDU_MACHINE_CODE"}
+    env = {name: value for name, value in os.environ.items() if name != "KINOEDU_MACHINE_CODE"}
     command = [sys.executable, "-P", "-m", "kinoedu.compiled.worker", str(place), str(slot)]
     with open(place / "log", "ab") as log:
         started[slot] = subprocess.Popen(
@@ -107,7 +107,7 @@ def start_worker(place: Path, slot: int, *, gives_way: bool = True) -> None:
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=log,
-            env={**kept, "PYTHONPATH": path, "KINOEDU_CACHE": str(place.parent)},
+            env={**env, "PYTHONPATH": path, "KINOEDU_CACHE": str(place.parent)},
             start_new_session=True,  # Ctrl-C does not reach the worker
         )
 

@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import IO, Any, NamedTuple
 
 from ..support.whole_files import written_whole
-from .kinds import Kind, record_classes, spelled
+from .kinds import Kind, record_classes, spell_kind
 
 PACKAGE = Path(__file__).resolve().parent.parent
 NAME = __name__.partition(".")[0]
@@ -51,7 +51,7 @@ class Request(NamedTuple):
     @property
     def name(self) -> str:
         """The name of its files."""
-        digest = hashlib.sha256(", ".join(map(spelled, self.kinds)).encode()).hexdigest()
+        digest = hashlib.sha256(", ".join(map(spell_kind, self.kinds)).encode()).hexdigest()
         return f"{self.module}.{self.function}.{digest[:16]}"
 
 
@@ -118,8 +118,8 @@ def processor() -> str:
     """A text that identifies the kind of processor."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").partition("\n\n")[0].splitlines()
-        kept = [line for line in lines if line.startswith(("model", "flags", "Features", "CPU "))]
-        return "\n".join(line for line in kept if not line.startswith("CPU MHz"))
+        lines = [line for line in lines if line.startswith(("model", "flags", "Features", "CPU "))]
+        return "\n".join(line for line in lines if not line.startswith("CPU MHz"))
     except OSError:
         return f"{platform.machine()} {platform.processor()}"
 

@@ -39,21 +39,21 @@ CROSSED = -1  # returned where edges cross or overlap, or one obstacle lies in a
 
 
 @inlined
-def handle_event(sweep: Any, met: int, stop: int) -> int:
+def handle_event(sweep: Any, handled: int, stop: int) -> int:
     """Handle the event points order[met:stop], all of one x, up to the first solid place.
 
     Returns the number of vertices that have been handled then, or CROSSED.
     """
-    x, ends = sweep.vertices[sweep.order[met], 0], sweep.ends
-    node = lowest_touched(sweep, met)  # 4: the lowest cell that the walls may reach
+    x, ends = sweep.vertices[sweep.order[handled], 0], sweep.ends
+    node = lowest_touched(sweep, handled)  # 4: the lowest cell that the walls may reach
     if node == CROSSED:
         return CROSSED
-    below, now, left, right, level = next_below(sweep.nodes, node), met, 0, 0, 0
-    while now == met or is_ceiling(left) or is_ceiling(right):
+    below, now, left, right, level = next_below(sweep.nodes, node), handled, 0, 0, 0
+    while now == handled or is_ceiling(left) or is_ceiling(right):
         y = sweep.vertices[sweep.order[now], 1] if now < stop else np.inf
         edge = edge_of(sweep, node, left)
         if edge >= 0 and (now == stop or side(ends, edge, x, y) > 0):  # 5: it bounds a wall
-            if ends[edge, 2] <= x or (now == met and is_ceiling(left)):
+            if ends[edge, 2] <= x or (now == handled and is_ceiling(left)):
                 return CROSSED
             sweep.heights[level] = height_between(sweep, edge, x, level, y)
             node = leave_edge(sweep, node, left, level)
@@ -150,14 +150,14 @@ def height_between(sweep: Any, edge: int, x: float, level: int, y: float) -> flo
 
 
 @inlined
-def lowest_touched(sweep: Any, met: int) -> int:
+def lowest_touched(sweep: Any, handled: int) -> int:
     """The node of the lowest cell whose ceiling is not below vertex order[met]; or CROSSED.
 
     NOBODY where all cells are below. An edge that ends at the vertex is looked up directly;
     otherwise the cell is found by a binary search, in O(log n).
     """
     nodes, ends = sweep.nodes, sweep.ends
-    v = sweep.order[met]
+    v = sweep.order[handled]
     x, y, node = sweep.vertices[v, 0], sweep.vertices[v, 1], NOBODY
     for leg in (v, sweep.incoming[v]):
         if ends[leg, 0] < ends[leg, 2] == x:

@@ -12,7 +12,7 @@ from ..worlds.polygon_world import PolygonWorldRecord, discs_of, edges_of, rings
 GRIDS = (None, 2.0**-48, 2.0**-44, 2.0**-40)  # as fractions of the size of the coordinates
 
 
-def edges_to_try(world: PolygonWorldRecord) -> Iterator[Array]:
+def candidate_edges(world: PolygonWorldRecord) -> Iterator[Array]:
     """The edges of the free space, (n, 5) as `PolygonWorldRecord.edges`: as given, then united.
 
     The given edges are exact, but obstacles may overlap. shapely unites them and rounds the points

@@ -128,14 +128,14 @@ def events(sweep: Sweep) -> Iterator[int]:
 
     Yields the number of vertices met so far; or CROSSED where two edges cross, and then stops.
     """
-    vertices, order, met = sweep.vertices, sweep.order, 0
-    while met < len(order):  # 3: for each x, from left to right
-        stop = met + 1
-        while stop < len(order) and vertices[order[stop], 0] == vertices[order[met], 0]:
+    vertices, order, handled = sweep.vertices, sweep.order, 0
+    while handled < len(order):  # 3: for each x, from left to right
+        stop = handled + 1
+        while stop < len(order) and vertices[order[stop], 0] == vertices[order[handled], 0]:
             stop += 1
-        while met < stop:  # upwards, from solid to solid
-            met = handle_event(sweep, met, stop)  # 4 to 7
-            if met == CROSSED:
+        while handled < stop:  # upwards, from solid to solid
+            handled = handle_event(sweep, handled, stop)  # 4 to 7
+            if handled == CROSSED:
                 yield CROSSED
                 return
-        yield met
+        yield handled

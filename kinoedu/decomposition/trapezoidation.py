@@ -20,7 +20,7 @@ from ..support.constructors import with_type_names
 from ..worlds.polygon_world import PolygonWorldRecord
 from .cells import CELLS, CLOSED, WALLS
 from .crossing import CROSSED, side
-from .free_space import edges_to_try
+from .free_space import candidate_edges
 from .status import CELL, NOBODY, next_above
 from .sweep import Sweep, events, new_sweep
 
@@ -72,7 +72,7 @@ class Trapezoidation(NamedTuple):
         Exact, O(n). Raises InvalidPoint.
         """
         x, y = as_point(q, "q").tolist()
-        return np.flatnonzero(holding(self.trapezoids, self.sides, self.edges, x, y))
+        return np.flatnonzero(cells_contain(self.trapezoids, self.sides, self.edges, x, y))
 
 
 def corners_of(trapezoids: Array) -> Array:
@@ -81,7 +81,7 @@ def corners_of(trapezoids: Array) -> Array:
 
 
 @compiled
-def holding(
+def cells_contain(
     trapezoids: Array, sides: NDArray[np.int64], edges: Array, x: float, y: float
 ) -> NDArray[np.bool_]:
     """Whether each closed cell contains a point, (n,)."""
@@ -194,7 +194,7 @@ def sweep(world: PolygonWorldRecord) -> Iterator[Step]:
 
 def sweep_world(world: PolygonWorldRecord) -> tuple[Sweep, Array]:
     """The completed sweep of a world, and the edges that it swept."""
-    for edges in edges_to_try(world):
+    for edges in candidate_edges(world):
         state = new_sweep(edges)
         if drain(state):
             return state, edges
@@ -207,22 +207,22 @@ def sweep_world(world: PolygonWorldRecord) -> tuple[Sweep, Array]:
 @algorithm
 def drain(state: Sweep) -> bool:
     """Sweep to the end; False where edges cross."""
-    for met in events(state):
-        if met == CROSSED:
+    for handled in events(state):
+        if handled == CROSSED:
             return False
     return True
 
 
 def steps(state: Sweep) -> Iterator[Step]:
     """The state of a sweep after each event."""
-    met = cells = closed = 0
+    handled = cells = closed = 0
     for now in events(state):
-        vertices = state.vertices[state.order[met:now]]
+        vertices = state.vertices[state.order[handled:now]]
         ending = state.closed[closed : state.sizes[CLOSED]]
         opened = state.cells[cells : state.sizes[CELLS], [0, 2, 3]]
         status = state.ends[edges_on_line(state.nodes, state.sides)]
         yield Step(float(vertices[0, 0]), vertices, state.cells[ending], opened, status)
-        met, cells, closed = now, int(state.sizes[CELLS]), int(state.sizes[CLOSED])
+        handled, cells, closed = now, int(state.sizes[CELLS]), int(state.sizes[CLOSED])
 
 
 def edges_on_line(nodes: NDArray[np.int64], sides: NDArray[np.int64]) -> NDArray[np.int64]:

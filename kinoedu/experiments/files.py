@@ -136,15 +136,15 @@ def problem_from(field: Field) -> ProblemRecord:
 def planners_from(field: Field) -> list[Planner]:
     """Planners of a table: one, or one for each value of its lists."""
     name = field.value.get("planner") if isinstance(field.value, dict) else None
-    known = planners_by_name()
-    if not isinstance(name, str) or name not in known:
+    planners = planners_by_name()
+    if not isinstance(name, str) or name not in planners:
         raise field._replace(name=f"{field.name}.planner", value=name).wrong(
-            f"one of {', '.join(known)}"
+            f"one of {', '.join(planners)}"
         )
     return [
         bind_arguments(
-            known[name],
-            arguments_from(field._replace(value=variant), known[name], ("planner",), {}),
+            planners[name],
+            arguments_from(field._replace(value=variant), planners[name], ("planner",), {}),
         )
         for variant in variants_of(field)
     ]

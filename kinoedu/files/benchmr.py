@@ -137,14 +137,14 @@ def flip_y(field: Field, bottom: float) -> Array:
 def mend_polygons(drawn: list[Array], file: str) -> list[Array]:
     """Repair the drawn polygons, and warn where a repair was needed."""
     rings: list[Array] = []
-    seen: dict[Any, int] = {}
+    first_index: dict[Any, int] = {}
     notes = []
     for i, polygon in enumerate(drawn):
         again = (polygon == np.roll(polygon, -1, axis=0)).all(axis=1)
         if again.any():
             notes.append(f"polygon {i} repeats {again.sum()} of its corners, left out")
         corners = polygon[~again]
-        earlier = seen.setdefault(frozenset(map(tuple, corners.tolist())), i)
+        earlier = first_index.setdefault(frozenset(map(tuple, corners.tolist())), i)
         if earlier != i and same_ring(drawn[earlier], corners):
             notes.append(f"polygon {i} is polygon {earlier} again, left out")
             continue

@@ -72,8 +72,8 @@ def read_map(path: str | os.PathLike[str]) -> TerrainRecord:
 def _header(path: Path, head: str) -> tuple[int, int]:
     """The height and the width in the lines before `map`, in any order."""
     entries = [line.split() for line in head.splitlines() if line.strip()]
-    keys = sorted(words[0] for words in entries)
-    if keys != ["height", "type", "width"] or any(len(words) != 2 for words in entries):
+    keys = sorted(fields[0] for fields in entries)
+    if keys != ["height", "type", "width"] or any(len(fields) != 2 for fields in entries):
         raise UnreadableScene(
             f"{path}: expected lines 'type octile', 'height ...', 'width ...' before 'map', got "
             f"{head[:80]!r}"
@@ -136,12 +136,12 @@ def read_scenario(path: str | os.PathLike[str]) -> list[Query]:
 
 def _query(line: str, where: str) -> Query:
     """The query on one line, whose cells are counted from the top left corner."""
-    words = [word.strip() for word in line.strip().split("\t" if "\t" in line else None)]
-    if len(words) != 9:
+    fields = [word.strip() for word in line.strip().split("\t" if "\t" in line else None)]
+    if len(fields) != 9:
         raise UnreadableScene(
-            f"{where}: expected 9 columns, from bucket to optimal length, got {len(words)}"
+            f"{where}: expected 9 columns, from bucket to optimal length, got {len(fields)}"
         )
-    _, width, height, *cells = (_whole_number(word, where) for word in words[:1] + words[2:8])
+    _, width, height, *cells = (_whole_number(word, where) for word in fields[:1] + fields[2:8])
     check_size(where, width, height)
     for x, y in (ends := (cells[:2], cells[2:])):
         if x >= width or y >= height:
@@ -149,7 +149,7 @@ def _query(line: str, where: str) -> Query:
                 f"{where}: expected a cell of the {width} x {height} map, got ({x}, {y})"
             )
     start, goal = (np.array([x + 0.5, height - 1 - y + 0.5]) for x, y in ends)
-    return Query(words[1], start, goal, _length(words[8], where), width, height)
+    return Query(fields[1], start, goal, _length(fields[8], where), width, height)
 
 
 def _whole_number(word: str, where: str) -> int:

@@ -119,7 +119,7 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
     except UnreadableScene:  # a robot that scenes cannot hold
         scene = None
     parts = ("tree", "roadmap", "walk", "trajectory")
-    whole = {
+    plan_object = {
         "version": VERSION,
         "planner": plan.planner,
         "cost": float(plan.cost) if np.isfinite(plan.cost) else None,
@@ -130,7 +130,7 @@ def write_whole_plan(plan: Plan, file: Path) -> None:
         "problem": scene,
     }
     with file.open("w", encoding="utf-8") as stream:
-        json.dump(whole, stream, allow_nan=False)
+        json.dump(plan_object, stream, allow_nan=False)
 
 
 def as_json_object(record: Any) -> JsonObject | None:

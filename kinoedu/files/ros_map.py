@@ -67,10 +67,10 @@ def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
     return Terrain(free[::-1], resolution=resolution, origin=origin)
 
 
-def _expect(holds: bool, path: Path, wanted: str, got: object) -> None:
+def _expect(holds: bool, path: Path, expected: str, got: object) -> None:
     """Raise UnreadableScene unless the condition holds."""
     if not holds:
-        raise UnreadableScene(f"{path}: expected {wanted}, got {brief(got)}; correct it")
+        raise UnreadableScene(f"{path}: expected {expected}, got {brief(got)}; correct it")
 
 
 def _settings(path: Path) -> dict[object, object]:
@@ -81,12 +81,12 @@ def _settings(path: Path) -> dict[object, object]:
             f"{path}: expected lines like 'resolution: 0.05', got {brief(settings)}"
         )
     missing = [key for key in _REQUIRED if key not in settings]
-    known = [*_REQUIRED, "mode"]
-    others = (str(key)[:40] for key in settings if key not in known)
-    misspelt = [key for key in others if get_close_matches(key, known, cutoff=0.75)]
+    keys = [*_REQUIRED, "mode"]
+    others = (str(key)[:40] for key in settings if key not in keys)
+    misspelt = [key for key in others if get_close_matches(key, keys, cutoff=0.75)]
     if missing or misspelt:
         raise UnreadableScene(
-            f"{path}: expected the keys {', '.join(known)}; missing: "
+            f"{path}: expected the keys {', '.join(keys)}; missing: "
             f"{', '.join(missing) or 'none'}; misspelt: {brief(misspelt) if misspelt else 'none'}"
         )
     return settings
@@ -153,8 +153,8 @@ def _free_threshold(path: Path, settings: dict[object, object]) -> float:
     free, occupied = (
         _number(path, key, settings[key]) for key in ("free_thresh", "occupied_thresh")
     )
-    wanted = "0 <= free_thresh <= occupied_thresh <= 1"
-    _expect(0 <= free <= occupied <= 1, path, wanted, (free, occupied))
+    expected = "0 <= free_thresh <= occupied_thresh <= 1"
+    _expect(0 <= free <= occupied <= 1, path, expected, (free, occupied))
     return free
 
 

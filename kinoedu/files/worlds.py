@@ -60,11 +60,11 @@ def read_world(path: str | os.PathLike[str]) -> TerrainRecord | PolygonWorldReco
     return readers[ending](path)
 
 
-def _unknown_format(path: Path, ending: str, known: list[str]) -> UnknownFormat:
+def _unknown_format(path: Path, ending: str, extensions: list[str]) -> UnknownFormat:
     """The error for an unknown extension, or for a folder."""
     got, advice = ending or "no ending", "save it as one of those"
     if os.path.isdir(path):
         got, advice = "a folder", "name a file inside it"
     return UnknownFormat(
-        f"{path}: expected {', '.join(known[:-1])} or {known[-1]}, got {got}; {advice}"
+        f"{path}: expected {', '.join(extensions[:-1])} or {extensions[-1]}, got {got}; {advice}"
     )

@@ -115,17 +115,17 @@ def convex_hull(points: ArrayLike) -> Array:
 @compiled
 def half_hull(points: Array) -> Array:
     """One half of the hull: the points, in their order, at which the path turns left."""
-    kept = np.empty_like(points)
+    hull = np.empty_like(points)
     size = 0
     for p in points:
         while size > 1:
-            a, b = kept[size - 2], kept[size - 1]
+            a, b = hull[size - 2], hull[size - 1]
             if orientation_sign(a[0], a[1], b[0], b[1], p[0], p[1]) > 0:
                 break
             size -= 1
-        kept[size] = p
+        hull[size] = p
         size += 1
-    return kept[:size]
+    return hull[:size]
 
 
 @compiled

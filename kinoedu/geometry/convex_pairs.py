@@ -164,13 +164,13 @@ def bounding_boxes(rings: Array) -> Array:
 @algorithm
 def pairs_intersect(P: ConvexPolygonsRecord, Q: ConvexPolygonsRecord) -> NDArray[np.bool_]:
     """Whether the convex rings P[i] and Q[i] share a point, shape (m,)."""
-    meet = np.empty(len(P.rings), np.bool_)
+    intersects = np.empty(len(P.rings), np.bool_)
     for i in range(len(P.rings)):
         p, q = P.rings[i], Q.rings[i]
-        meet[i] = boxes_meet(P.boxes[i], Q.boxes[i]) and not (
+        intersects[i] = boxes_meet(P.boxes[i], Q.boxes[i]) and not (
             has_separating_edge(p, q) or has_separating_edge(q, p)
         )
-    return meet
+    return intersects
 
 
 @inlined

@@ -33,7 +33,7 @@ def rotation(theta: float) -> Array:
     array([[ 0., -1.],
            [ 1.,  0.]])
     """
-    angle = one_number(theta, "theta")
+    angle = as_number(theta, "theta")
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[c, -s], [s, c]]) + 0.0
 
@@ -59,7 +59,7 @@ def displacement(x: float, y: float, theta: float) -> Array:
     """
     matrix = np.eye(3)
     matrix[:2, :2] = rotation(theta)
-    matrix[:2, 2] = one_number(x, "x"), one_number(y, "y")
+    matrix[:2, 2] = as_number(x, "x"), as_number(y, "y")
     return matrix
 
 
@@ -144,7 +144,7 @@ def as_displacement(value: ArrayLike) -> Array:
     return matrix
 
 
-def one_number(value: float, name: str) -> float:
+def as_number(value: float, name: str) -> float:
     """One finite number; raises InvalidPoint for anything else."""
     number = as_array(value, name)
     if number.ndim:

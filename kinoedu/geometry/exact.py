@@ -137,16 +137,16 @@ def largest_exponent(m: np.ndarray, e: np.ndarray) -> int:
 @compiled
 def add_exactly(expansion: np.ndarray, size: int, term: float) -> int:
     """Add a term to an expansion of `size` components, smallest first; returns the new size."""
-    kept = 0
+    new_size = 0
     for i in range(size):
         term, error = two_sum(term, expansion[i])
         if error != 0.0:
-            expansion[kept] = error
-            kept += 1
+            expansion[new_size] = error
+            new_size += 1
     if term != 0.0:
-        expansion[kept] = term
-        kept += 1
-    return kept
+        expansion[new_size] = term
+        new_size += 1
+    return new_size
 
 
 @compiled

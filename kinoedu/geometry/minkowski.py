@@ -185,7 +185,7 @@ def corner_pairs(P: Array, Q: Array) -> NDArray[np.int64]:
 def compare_edges(a: Array, b: Array, c: Array, d: Array) -> int:
     """Compare two edges in the walk from the leftmost corner.
 
-    1 if a-b comes precedes c-d, -1 if it comes after, 0 if they have the same direction.
+    1 if a-b comes before c-d, -1 if it comes after, 0 if they have the same direction.
     """
     ab_goes_right, cd_goes_right = precedes(a, b), precedes(c, d)
     if ab_goes_right != cd_goes_right:
@@ -211,15 +211,15 @@ def clip_to_left_of(ring: Array, a: Array, b: Array) -> Array:
     Crossing points are rounded.
     """
     n = len(ring)
-    kept, size = np.empty((n + 2, 2)), 0
+    clipped, size = np.empty((n + 2, 2)), 0
     for i in range(n):
         p, q = ring[i], ring[(i + 1) % n]
         p_side = orientation_sign(a[0], a[1], b[0], b[1], p[0], p[1])
         q_side = orientation_sign(a[0], a[1], b[0], b[1], q[0], q[1])
         if p_side >= 0:
-            kept[size] = p
+            clipped[size] = p
             size += 1
         if p_side * q_side < 0:
-            kept[size] = proper_crossing(p, q, a, b)
+            clipped[size] = proper_crossing(p, q, a, b)
             size += 1
-    return kept[:size]
+    return clipped[:size]

@@ -40,7 +40,7 @@ from numpy.typing import NDArray
 from ..compiled import inlined
 from .checks import Array
 from .exact import orientation_sign
-from .segments import between, segment_distance
+from .segments import is_between, segment_distance
 
 
 class Parts(NamedTuple):
@@ -82,7 +82,7 @@ def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts,
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     if end - begin == 1:
         x, y = points[begin, 0], points[begin, 1]
-        return between(ax, ay, bx, by, x, y) and orientation_sign(ax, ay, bx, by, x, y) == 0
+        return is_between(ax, ay, bx, by, x, y) and orientation_sign(ax, ay, bx, by, x, y) == 0
     left, right = 0, 0
     last = end - 1
     for k in range(begin, end):

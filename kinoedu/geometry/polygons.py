@@ -13,7 +13,7 @@ from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
 from .exact import length, orientation_sign
 from .rings import as_ring
-from .segments import between, closest_on_segment, segment_distance
+from .segments import closest_on_segment, is_between, segment_distance
 
 
 def point_in_polygon(q: ArrayLike, polygon: ArrayLike) -> bool:
@@ -133,7 +133,7 @@ def locate_point(x: float, y: float, ring: Array) -> int:
         if max(ay, by) < y or min(ay, by) > y or max(ax, bx) < x:
             continue
         side = orientation_sign(ax, ay, bx, by, x, y)
-        if side == 0 and between(ax, ay, bx, by, x, y):
+        if side == 0 and is_between(ax, ay, bx, by, x, y):
             return 0
         if (ay > y) != (by > y) and (side > 0) == (by > ay):
             inside = not inside

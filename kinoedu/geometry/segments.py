@@ -152,7 +152,7 @@ def closest_on_segment(
 
 
 @compiled
-def between(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> bool:
+def is_between(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> bool:
     """Whether p, which must lie on the line through a and b, lies on the segment a-b."""
     return min(ax, bx) <= px <= max(ax, bx) and min(ay, by) <= py <= max(ay, by)
 
@@ -180,10 +180,10 @@ def segments_meet(
     if a_side * b_side < 0 and c_side * d_side < 0:
         return True
     return (
-        (a_side == 0 and between(cx, cy, dx, dy, ax, ay))
-        or (b_side == 0 and between(cx, cy, dx, dy, bx, by))
-        or (c_side == 0 and between(ax, ay, bx, by, cx, cy))
-        or (d_side == 0 and between(ax, ay, bx, by, dx, dy))
+        (a_side == 0 and is_between(cx, cy, dx, dy, ax, ay))
+        or (b_side == 0 and is_between(cx, cy, dx, dy, bx, by))
+        or (c_side == 0 and is_between(ax, ay, bx, by, cx, cy))
+        or (d_side == 0 and is_between(ax, ay, bx, by, dx, dy))
     )
 
 
@@ -222,12 +222,12 @@ def distances_to_segment(points: Array, a: Array, b: Array) -> Array:
 @compiled
 def pairs_meet(a: Array, b: Array, c: Array, d: Array) -> NDArray[np.bool_]:
     """Whether the segments a[i]-b[i] and c[i]-d[i] share a point, shape (m,)."""
-    meet = np.empty(len(a), np.bool_)
+    intersects = np.empty(len(a), np.bool_)
     for i in range(len(a)):
-        meet[i] = segments_meet(
+        intersects[i] = segments_meet(
             a[i, 0], a[i, 1], b[i, 0], b[i, 1], c[i, 0], c[i, 1], d[i, 0], d[i, 1]
         )
-    return meet
+    return intersects
 
 
 @compiled

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..errors import InvalidParameter
-from ..support.csv_cells import harmless, number, write_rows
+from ..support.csv_cells import escape_formula, number, write_rows
 from .assignments.questions import read_course_secret
 from .class_grading import Run, grade_found
 from .collect.submissions import collect
@@ -20,7 +20,7 @@ COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept"
 class Change(NamedTuple):
     """A score that changed, and why.
 
-    kept : the score that a person decided, which still holds, or "".
+    decided : the score that a person decided, which still holds, or "".
     """
 
     student: str
@@ -29,7 +29,7 @@ class Change(NamedTuple):
     before: float | None
     after: float | None
     why: str
-    kept: str
+    decided: str
 
 
 def regrade(
@@ -98,8 +98,8 @@ def find_changes(before: Class, after: Class, decisions: Decisions) -> Iterator[
         if scores[0] != scores[1] or old is None or new is None:
             why = explain_change(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
             decision = decisions.get(whose)
-            kept = number(decision.score) if decision is not None else ""
-            yield Change(*whose, *scores, why, kept)
+            decided = number(decision.score) if decision is not None else ""
+            yield Change(*whose, *scores, why, decided)
 
 
 def explain_change(
@@ -128,10 +128,10 @@ def write_changes(changes: list[Change], file: Path) -> None:
     """Write the changes as a CSV file."""
     lines = [
         [
-            *map(harmless, one[:3]),
+            *map(escape_formula, one[:3]),
             *map(number, (one.before, one.after)),
-            harmless(one.why),
-            one.kept,
+            escape_formula(one.why),
+            one.decided,
         ]
         for one in changes
     ]

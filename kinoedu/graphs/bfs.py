@@ -75,15 +75,15 @@ def search_breadth_first(
     -------
     cost, parent : (n,) arrays.
     expanded : (k,), the nodes in the order in which they left the queue.
-    looked_at : how many edges were examined.
+    examined : how many edges were examined.
     """
     cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
-    queue, retrieved, looked_at = np.empty(size, np.int64), 0, 0
+    queue, retrieved, examined = np.empty(size, np.int64), 0, 0
     for v in breadth_first(graph, start, goal, cost, parent, queue):
         retrieved += 1
         if v != goal:
-            looked_at += degree(graph, v)
-    return cost, parent, queue[:retrieved].copy(), looked_at
+            examined += degree(graph, v)
+    return cost, parent, queue[:retrieved].copy(), examined
 
 
 def bfs(graph: Searchable, start: int, goal: int | None = None) -> Search:
@@ -108,8 +108,8 @@ def bfs(graph: Searchable, start: int, goal: int | None = None) -> Search:
     (array([ 0.,  1.,  1.,  2., inf]), Steps(nodes=4, edges=8))
     """
     flat, first, last = check_ends(graph, start, goal)
-    cost, parent, expanded, looked_at = search_breadth_first(flat, flat.size, first, last)
-    return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
+    cost, parent, expanded, examined = search_breadth_first(flat, flat.size, first, last)
+    return Search(cost, parent, expanded, Steps(len(expanded), int(examined)))
 
 
 def bfs_tree(graph: Searchable, start: int) -> NDArray[np.int64]:

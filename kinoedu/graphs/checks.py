@@ -75,10 +75,10 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
     given = as_regular_array(edges, "edges must be pairs of nodes, shape (m, 2)")
     if given.size == 0 and given.ndim <= 2:
         return np.empty((0, 2), np.int64)
-    whole = given.dtype.kind in "iu" or (
+    integral = given.dtype.kind in "iu" or (
         given.dtype.kind == "f" and (np.abs(given) < 2.0**53).all() and (given % 1 == 0).all()
     )
-    if given.ndim != 2 or given.shape[1] != 2 or not whole:
+    if given.ndim != 2 or given.shape[1] != 2 or not integral:
         raise InvalidGraph(
             f"edges must be pairs of whole numbers, shape (m, 2), got shape {given.shape} of "
             f"{given.dtype}"

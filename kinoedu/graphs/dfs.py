@@ -36,13 +36,13 @@ def depth_first(
     cost: Array,
     parent: NDArray[np.int64],
     stack: NDArray[np.int64],
-    looked_at: NDArray[np.int64],
+    examined: NDArray[np.int64],
 ) -> Iterator[int]:
     """Yield the nodes as they are entered.
 
-    Fills `cost`, `parent`, `stack`, and `looked_at`, which must be zero at first; shapes (n,). A
+    Fills `cost`, `parent`, `stack`, and `examined`, which must be zero at first; shapes (n,). A
     node has been seen when its cost, the number of edges on its path, is finite. The stack is the
-    path from the start to the current node v; looked_at[v] of the edges of v have been examined.
+    path from the start to the current node v; examined[v] of the edges of v have been examined.
     With goal = -1 the search enters every node that it can reach.
     """
     cost[start] = 0.0
@@ -50,15 +50,15 @@ def depth_first(
     height = 1
     while height > 0:
         v = stack[height - 1]
-        if looked_at[v] == 0:
+        if examined[v] == 0:
             yield v
             if v == goal:
                 return
-        if looked_at[v] == degree(graph, v):
+        if examined[v] == degree(graph, v):
             height -= 1
             continue
-        u, _ = edge(graph, v, looked_at[v])
-        looked_at[v] += 1
+        u, _ = edge(graph, v, examined[v])
+        examined[v] += 1
         if u >= 0 and cost[u] == np.inf:
             cost[u] = cost[v] + 1.0
             parent[u] = v
@@ -76,16 +76,16 @@ def search_depth_first(
     -------
     cost, parent : (n,) arrays.
     expanded : (k,), the nodes in the order in which they were entered.
-    looked_at : how many edges were examined.
+    examined : how many edges were examined.
     """
     cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
-    stack, looked_at = np.empty(size, np.int64), np.zeros(size, np.int64)
+    stack, examined = np.empty(size, np.int64), np.zeros(size, np.int64)
     expanded, entered, total = np.empty(size, np.int64), 0, 0
-    for v in depth_first(graph, start, goal, cost, parent, stack, looked_at):
+    for v in depth_first(graph, start, goal, cost, parent, stack, examined):
         expanded[entered] = v
         entered += 1
     for v in expanded[:entered]:
-        total += looked_at[v]
+        total += examined[v]
     return cost, parent, expanded[:entered].copy(), total
 
 
@@ -111,8 +111,8 @@ def dfs(graph: Searchable, start: int, goal: int | None = None) -> Search:
     (array([0, 1, 2, 3]), array([0., 1., 2., 3.]), Steps(nodes=4, edges=8))
     """
     flat, first, last = check_ends(graph, start, goal)
-    cost, parent, expanded, looked_at = search_depth_first(flat, flat.size, first, last)
-    return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
+    cost, parent, expanded, examined = search_depth_first(flat, flat.size, first, last)
+    return Search(cost, parent, expanded, Steps(len(expanded), int(examined)))
 
 
 def dfs_path(graph: Searchable, start: int, goal: int) -> NDArray[np.int64] | None:
@@ -163,6 +163,6 @@ def dfs_expansions(graph: Searchable, start: int, goal: int | None = None) -> It
     """
     flat, first, last = check_ends(graph, start, goal)
     cost, parent = np.full(flat.size, np.inf), np.full(flat.size, -1)
-    stack, looked_at = np.empty(flat.size, np.int64), np.zeros(flat.size, np.int64)
-    steps = depth_first.py_func(flat, first, last, cost, parent, stack, looked_at)
+    stack, examined = np.empty(flat.size, np.int64), np.zeros(flat.size, np.int64)
+    steps = depth_first.py_func(flat, first, last, cost, parent, stack, examined)
     return yield_moments(steps, cost, parent, lambda v, before: stack[: int(cost[v])][::-1])

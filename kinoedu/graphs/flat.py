@@ -84,7 +84,7 @@ def flat_graph(
 
 @algorithm
 def compress_rows(
-    size: int, edges: NDArray[np.int64], weights: Array, ways: int
+    size: int, edges: NDArray[np.int64], weights: Array, directions: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
     """The compressed sparse rows of a graph: where each node's edges begin, their ends and weights.
 
@@ -93,25 +93,25 @@ def compress_rows(
     """
     m = len(edges)
     by_target, by_source = np.zeros(size + 2, np.int64), np.zeros(size + 2, np.int64)
-    for way in range(ways):
+    for direction in range(directions):
         for e in range(m):
-            by_source[edges[e, way] + 2] += 1
-            by_target[edges[e, 1 - way] + 2] += 1
+            by_source[edges[e, direction] + 2] += 1
+            by_target[edges[e, 1 - direction] + 2] += 1
     for u in range(2, size + 2):
         by_source[u] += by_source[u - 1]
         by_target[u] += by_target[u - 1]
-    arcs = np.empty((ways * m, 2), np.int64)
-    for way in range(ways):
+    arcs = np.empty((directions * m, 2), np.int64)
+    for direction in range(directions):
         for e in range(m):
-            at = by_target[edges[e, 1 - way] + 1]
-            by_target[edges[e, 1 - way] + 1] += 1
-            arcs[at, 0], arcs[at, 1] = e, way
-    to, weight = np.empty(ways * m, np.int64), np.empty(ways * m)
+            at = by_target[edges[e, 1 - direction] + 1]
+            by_target[edges[e, 1 - direction] + 1] += 1
+            arcs[at, 0], arcs[at, 1] = e, direction
+    to, weight = np.empty(directions * m, np.int64), np.empty(directions * m)
     for i in range(len(arcs)):
-        e, way = arcs[i, 0], arcs[i, 1]
-        at = by_source[edges[e, way] + 1]
-        by_source[edges[e, way] + 1] += 1
-        to[at], weight[at] = edges[e, 1 - way], weights[e]
+        e, direction = arcs[i, 0], arcs[i, 1]
+        at = by_source[edges[e, direction] + 1]
+        by_source[edges[e, direction] + 1] += 1
+        to[at], weight[at] = edges[e, 1 - direction], weights[e]
     return by_source[:-1].copy(), to, weight
 
 

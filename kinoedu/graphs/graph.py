@@ -8,7 +8,7 @@ number of the deleted node is refused with an error. So arrays that a reader kee
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -89,9 +89,9 @@ class Graph:
         count = as_size(size, None if places is None else len(places))
         pairs = as_edges(edges, count)
         self.directed = bool(directed)
-        self.space = (
-            unbounded_space(places.shape[1]) if places is not None and space is None else space
-        )
+        self.space = space
+        if places is not None and space is None:
+            self.space = unbounded_space(places.shape[1])
         self.node_data: list[Any] = [None] * count
         self._there = [True] * count
         self._places = None if places is None else Rows(places)
@@ -112,8 +112,7 @@ class Graph:
         return iter(np.flatnonzero(self._there).tolist())
 
     def __contains__(self, u: object) -> bool:
-        whole = isinstance(u, int | np.integer) and not isinstance(u, bool)
-        return whole and 0 <= u < self.size and self._there[u]  # type: ignore[operator, call-overload]
+        return self._is_number(u) and bool(self._there[u])
 
     @property
     def size(self) -> int:
@@ -376,9 +375,14 @@ class Graph:
             raise InvalidGraph(f"there is no edge from {u} to {v}")
         return np.flatnonzero(same)
 
-    def _keep_edges(self, kept: NDArray[np.int64]) -> None:
-        self._edges, self._weights = Rows(self._edges.rows[kept]), Rows(self._weights.rows[kept])
-        self._edge_data = [self._edge_data[e] for e in kept]
+    def _is_number(self, u: object) -> TypeGuard[int]:
+        """Whether u is the number of a node, which may have been deleted."""
+        is_integer = isinstance(u, int | np.integer) and not isinstance(u, bool)
+        return is_integer and bool(0 <= u < self.size)  # type: ignore[operator]
+
+    def _keep_edges(self, rows: NDArray[np.int64]) -> None:
+        self._edges, self._weights = Rows(self._edges.rows[rows]), Rows(self._weights.rows[rows])
+        self._edge_data = [self._edge_data[e] for e in rows]
         self._flat = None
 
 
@@ -390,10 +394,7 @@ def _(graph: Graph) -> GraphRecord:
 @check_node.register
 def _(graph: Graph, u: Any, name: str) -> int:
     if u not in graph:
-        gone = isinstance(u, int | np.integer) and not isinstance(u, bool) and 0 <= u < graph.size
         have = f"from 0 to {graph.size - 1}" if len(graph) else "of the graph, and it has none"
-        raise InvalidGraph(
-            f"{name} must be a node {have}, got "
-            f"{shortened(u)}{', which was deleted' if gone else ''}"
-        )
+        deleted = ", which was deleted" if graph._is_number(u) else ""
+        raise InvalidGraph(f"{name} must be a node {have}, got {shortened(u)}{deleted}")
     return int(u)

@@ -134,7 +134,7 @@ def search(
     -------
     cost, parent : (n,) arrays.
     expanded : (k,), the nodes in the order of expansion.
-    looked_at : how many edges were examined.
+    examined : how many edges were examined.
     """
     labels, queue = begin_search(len(heuristic), start, heuristic)
     expanded = np.empty(len(heuristic), np.int64)
@@ -145,16 +145,16 @@ def search(
         else:
             queue = enlarge(queue, degree(graph, peek(queue)))
         n, done = expand(graph, goal, heuristic, labels, queue, expanded, n)
-    looked_at = 0
+    examined = 0
     for u in expanded[:n]:
-        looked_at += degree(graph, u) if u != goal else 0
-    return labels.cost, labels.parent, expanded[:n], looked_at
+        examined += degree(graph, u) if u != goal else 0
+    return labels.cost, labels.parent, expanded[:n], examined
 
 
 def run_search(flat: Any, start: int, goal: int, heuristic: Array) -> Search:
     """Run `search` and collect its result in a Search."""
-    cost, parent, expanded, looked_at = search(flat, start, goal, heuristic)
-    return Search(cost, parent, expanded, Steps(len(expanded), int(looked_at)))
+    cost, parent, expanded, examined = search(flat, start, goal, heuristic)
+    return Search(cost, parent, expanded, Steps(len(expanded), int(examined)))
 
 
 def dijkstra(graph: Searchable, start: int) -> Search:
@@ -183,13 +183,13 @@ def dijkstra(graph: Searchable, start: int) -> Search:
 
 
 def astar(
-    graph: Searchable, start: int, goal: int, estimate: ArrayLike | None = None
+    graph: Searchable, start: int, goal: int, heuristic: ArrayLike | None = None
 ) -> tuple[NDArray[np.int64] | None, Search]:
     """A shortest path between two nodes, by A*.
 
     Parameters
     ----------
-    estimate : (n,), the heuristic: lower bounds on the cost from each node to the goal. Without
+    heuristic : (n,), lower bounds on the cost from each node to the goal. Without
         it this is Dijkstra's algorithm, stopped at the goal. Where weights are distances,
         `graph.distances(goal)` is such a heuristic.
 
@@ -200,7 +200,7 @@ def astar(
     Raises
     ------
     InvalidGraph
-        Where `start` or `goal` is not a node, or `estimate` is not n numbers of zero or more.
+        Where `start` or `goal` is not a node, or `heuristic` is not n numbers of zero or more.
 
     Examples
     --------
@@ -210,12 +210,12 @@ def astar(
     (array([0, 1, 2]), np.float64(2.0))
     """
     flat, first, last = check_ends(graph, start, goal)
-    found = run_search(flat, first, last, as_heuristic(estimate, flat.size))
+    found = run_search(flat, first, last, as_heuristic(heuristic, flat.size))
     return path_or_none(found, last), found
 
 
 def astar_expansions(
-    graph: Searchable, start: int, goal: int, estimate: ArrayLike | None = None
+    graph: Searchable, start: int, goal: int, heuristic: ArrayLike | None = None
 ) -> Iterator[Expansion]:
     """A* as an iterator over its expansions, with the priority queue at each of them.
 
@@ -237,7 +237,7 @@ def astar_expansions(
     (2, array([], dtype=int64))
     """
     flat, first, last = check_ends(graph, start, goal)
-    return yield_expansions(flat, first, last, as_heuristic(estimate, flat.size))
+    return yield_expansions(flat, first, last, as_heuristic(heuristic, flat.size))
 
 
 def dijkstra_expansions(graph: Searchable, start: int) -> Iterator[Expansion]:
@@ -280,17 +280,17 @@ def yield_expansions(flat: Any, start: int, goal: int, heuristic: Array) -> Iter
         n, done = expand.py_func(flat, goal, heuristic, labels, queue, expanded[: n + 1], n)
 
 
-def as_heuristic(estimate: ArrayLike | None, size: int) -> Array:
+def as_heuristic(values: ArrayLike | None, size: int) -> Array:
     """Lower bounds (n,), zeros for None; raises InvalidGraph unless all are zero or more."""
-    if estimate is None:
+    if values is None:
         return np.zeros(size)
     try:
-        bounds = np.array(estimate, np.float64)
+        bounds = np.array(values, np.float64)
     except (TypeError, ValueError):
         bounds = np.empty(0)
     if bounds.shape != (size,) or not (bounds >= 0.0).all():
         raise InvalidGraph(
-            f"the estimate must be {size} numbers, zero or more, one for each node, got "
-            f"{shortened(estimate)}"
+            f"the heuristic must be {size} numbers, zero or more, one for each node, got "
+            f"{shortened(values)}"
         )
     return bounds

@@ -43,10 +43,10 @@ def get_template(key: str, language: str) -> str:
         Where English lacks it too.
     """
     for name in (language, "en"):
-        words = look_up(catalogue(name), key)
-        if words is not None:
-            return words
-    raise KeyError(f"no words for {key!r} in {HERE / 'en'} and {LESSONS}")
+        text = look_up(catalogue(name), key)
+        if text is not None:
+            return text
+    raise KeyError(f"no message for {key!r} in {HERE / 'en'} and {LESSONS}")
 
 
 def has_message(key: str) -> bool:
@@ -67,9 +67,9 @@ def catalogue(language: str) -> dict[str, Any]:
     }
 
 
-def look_up(words: dict[str, Any], key: str) -> str | None:
+def look_up(messages: dict[str, Any], key: str) -> str | None:
     """The message under a dotted key, or None."""
-    here: Any = words
+    here: Any = messages
     for part in key.split("."):
         here = here.get(part) if isinstance(here, dict) else None
     return here if isinstance(here, str) else None

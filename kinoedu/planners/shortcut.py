@@ -30,17 +30,17 @@ def cut_corners(
     -------
     (m, d) array: the path that remains.
     """
-    kept, size = np.empty((len(path) + tries, path.shape[1])), len(path)
-    kept[:size] = path
+    points, size = np.empty((len(path) + tries, path.shape[1])), len(path)
+    points[:size] = path
     for _ in range(tries):
         i, j = int(rng.integers(0, size - 1)), int(rng.integers(0, size - 1))
         t, s = rng.random(), rng.random()
         if i >= j:
             continue
-        p = problem.steer(kept[i], kept[i + 1], t * problem.distance(kept[i], kept[i + 1]))
-        q = problem.steer(kept[j], kept[j + 1], s * problem.distance(kept[j], kept[j + 1]))
-        before, after = kept[i].copy(), kept[j + 1].copy()
-        along = cost_between(problem, kept, i, j + 1)
+        p = problem.steer(points[i], points[i + 1], t * problem.distance(points[i], points[i + 1]))
+        q = problem.steer(points[j], points[j + 1], s * problem.distance(points[j], points[j + 1]))
+        before, after = points[i].copy(), points[j + 1].copy()
+        along = cost_between(problem, points, i, j + 1)
         straight = (
             problem.motion_cost(before, p)
             + problem.motion_cost(p, q)
@@ -49,10 +49,10 @@ def cut_corners(
         if straight >= along or not problem.is_free_path(p, q):
             continue
         if problem.is_free_path(before, p) and problem.is_free_path(q, after):
-            kept[i + 3 : size + i + 2 - j] = kept[j + 1 : size].copy()
-            kept[i + 1], kept[i + 2] = p, q
+            points[i + 3 : size + i + 2 - j] = points[j + 1 : size].copy()
+            points[i + 1], points[i + 2] = p, q
             size += i + 2 - j
-    return kept[:size].copy()
+    return points[:size].copy()
 
 
 @callable_from_compiled

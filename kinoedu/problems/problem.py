@@ -47,7 +47,7 @@ class ProblemRecord(NamedTuple):
     query_counts[PLACES] for configurations.
     """
 
-    robot: Any  # which kinds, a planner checks that needs one
+    robot: Any  # of any kind; a planner that needs a special kind checks for it
     world: Any
     space: Any
     start: Array

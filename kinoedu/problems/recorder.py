@@ -52,9 +52,9 @@ class Recorder:
     def _recorded(self, name: str, question: Callable[..., object]) -> Callable[..., object]:
         def logged(*given: object) -> object:
             answer = question(*given)
-            kept = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
+            copies = tuple(g.copy() if isinstance(g, np.ndarray) else g for g in given)
             self.log.append(
-                Question(name, kept, answer.copy() if isinstance(answer, np.ndarray) else answer)
+                Question(name, copies, answer.copy() if isinstance(answer, np.ndarray) else answer)
             )
             return answer
 

@@ -145,7 +145,7 @@ class TwoLinkArm(ArmRobot, metaclass=Constructor):
 
     @classmethod
     def _makes(cls, thing: ArmRobot) -> bool:
-        """Whether a record could come from here."""
+        """Whether this class could have made the record."""
         return len(thing.lengths) == 2
 
     def __new__(  # type: ignore[misc]  # returns the record

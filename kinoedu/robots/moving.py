@@ -59,7 +59,7 @@ def place_body(robot: Any, q: Array) -> Parts:
 
 
 @place_body.register(RoundRobot)
-def placed_disc(robot: RoundRobot, q: Array) -> Parts:
+def place_disc(robot: RoundRobot, q: Array) -> Parts:
     """A disc centred at q."""
     points = np.empty((1, 2))
     points[0, 0], points[0, 1] = q[0], q[1]
@@ -67,13 +67,13 @@ def placed_disc(robot: RoundRobot, q: Array) -> Parts:
 
 
 @displacement.register(TranslatingPolygonRobot)
-def straight_way(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
+def straight_displacement(robot: TranslatingPolygonRobot, a: Array, b: Array) -> Array:
     """The difference b - a."""
     return b - a
 
 
 @place_piece.register(TranslatingPolygonRobot)
-def place_unturned(
+def place_translated(
     robot: TranslatingPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
     """Translate the piece; all corners have the same velocity."""
@@ -84,13 +84,13 @@ def place_unturned(
 
 
 @displacement.register(RigidPolygonRobot)
-def way_with_turn(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
+def rigid_displacement(robot: RigidPolygonRobot, a: Array, b: Array) -> Array:
     """The difference of positions, and the shorter turn."""
     return np.array([b[0] - a[0], b[1] - a[1], angle_difference(a[2], b[2])])
 
 
 @place_piece.register(RigidPolygonRobot)
-def place_turned(
+def place_rotated(
     robot: RigidPolygonRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
     """Translate the piece and rotate it about the reference point."""
@@ -105,7 +105,7 @@ def place_turned(
 
 
 @place_piece.register(CarRobot)
-def place_driven(
+def place_on_arc(
     robot: CarRobot, i: int, a: Array, change: Array, t: float, corners: Array
 ) -> None:
     """Drive the piece along an arc; `change` is the distance and the change of heading."""
@@ -121,7 +121,7 @@ def place_driven(
 
 
 @displacement.register(ArmRobot)
-def way_of_joints(robot: ArmRobot, a: Array, b: Array) -> Array:
+def joint_displacement(robot: ArmRobot, a: Array, b: Array) -> Array:
     """The shorter turn of each joint."""
     change = np.empty(len(a))
     for i in range(len(a)):

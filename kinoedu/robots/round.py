@@ -34,7 +34,7 @@ class Point(RoundRobot, metaclass=Constructor):
 
     @classmethod
     def _makes(cls, thing: RoundRobot) -> bool:
-        """Whether a record could come from here."""
+        """Whether this class could have made the record."""
         return thing.radius == 0.0
 
     def __new__(cls) -> RoundRobot:  # type: ignore[misc]  # returns the record
@@ -61,7 +61,7 @@ class Disk(RoundRobot, metaclass=Constructor):
 
     @classmethod
     def _makes(cls, thing: RoundRobot) -> bool:
-        """Whether a record could come from here."""
+        """Whether this class could have made the record."""
         return thing.radius > 0.0
 
     def __new__(cls, radius: float) -> RoundRobot:  # type: ignore[misc]  # returns the record

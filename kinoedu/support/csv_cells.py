@@ -1,6 +1,4 @@
-"""Tables for spreadsheets: a cell that begins as a formula would is made harmless, and nothing in a
-cell breaks its row.
-"""
+"""Tables for spreadsheets, in which no cell is taken for a formula and no cell breaks its row."""
 
 import csv
 import io
@@ -10,20 +8,12 @@ from pathlib import Path
 from .text import show_controls
 from .whole_files import written_whole
 
-FORMULA = (
-    "=",
-    "+",
-    "-",
-    "@",
-    "\uff1d",
-    "\uff0b",
-    "\uff0d",
-    "\uff20",
-)  # the last four as wide as a Chinese character, and heard too
+# what a formula begins with; spreadsheets also accept the full-width forms, the last four
+FORMULA = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 
 
 def one_line(text: str) -> str:
-    """Text on one line; what would steer a terminal or turn the direction of writing is visible.
+    """Text on one line, where control characters are visible, also those for right-to-left text.
 
     >>> print(one_line("ann\\x1b[2J\\u202e\\nb"))
     ann\\x1b[2J\\u202e b
@@ -32,21 +22,20 @@ def one_line(text: str) -> str:
     return " ".join("".join(c if c.isprintable() else " " for c in shown).split())
 
 
-def harmless(text: str) -> str:
-    """Text as a cell that no spreadsheet takes for a formula: on one line, and with an apostrophe
-    before = + - @.
+def escape_formula(text: str) -> str:
+    """Text on one line, after an apostrophe where a spreadsheet would take it for a formula.
 
-    >>> harmless("=cmd|' /C calc'!A0"), harmless("two\\nlines"), harmless("-1")
+    >>> escape_formula("=cmd|' /C calc'!A0"), escape_formula("two\\nlines"), escape_formula("-1")
     ("'=cmd|' /C calc'!A0", 'two lines', "'-1")
     """
     line = one_line(text)
     return f"'{line}" if line.lstrip("'").startswith(FORMULA) else line
 
 
-def unharmed(text: str) -> str:
-    """The text of a cell before it was made harmless.
+def unescape_formula(text: str) -> str:
+    """The text of a cell before `escape_formula`.
 
-    >>> unharmed(harmless("=ann")), unharmed("'tis")
+    >>> unescape_formula(escape_formula("=ann")), unescape_formula("'tis")
     ('=ann', "'tis")
     """
     return text[1:] if text.startswith("'") and text.lstrip("'").startswith(FORMULA) else text

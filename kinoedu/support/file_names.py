@@ -4,7 +4,7 @@ import hashlib
 import re
 
 PLAIN = re.compile(r"[a-z0-9][a-z0-9._-]{0,58}[a-z0-9]|[a-z0-9]")
-TAKEN = re.compile(r"(con|nul|aux|prn|com\d|lpt\d)(\..*)?")  # what Windows keeps for itself
+TAKEN = re.compile(r"(con|nul|aux|prn|com\d|lpt\d)(\..*)?")  # names that Windows reserves
 
 
 def file_name(text: str) -> str:

@@ -26,18 +26,18 @@ class Field(NamedTuple):
         """An error that names this field and says what was expected."""
         return UnreadableScene(f"{self.name} must be {expected}, got {shortened(self.value)}")
 
-    def check_version(self, known: int) -> None:
-        """Check that an object has no version other than the known one.
+    def check_version(self, version: int) -> None:
+        """Check that an object has no other version than this one.
 
         Raises
         ------
         UnreadableScene
             Where it has another version.
         """
-        if isinstance(self.value, dict) and self.value.get("version") not in (known, None):
+        if isinstance(self.value, dict) and self.value.get("version") not in (version, None):
             given = shortened(self.value["version"])
             raise UnreadableScene(
-                f"{self.name}.version must be {known}, got {given}; this kinoedu knows no other"
+                f"{self.name}.version must be {version}, got {given}; this kinoedu knows no other"
             )
 
     def members(
@@ -55,8 +55,8 @@ class Field(NamedTuple):
         for key in self.value:
             if key not in needed + optional:
                 close = difflib.get_close_matches(key, needed + optional, 1)
-                known = f"known are {', '.join(needed + optional)}"
-                hint = f"did you mean {close[0]!r}?" if close else known
+                choices = f"known are {', '.join(needed + optional)}"
+                hint = f"did you mean {close[0]!r}?" if close else choices
                 raise UnreadableScene(f"{self.name} has an unknown key {key!r}; {hint}")
         for key in needed:
             if key not in self.value:
@@ -131,13 +131,13 @@ def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
         Where the file is not JSON. This error and those of `build` name the file and the field.
     """
     try:
-        return build(Field(name, parsed(read_text(file)), file.parent))
+        return build(Field(name, parse_json(read_text(file)), file.parent))
     except KinoeduError as error:
         message = str(error) if str(file) in str(error) else f"{file}: {error}"
         raise type(error)(message) from error
 
 
-def parsed(text: str) -> Any:
+def parse_json(text: str) -> Any:
     """JSON as Python values; NaN and repeated keys are refused."""
     try:
         return json.loads(

@@ -2,7 +2,7 @@
 
 import re
 
-# what steers a terminal, hides, or turns the direction of writing; newlines and tabs do not
+# control and invisible characters, and those for right-to-left text; not newlines and tabs
 CONTROLS = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\xad\u061c\u180e\u200b\u200e\u200f\u2028-\u202e"
     "\u2060-\u206f\ufeff\ufff9-\ufffb\ud800-\udfff\U000e0000-\U000e007f]"

@@ -115,7 +115,7 @@ def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> 
         free = LANDSCAPES[kind](generator)
         for x, y in (START, GOAL):
             free[int(y) - CLEAR : int(y) + CLEAR, int(x) - CLEAR : int(x) + CLEAR] = True
-        if joined_cells(free, START, GOAL):
+        if are_connected(free, START, GOAL):
             return Terrain(free, **terrain)
 
 
@@ -162,7 +162,7 @@ def discs(places: Array, radii: Array) -> Cells:
     return inside
 
 
-def joined_cells(free: Cells, a: tuple[float, float], b: tuple[float, float]) -> bool:
+def are_connected(free: Cells, a: tuple[float, float], b: tuple[float, float]) -> bool:
     """Whether a and b are connected by free cells that share sides."""
     from scipy.ndimage import label
 

@@ -184,7 +184,7 @@ def position_at(times: Array, places: Array, begin: int, end: int, t: float) -> 
         return places[begin, 0], places[begin, 1]
     for k in range(begin + 1, end):
         if t < times[k]:
-            share = (t - times[k - 1]) / (times[k] - times[k - 1])
+            fraction = (t - times[k - 1]) / (times[k] - times[k - 1])
             x, y = places[k - 1, 0], places[k - 1, 1]
-            return x + share * (places[k, 0] - x), y + share * (places[k, 1] - y)
+            return x + fraction * (places[k, 0] - x), y + fraction * (places[k, 1] - y)
     return places[end - 1, 0], places[end - 1, 1]

@@ -56,10 +56,10 @@ def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: 
     while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:
         fine //= 2
     reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
-    known = Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
-    fill_occupancy(known, fine, hull, parts, cells)
-    measure_reach(known.reach)
-    return known
+    grid = Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
+    fill_occupancy(grid, fine, hull, parts, cells)
+    measure_reach(grid.reach)
+    return grid
 
 
 def no_occupancy() -> Occupancy:
@@ -69,17 +69,17 @@ def no_occupancy() -> Occupancy:
 
 @algorithm
 def fill_occupancy(
-    known: Occupancy, fine: int, hull: Array, parts: Parts, cells: PartsIndex
+    grid: Occupancy, fine: int, hull: Array, parts: Parts, cells: PartsIndex
 ) -> None:
     """Classify the cells of the index, then recursively their quarters where they are mixed."""
     size = fine
     while size > 0:
-        for j in range(0, known.reach.shape[0], size):
-            for i in range(0, known.reach.shape[1], size):
-                if known.reach[j, i] == MIXED or known.reach[j, i] == RIM:
+        for j in range(0, grid.reach.shape[0], size):
+            for i in range(0, grid.reach.shape[1], size):
+                if grid.reach[j, i] == MIXED or grid.reach[j, i] == RIM:
                     cell = j // fine * cells.columns + i // fine
-                    known.reach[j : j + size, i : i + size] = classify_block(
-                        i, j, size, known, cell, hull, parts, cells
+                    grid.reach[j : j + size, i : i + size] = classify_block(
+                        i, j, size, grid, cell, hull, parts, cells
                     )
         size //= 2
 
@@ -89,18 +89,18 @@ def classify_block(
     i: int,
     j: int,
     size: int,
-    known: Occupancy,
+    grid: Occupancy,
     cell: int,
     hull: Array,
     parts: Parts,
     cells: PartsIndex,
 ) -> int:
     """The state of a block of size * size cells, with its margin; by the hull and nearby parts."""
-    x0, x1 = known.x + (i - MARGIN) * known.side, known.x + (i + size + MARGIN) * known.side
-    y0, y1 = known.y + (j - MARGIN) * known.side, known.y + (j + size + MARGIN) * known.side
+    x0, x1 = grid.x + (i - MARGIN) * grid.side, grid.x + (i + size + MARGIN) * grid.side
+    y0, y1 = grid.y + (j - MARGIN) * grid.side, grid.y + (j + size + MARGIN) * grid.side
     # MIXED means that the four times larger block is inside the hull
     inside = (
-        known.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
+        grid.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
     )
     found = FREE if inside else RIM
     for entry in range(cells.first[cell], cells.first[cell + 1]):
@@ -173,36 +173,36 @@ def box_in_polygon(
 
 
 @inlined
-def occupancy_at(x: float, y: float, radius: float, known: Occupancy) -> int:
+def occupancy_at(x: float, y: float, radius: float, grid: Occupancy) -> int:
     """FREE where a disc is known to be free, SOLID where its centre is not; else RIM or MIXED.
 
     The centre must lie in the world's bounding box.
     """
-    rows, columns = known.reach.shape
+    rows, columns = grid.reach.shape
     if rows == 0:
         return RIM
-    reach = known.reach[
-        clip((y - known.y) * known.per_unit, rows - 1),
-        clip((x - known.x) * known.per_unit, columns - 1),
+    reach = grid.reach[
+        clip((y - grid.y) * grid.per_unit, rows - 1),
+        clip((x - grid.x) * grid.per_unit, columns - 1),
     ]
-    return FREE if reach > cells_in(radius, known) else min(reach, MIXED)
+    return FREE if reach > cells_in(radius, grid) else min(reach, MIXED)
 
 
 @inlined
 def occupancy_between(
-    ax: float, ay: float, bx: float, by: float, radius: float, known: Occupancy
+    ax: float, ay: float, bx: float, by: float, radius: float, grid: Occupancy
 ) -> int:
     """The same for a disc that moves along a-b.
 
     A stretch of the motion is FREE where the reach of one end covers the other end and the disc.
     """
-    rows, columns = known.reach.shape
+    rows, columns = grid.reach.shape
     if rows == 0:
         return RIM
-    u, v = (ax - known.x) * known.per_unit, (ay - known.y) * known.per_unit
-    s, t = (bx - known.x) * known.per_unit, (by - known.y) * known.per_unit
+    u, v = (ax - grid.x) * grid.per_unit, (ay - grid.y) * grid.per_unit
+    s, t = (bx - grid.x) * grid.per_unit, (by - grid.y) * grid.per_unit
     i, j, k, m = clip(u, columns - 1), clip(v, rows - 1), clip(s, columns - 1), clip(t, rows - 1)
-    at_a, at_b, spare = known.reach[j, i], known.reach[m, k], cells_in(radius, known)
+    at_a, at_b, spare = grid.reach[j, i], grid.reach[m, k], cells_in(radius, grid)
     if max(abs(k - i), abs(m - j)) + spare < max(at_a, at_b):
         return FREE
     found, rest = FREE, min(min(at_a, at_b), MIXED)
@@ -211,7 +211,7 @@ def occupancy_between(
             clip(u + piece / PIECES * (s - u), columns - 1),
             clip(v + piece / PIECES * (t - v), rows - 1),
         )
-        at_b = known.reach[m, k]
+        at_b = grid.reach[m, k]
         if at_b == SOLID:
             return SOLID
         if max(abs(k - i), abs(m - j)) + spare >= max(at_a, at_b):
@@ -221,6 +221,6 @@ def occupancy_between(
 
 
 @inlined
-def cells_in(radius: float, known: Occupancy) -> int:
+def cells_in(radius: float, grid: Occupancy) -> int:
     """The number of cells by which a disc may extend beyond the cell of its centre."""
-    return int(min(np.ceil(radius * known.per_unit), float(MOST))) if radius > 0.0 else 0
+    return int(min(np.ceil(radius * grid.per_unit), float(MOST))) if radius > 0.0 else 0

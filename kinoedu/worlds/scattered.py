@@ -64,9 +64,9 @@ def scattered(
         )
     apart = -np.inf if gap is None else nonnegative(gap, "gap")
     generator, placed, polygons = as_generator(rng), as_discs(keep_free), []
-    kept = len(placed)
+    fixed = len(placed)
     for number in range(count):
-        x, y, r = draw_disc(placed, kept, apart, width, size, generator, number)
+        x, y, r = draw_disc(placed, fixed, apart, width, size, generator, number)
         placed = np.vstack([placed, (x, y, r)])
         polygons.append((x, y) + r * draw_corners(generator))
     return PolygonWorld([(0.0, 0.0), (width, 0.0), (width, width), (0.0, width)], polygons)
@@ -74,15 +74,15 @@ def scattered(
 
 def draw_disc(
     placed: Array,
-    kept: int,
+    fixed: int,
     apart: float,
     side: float,
     radius: float,
     rng: np.random.Generator,
     number: int,
 ) -> tuple[float, float, float]:
-    """Draw a disc (x, y, r) off the first `kept` discs and `apart` from the others."""
-    least = np.where(np.arange(len(placed)) < kept, 0.0, apart)
+    """Draw a disc (x, y, r) off the first `fixed` discs and `apart` from the others."""
+    least = np.where(np.arange(len(placed)) < fixed, 0.0, apart)
     for _ in range(TRIES):
         r = radius * rng.uniform(0.5, 1.0)
         x, y = rng.uniform(r, side - r, 2)

@@ -17,7 +17,7 @@ MOVES = 8  # steps from one look to the next
 
 def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
     """Draw the regions and walls seen, the plan in that map, the path driven and the robot."""
-    ways = [np.vstack([look.seen.origin, look.followed]) for look in looks]
+    ways = [np.vstack([look.scan.origin, look.followed]) for look in looks]
     stops = [points_at_fractions(way, np.arange(MOVES) / MOVES) for way in ways]
     places = np.concatenate([*stops, ways[-1][-1:]]) if ways else plan.problem.start[None]
     steps = np.arange(len(places))
@@ -41,7 +41,7 @@ def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
 
 def draw_looks(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) -> list[Layer]:
     """Draw each look: the region seen, the walls added to the map, and the plan in the map."""
-    regions = np.array([look.seen.points for look in looks])
+    regions = np.array([look.scan.points for look in looks])
     counts = [0, *(len(look.walls) for look in looks)]
     walls = looks[-1].walls[:, :2]
     came = np.repeat(begins, np.diff(counts))

@@ -27,12 +27,12 @@ class PathToGoal(NamedTuple):
 def draw_tree_history(log: Rewirings) -> Layer:
     """Every edge, from the step at which it was added to the step at which it was replaced."""
     n = len(log.nodes)
-    until = np.where(log.gone < n, log.gone + 1.0, np.inf)
+    until = np.where(log.replaced_at < n, log.replaced_at + 1.0, np.inf)
     return edges(
         log_segments(log, log.parent, log.node),
         "tree",
         width=line_width(n),
-        when=log.came + 1,
+        when=log.created_at + 1,
         until=until,
     )
 
@@ -45,17 +45,17 @@ def log_segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int
 def find_paths_to_goal(log: Rewirings) -> list[PathToGoal]:
     """The path to the goal after each change of it."""
     parent, paths, on_path = np.full(len(log.nodes), -1), list[PathToGoal](), {log.at_goal}
-    for node, above, came in zip(
-        log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
+    for node, above, created in zip(
+        log.node.tolist(), log.parent.tolist(), log.created_at.tolist(), strict=True
     ):
         parent[node] = above
-        if node in on_path and came >= log.at_goal:
+        if node in on_path and created >= log.at_goal:
             numbers = extract_path(parent, log.at_goal)
             on_path, points = set(numbers.tolist()), log.nodes[numbers, :2]
-            while paths and paths[-1].step == came + 1:
+            while paths and paths[-1].step == created + 1:
                 paths.pop()
             length = float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())
-            paths.append(PathToGoal(came + 1, points, length))
+            paths.append(PathToGoal(created + 1, points, length))
     return paths
 
 
@@ -86,7 +86,7 @@ def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     """
     n, nodes = len(log.nodes), log.nodes[:, :2]
     old = former_parents(log)
-    new, again = log.node == log.came, log.node != log.came
+    new, again = log.node == log.created_at, log.node != log.created_at
     looked = np.flatnonzero(log.radius > 0.0)
 
     def then(numbers: NDArray[np.int64]) -> JsonObject:
@@ -100,9 +100,9 @@ def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     added = log_segments(log, log.parent[new], log.node[new])
     return [
         bodies(balls, "robot", **then(looked)),
-        edges(replaced, "hit", width=1.8, dash=(3.0, 5.0), **then(log.came[again])),
-        edges(rewired, "hit", width=4.0, **then(log.came[again])),
-        edges(added, "ink", width=4.0, **then(log.came[new])),
+        edges(replaced, "hit", width=1.8, dash=(3.0, 5.0), **then(log.created_at[again])),
+        edges(rewired, "hit", width=4.0, **then(log.created_at[again])),
+        edges(added, "ink", width=4.0, **then(log.created_at[new])),
         dots(nodes[near[:, 1]], "ink", radius=4.6, **then(near[:, 0])),
         dots(nodes[near[:, 1]], "frontier", radius=3.4, **then(near[:, 0])),
         dots(nodes, "ink", radius=6.5, **then(np.arange(n))),
@@ -113,10 +113,10 @@ def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
 def former_parents(log: Rewirings) -> NDArray[np.int64]:
     """For each rewired edge the former parent of its node."""
     before, parents = dict[int, int](), []
-    for node, parent, came in zip(
-        log.node.tolist(), log.parent.tolist(), log.came.tolist(), strict=True
+    for node, parent, created in zip(
+        log.node.tolist(), log.parent.tolist(), log.created_at.tolist(), strict=True
     ):
-        if node != came:
+        if node != created:
             parents.append(before[node])
         before[node] = parent
     return np.array(parents, np.int64)
@@ -137,8 +137,8 @@ def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) 
     """What happens at each step, in words."""
     n = len(log.radius)
     count = np.bincount(near[:, 0], minlength=n).tolist()
-    rewired = np.bincount(log.came[log.node != log.came], minlength=n).tolist()
-    new = log.node == log.came
+    rewired = np.bincount(log.created_at[log.node != log.created_at], minlength=n).tolist()
+    new = log.node == log.created_at
     parent = dict(zip(log.node[new].tolist(), log.parent[new].tolist(), strict=True))
     texts = ["", get_message("rewiring_board.root")]
     for node in range(1, n):

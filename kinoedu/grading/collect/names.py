@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ...errors import InvalidParameter
-from ...support.csv_cells import unharmed
+from ...support.csv_cells import unescape_formula
 from .found import METADATA, UNREADABLE, read_member
 from .notebook import UnreadableSubmission, read_bytes
 
@@ -40,7 +40,11 @@ def read_names(file: Path) -> Names:
         raise InvalidParameter(
             f"{file} has neither the columns student and name nor those of Canvas's gradebook"
         )
-    return {unharmed(one.strip()).casefold(): unharmed(name.strip()) for one, name in pairs if one}
+    return {
+        unescape_formula(one.strip()).casefold(): unescape_formula(name.strip())
+        for one, name in pairs
+        if one
+    }
 
 
 def name_in_canvas(row: dict[str, str | None]) -> Iterator[tuple[str, str]]:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ...course.release import solution_path
-from ...support.csv_cells import harmless, number, write_rows
+from ...support.csv_cells import escape_formula, number, write_rows
 from ...support.file_names import file_name
 from ...support.json_fields import JsonObject
 from ...support.whole_files import written_whole
@@ -249,7 +249,7 @@ def import_nbgrader_scores(of: Class, folder: Path) -> int:
                     continue
                 if grade.manual_score is not None and not grade.needs_manual_grade:
                     score = number(grade.manual_score + (grade.extra_credit or 0.0))
-                    who = map(harmless, (entry.student, entry.assignment, question))
-                    lines.append([*who, score, harmless(comment.manual_comment or "")])
+                    who = map(escape_formula, (entry.student, entry.assignment, question))
+                    lines.append([*who, score, escape_formula(comment.manual_comment or "")])
     write_rows(of.out / BY_HAND, [COLUMNS, *lines])
     return len(lines)

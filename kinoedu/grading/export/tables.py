@@ -9,7 +9,7 @@ from itertools import groupby
 from pathlib import Path
 
 from ...errors import InvalidParameter
-from ...support.csv_cells import harmless, number, write_rows
+from ...support.csv_cells import escape_formula, number, write_rows
 from ...support.file_names import file_name
 from ...support.text import show_controls
 from ...support.whole_files import written_whole
@@ -27,7 +27,10 @@ def export_csv(rows: list[Row], file: Path) -> None:
     found = sum_totals(rows)
     names = sorted({name for _, name in found if name})
     lines = [
-        [harmless(student), *(format_complete_total(found.get((student, name))) for name in names)]
+        [
+            escape_formula(student),
+            *(format_complete_total(found.get((student, name))) for name in names),
+        ]
         for student in sorted({row.student for row in rows})
     ]
     write_rows(file, [["student", *names], *lines])

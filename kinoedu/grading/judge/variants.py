@@ -8,7 +8,7 @@ from ...course.lessons import find
 from ...course.release import HOUSE, solution_path
 from ...errors import InvalidParameter
 from ...messages import get_message
-from ...support.csv_cells import harmless, write_rows
+from ...support.csv_cells import escape_formula, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
@@ -48,7 +48,7 @@ def write_variants(
                     json.dumps(insert_contracts(book, mine), indent=1, ensure_ascii=False) + "\n",
                     encoding="utf-8",
                 )
-            lines += [[harmless(student), name, *pair] for pair in mine]
+            lines += [[escape_formula(student), name, *pair] for pair in mine]
     write_rows(out / "variants.csv", [COLUMNS, *lines])
     return len(books) * len(students)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...errors import InvalidParameter
-from ...support.csv_cells import unharmed
+from ...support.csv_cells import unescape_formula
 
 OVERRIDES, BY_HAND = "overrides.csv", "by_hand.csv"
 COLUMNS = ("student", "assignment", "question", "score", "comment")
@@ -63,7 +63,7 @@ def read_table(file: Path) -> Decisions:
         rows = [
             (
                 reader.line_num,
-                {name: unharmed((row.get(name) or "").strip()) for name in COLUMNS},
+                {name: unescape_formula((row.get(name) or "").strip()) for name in COLUMNS},
                 row.get(None),
             )
             for row in reader

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ...errors import InvalidParameter
 from ...messages import get_message
-from ...support.csv_cells import harmless, number, write_rows
+from ...support.csv_cells import escape_formula, number, write_rows
 from ..assignments.questions import read_assignment
 from ..judge.class_list import Class, Entry, read_record
 from ..judge.submission import Grade
@@ -161,6 +161,6 @@ def format_grades(rows: Iterable[Row]) -> list[tuple[str, ...]]:
 def format_rows(rows: Iterable[Row]) -> Iterator[tuple[str, ...]]:
     """Yield the rows as text."""
     for row in rows:
-        names = map(harmless, (row.student, row.assignment, row.question))
+        names = map(escape_formula, (row.student, row.assignment, row.question))
         scores = (number(row.score), number(row.max_score))
-        yield (*names, *scores, row.status, harmless(row.message))
+        yield (*names, *scores, row.status, escape_formula(row.message))

@@ -6,7 +6,7 @@ from itertools import repeat
 from pathlib import Path
 
 from ...messages import get_message
-from ...support.csv_cells import harmless, number, write_rows
+from ...support.csv_cells import escape_formula, number, write_rows
 from .fingerprints import Piece
 from .pages import breakable, heading, page, paragraph, table, write_page
 from .similar import Likeness, Similar
@@ -30,7 +30,7 @@ def write_similar(found: list[Similar], folder: Path) -> int:
             file.unlink()
     lines = []
     for place, of, one in pairs:
-        names = map(harmless, (of.assignment, one.first.name, one.second.name))
+        names = map(escape_formula, (of.assignment, one.first.name, one.second.name))
         lines.append([*names, *map(number, one[2:]), place])
     folder.mkdir(parents=True, exist_ok=True)
     write_rows(folder / "similar.csv", [COLUMNS, *lines])

@@ -49,8 +49,8 @@ def bug0(
 
     Parameters
     ----------
-    start, goal : (x, y). The start must be free. The goal need not be reachable: the walk finds
-        that out.
+    start, goal : (x, y). The start must be free. The goal need not be reachable; the
+        walk ends with a reason where it is not.
     obstacles : simple polygons, (n, 2) each, convex or not, clockwise or counter-clockwise.
         Obstacles that touch or overlap count as one.
     step : the longest distance between two points of the path. The walk itself is exact and does

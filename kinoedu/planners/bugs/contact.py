@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ...compiled import compiled
 from ...geometry.checks import Array
 from ...geometry.exact import dot_sign, height, length, orientation_sign
-from ...geometry.segments import between, closest_on_segment, proper_crossing
+from ...geometry.segments import closest_on_segment, is_between, proper_crossing
 
 BLOCKED, OPEN, ALONG_BEFORE, ALONG_AFTER = 0, 1, 2, 3  # where a direction leads from a corner
 REACHED, AT_CORNER, ON_EDGE = 0, 1, 2  # where a straight motion ends
@@ -97,7 +97,7 @@ def sense_walls(
             orientation_sign(sx, sy, gx, gy, ax, ay),
             orientation_sign(sx, sy, gx, gy, bx, by),
         )
-        on_line[i] = a_side == 0 and between(sx, sy, gx, gy, ax, ay)
+        on_line[i] = a_side == 0 and is_between(sx, sy, gx, gy, ax, ay)
         x, y, region = closest_on_segment(gx, gy, ax, ay, bx, by)
         if region == 0:
             foot[i] = clamp_inside(length(x - ax, y - ay) / length(bx - ax, by - ay))
@@ -151,7 +151,7 @@ def first_contact(
     for i in range(len(points)):
         (ax, ay), (bx, by) = points[i], points[after[i]]
         a_side = orientation_sign(ox, oy, gx, gy, ax, ay)
-        if a_side == 0 and between(ox, oy, gx, gy, ax, ay) and not (ax == ox and ay == oy):
+        if a_side == 0 and is_between(ox, oy, gx, gy, ax, ay) and not (ax == ox and ay == oy):
             if left >= 0 and side_of(points, after, left, ax, ay) >= 0:
                 continue
             ux, uy = points[before[i]]
@@ -165,7 +165,8 @@ def first_contact(
                 how == REACHED
                 or (how == ON_EDGE and side_of(points, after, which, ax, ay) < 0)
                 or (
-                    how == AT_CORNER and between(ox, oy, points[which, 0], points[which, 1], ax, ay)
+                    how == AT_CORNER
+                    and is_between(ox, oy, points[which, 0], points[which, 1], ax, ay)
                 )
             ):
                 how, which = AT_CORNER, i

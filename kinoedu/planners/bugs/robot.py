@@ -120,7 +120,7 @@ class BugRobot:
     def _go(self, place: Place, following: bool) -> None:
         self.travelled += float(length(place.x - self.place.x, place.y - self.place.y))
         self.place = place
-        self.trail.go(place, following)
+        self.trail.append(place, following)
 
     def _places_on(self, wall: int) -> list[Place]:
         """The places of interest on an edge, in order, from the corner where it begins."""
@@ -171,7 +171,7 @@ class Trail:
         self.hits, self.leaves = list[int](), list[int]()
         self._kept = True
 
-    def go(self, place: Place, following: bool) -> None:
+    def append(self, place: Place, following: bool) -> None:
         """Append a place.
 
         The last place is dropped where nothing happened there and the wall was straight.

@@ -92,7 +92,7 @@ def kinodynamic_prm(
     Parameters
     ----------
     n : how many targets are drawn; the planner does not stop at the first path.
-    k : K, from how many nodes each target is driven to.
+    k : K, how many nodes try to drive towards each target.
 
     The other parameters are those of `kinodynamic_rrt`.
 

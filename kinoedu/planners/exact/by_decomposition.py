@@ -107,8 +107,8 @@ def check_edges(
 def explain_no_path(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
     """Why start and goal, the last two nodes, are not connected; the first n nodes are cells."""
     start, goal = len(roadmap.nodes) - 2, len(roadmap.nodes) - 1
-    whole = Graph(len(roadmap.nodes), roadmap.edges)
-    from_start, from_goal = (np.isfinite(dijkstra(whole, q).cost) for q in (start, goal))
+    graph = Graph(len(roadmap.nodes), roadmap.edges)
+    from_start, from_goal = (np.isfinite(dijkstra(graph, q).cost) for q in (start, goal))
     for alone, name in ((from_start, "start"), (from_goal, "goal")):
         if alone[:n].sum() == 0:
             return f"the {name} is within rounding of an obstacle; move it away from it"

@@ -16,7 +16,7 @@ from ...decomposition.free_space import as_polygons
 from ...geometry.checks import Array
 from ...geometry.exact import orientation_sign
 from ...geometry.polygons import locate_points
-from ...geometry.segments import between, segments_meet
+from ...geometry.segments import is_between, segments_meet
 from ...worlds.checks import World
 from ...worlds.polygon_world import rings_of
 
@@ -99,7 +99,7 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
             if (
                 i == ends[edge, 0]
                 or i == ends[edge, 1]
-                or not between(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1])
+                or not is_between(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1])
             ):
                 continue
             if orientation_sign(a[0], a[1], b[0], b[1], points[i, 0], points[i, 1]) == 0:
@@ -114,8 +114,8 @@ def assign_families(rings: list[list[int]], points: Array) -> list[int]:
     meeting = rings_that_meet(points, ends, len(rings))
     families: list[int] = []
     for i in range(len(rings)):
-        taken = {families[j] for j in range(i) if meeting[i, j]}
-        families.append(next(family for family in range(i + 1) if family not in taken))
+        used = {families[j] for j in range(i) if meeting[i, j]}
+        families.append(next(family for family in range(i + 1) if family not in used))
     return families
 
 
@@ -125,16 +125,16 @@ def rings_that_meet(points: Array, ends: NDArray[np.int64], rings: int) -> NDArr
 
     The rows of `ends` are an edge's two points and its ring.
     """
-    meet = np.zeros((rings, rings), np.bool_)
+    meets = np.zeros((rings, rings), np.bool_)
     for i in range(len(ends)):
         a, b = points[ends[i, 0]], points[ends[i, 1]]
         for j in range(i):
-            if ends[i, 2] == ends[j, 2] or meet[ends[i, 2], ends[j, 2]]:
+            if ends[i, 2] == ends[j, 2] or meets[ends[i, 2], ends[j, 2]]:
                 continue
             c, d = points[ends[j, 0]], points[ends[j, 1]]
             if segments_meet(a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]):
-                meet[ends[i, 2], ends[j, 2]] = meet[ends[j, 2], ends[i, 2]] = True
-    return meet
+                meets[ends[i, 2], ends[j, 2]] = meets[ends[j, 2], ends[i, 2]] = True
+    return meets
 
 
 def link_rings(
@@ -192,11 +192,11 @@ def begins_gap(
     for j in range(len(before)):
         if j == i or before[j, v] < 0:
             continue
-        if same_way(points, v, after[j, v], end) or enters(
+        if is_same_direction(points, v, after[j, v], end) or enters(
             points, before[j, v], v, after[j, v], end
         ):
             return False
-        if j < i and same_way(points, v, before[j, v], end):
+        if j < i and is_same_direction(points, v, before[j, v], end):
             return False
     return True
 
@@ -212,7 +212,7 @@ def opens_wide(points: Array, end: int, after: NDArray[np.int64], v: int) -> boo
 
 
 @compiled
-def same_way(points: Array, v: int, a: int, b: int) -> bool:
+def is_same_direction(points: Array, v: int, a: int, b: int) -> bool:
     """Whether a and b lie in the same direction from v."""
     x, y = points[v, 0], points[v, 1]
     ax, ay, bx, by = points[a, 0], points[a, 1], points[b, 0], points[b, 1]

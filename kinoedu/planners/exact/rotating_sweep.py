@@ -36,7 +36,7 @@ Numbers = NDArray[np.int64]
 def visible_from(corners: Any, v: int, status: Numbers) -> NDArray[np.bool_]:
     """Whether the motion from point v to each point is semi-free, (n,). O(n log n) a family."""
     points = corners.points
-    order, group = round_about(points, v)
+    order, group = sort_by_direction(points, v)
     visible = np.ones(len(points), np.bool_)
     for family in range(len(corners.after)):
         hide(
@@ -165,11 +165,11 @@ def is_nearer(points: Array, after: Numbers, sides: Numbers, edge: int, other: i
 
 
 @compiled
-def round_about(points: Array, v: int) -> tuple[Numbers, Numbers]:
+def sort_by_direction(points: Array, v: int) -> tuple[Numbers, Numbers]:
     """Sort the other points counter-clockwise round v from the left, near before far.
 
-    They are sorted by rounded angles first, and then by exact comparisons, which have little to
-    mend.
+    They are sorted by rounded angles first, and then by exact comparisons, which change
+    little.
 
     Returns
     -------
@@ -208,7 +208,7 @@ def comes_before(points: Array, v: int, p: int, q: int) -> bool:
 @compiled
 def direction_order(points: Array, v: int, p: int, q: int) -> int:
     """-1 where p's direction from v comes before q's, 1 after, 0 the same; from the left on."""
-    half, other = half_turn(points, v, p), half_turn(points, v, q)
+    half, other = half_plane(points, v, p), half_plane(points, v, q)
     if half != other:
         return -1 if half < other else 1
     return -orientation_sign(
@@ -217,7 +217,7 @@ def direction_order(points: Array, v: int, p: int, q: int) -> int:
 
 
 @compiled
-def half_turn(points: Array, v: int, p: int) -> int:
+def half_plane(points: Array, v: int, p: int) -> int:
     """0 below v, 1 level with it on the right or above, 2 level with it on the left."""
     if points[p, 1] == points[v, 1]:
         return 1 if points[p, 0] > points[v, 0] else 2

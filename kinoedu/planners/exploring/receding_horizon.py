@@ -48,20 +48,20 @@ class SeenMap(NamedTuple):
 
     walls: dict[tuple[int, ...], Array]
 
-    def add(self, seen: Scan) -> None:
+    def add(self, measured: Scan) -> None:
         """Add the hits of a scan.
 
         Neighbouring hits that are far apart for their rays are not joined: there may be a passage
         between them.
         """
-        first, second = seen.points, np.roll(seen.points, -1, axis=0)
+        first, second = measured.points, np.roll(measured.points, -1, axis=0)
         apart = np.sqrt(((second - first) ** 2).sum(axis=1))
-        farther = np.maximum(seen.distances, np.roll(seen.distances, -1))
-        wide = JOINED * farther * (2.0 * np.pi / len(seen.angles))
-        joined = seen.hit & np.roll(seen.hit, -1) & (apart <= wide) & (apart > 0.0)
+        farther = np.maximum(measured.distances, np.roll(measured.distances, -1))
+        wide = JOINED * farther * (2.0 * np.pi / len(measured.angles))
+        joined = measured.hit & np.roll(measured.hit, -1) & (apart <= wide) & (apart > 0.0)
         first, second, apart = first[joined], second[joined], apart[joined, None]
         middle = 0.5 * (first + second)
-        away = middle - seen.origin
+        away = middle - measured.origin
         beyond = middle + THICKNESS * apart * away / np.sqrt((away**2).sum(axis=1, keepdims=True))
         size = np.frexp(apart)[1]
         squares = np.hstack([size, np.floor(middle / 2.0**size).astype(int)]).tolist()
@@ -80,7 +80,7 @@ class SeenMap(NamedTuple):
 class Look(NamedTuple):
     """One iteration of the loop.
 
-    seen : what the sensor sees.
+    scan : what the sensor measures.
     walls : (k, 3, 2), the walls of the map, with this scan.
     plan : the plan in that map.
     followed : (j, d), the points of the plan that are followed; none where there is no plan or no
@@ -88,7 +88,7 @@ class Look(NamedTuple):
     checks : how many motions were checked.
     """
 
-    seen: Scan
+    scan: Scan
     walls: Array
     plan: Plan
     followed: Array
@@ -170,7 +170,7 @@ def receding_horizon_looks(
     >>> world = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [wall])
     >>> problem = Problem(Point(), world, start=(1, 1), goal=(9, 1))
     >>> looks = list(receding_horizon_looks(problem, rng=0))
-    >>> looks[0].seen.origin, looks[-1].followed[-1]
+    >>> looks[0].scan.origin, looks[-1].followed[-1]
     (array([1., 1.]), array([9., 1.]))
     """
     inner = problem.problem if isinstance(problem, Recorder) else problem
@@ -186,14 +186,14 @@ def receding_horizon_looks(
     ahead = positive(sight / 2.0 if horizon is None else horizon, "horizon")
     most, generator = integer(max_moves, "max_moves", least=0), as_generator(rng)
     local = connect_and_shorten if planner is None else planner
-    seen, margin = SeenMap({}), sight * np.pi / integer(rays, "rays", least=3)
+    seen_map, margin = SeenMap({}), sight * np.pi / integer(rays, "rays", least=3)
     q, moves = problem.start, 0
     while not np.array_equal(q, problem.goal) and moves <= most:
         around = scan(inner.world, q, rays=rays, reach=sight)
-        seen.add(around)
+        seen_map.add(around)
         room = 0.5 * (float(around.distances.min()) - inner.robot.radius - inner.clearance)
-        plan = plan_in_map(seen, inner, q, min(margin, room), local, generator)
-        before, walls = count_checks(problem), seen.triangles()
+        plan = plan_in_map(seen_map, inner, q, min(margin, room), local, generator)
+        before, walls = count_checks(problem), seen_map.triangles()
         followed = [] if plan.path is None or moves == most else follow(problem, plan.path, ahead)
         points, checks = np.array(followed).reshape(-1, len(q)), count_checks(problem) - before
         yield Look(around, walls, plan, points, checks)
@@ -212,7 +212,7 @@ def plan_from_looks(problem: ProblemRecord | Recorder, looks: list[Look]) -> Pla
         )
     elif not np.array_equal(path[-1], problem.goal):
         reason = f"{len(looks) - 1:,} moves did not lead to the goal; allow more, or a longer reach"
-    places = np.array([look.seen.origin for look in looks] + ([] if reason else [path[-1]]))
+    places = np.array([look.scan.origin for look in looks] + ([] if reason else [path[-1]]))
     walls = len(looks[-1].walls) if looks else 0
     stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
     tree = Tree(places, np.arange(len(places)) - 1)
@@ -228,7 +228,7 @@ def connect_and_shorten(problem: ProblemRecord, rng: np.random.Generator) -> Pla
 
 
 def plan_in_map(
-    seen: SeenMap,
+    seen_map: SeenMap,
     problem: ProblemRecord,
     q: Array,
     margin: float,
@@ -239,7 +239,7 @@ def plan_in_map(
 
     Corners between two rays were not seen, so a margin is needed.
     """
-    world = world_of_triangles(problem.world.lo, problem.world.hi, seen.triangles())
+    world = world_of_triangles(problem.world.lo, problem.world.hi, seen_map.triangles())
     plan = Plan(None, np.inf, reason="the walls seen leave no room at the start or the goal")
     for fraction in (1.0, 0.25, 0.0625, 0.015625):
         room = problem.clearance + fraction * margin

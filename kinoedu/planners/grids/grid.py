@@ -191,10 +191,10 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     numbers, found = astar(grid, first, last, octile(grid, last))
     tree = Tree(centres(grid, found.expanded), parent_positions(found.expanded, found.parent))
     # moves that were checked by cells, not by the problem
-    looked_at = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
+    examined = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
         "expanded": len(found.expanded),
-        "checks": count_checks(problem) - before + looked_at,
+        "checks": count_checks(problem) - before + examined,
     }
     reason = (
         f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a "

@@ -70,11 +70,11 @@ def search_intervals(
             if not may_gain(arrival, safe, here, first[v], first[v + 1], duration):
                 continue
             vx, vy = (nodes[v, 0] - nodes[u, 0]) / duration, (nodes[v, 1] - nodes[u, 1]) / duration
-            met = collision_intervals(
+            collisions = collision_intervals(
                 hulls, knots, times, places, problem.horizon, nodes[u], vx, vy, duration
             )
             for there in range(first[v], first[v + 1]):
-                t = first_free_time(met, max(arrival[here], safe[there, 0] - duration))
+                t = first_free_time(collisions, max(arrival[here], safe[there, 0] - duration))
                 arrives = t + duration
                 on_time = t <= safe[here, 1] and safe[there, 0] <= arrives <= safe[there, 1]
                 if (
@@ -105,9 +105,9 @@ def is_free_ride(
     problem: TimedProblemRecord, a: Array, b: Array, arrived: float, left: float, arrives: float
 ) -> bool:
     """Whether the robot can wait at a, and then go to b, without contact."""
-    came, leaves = np.array([a[0], a[1], arrived]), np.array([a[0], a[1], left])
-    return problem.is_free_path(came, leaves) and problem.is_free_path(
-        leaves, np.array([b[0], b[1], arrives])
+    begin, end = np.array([a[0], a[1], arrived]), np.array([a[0], a[1], left])
+    return problem.is_free_path(begin, end) and problem.is_free_path(
+        end, np.array([b[0], b[1], arrives])
     )
 
 

@@ -60,18 +60,18 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
         raise InvalidParameter(
             f"expected a plan with a roadmap, such as prm's, got {shortened(plan)}"
         )
-    wanted, more = integer(k, "k", least=1), positive(penalty, "penalty")
+    count, more = integer(k, "k", least=1), positive(penalty, "penalty")
     if plan.path is None:
         return []
     roadmap, driven = plan.roadmap, isinstance(plan.roadmap, DrivenRoadmap)
     lengths, goals = find_lengths_and_goals(plan)
     found: list[NDArray[np.int64]] = []
     weights = lengths.copy()
-    for _ in range(3 * wanted):  # a route may repeat until its penalties suffice
+    for _ in range(3 * count):  # a route may repeat until its penalties suffice
         numbers = find_route(len(roadmap.nodes), roadmap.edges, weights, goals, driven)
         if not any(np.array_equal(numbers, other) for other in found):
             found.append(numbers)
-        if len(found) == wanted:
+        if len(found) == count:
             break
         used = edges_along(roadmap.edges, numbers, driven)
         weights[used] += more * lengths[used]
@@ -123,8 +123,8 @@ def find_lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
 def plan_along_route(plan: Plan, numbers: NDArray[np.int64]) -> Plan:
     """The plan with the path through these nodes."""
     if not isinstance(plan.roadmap, DrivenRoadmap):
-        kept = {"planner": plan.planner, "roadmap": plan.roadmap, "stats": plan.stats}
-        return plan_along(as_problem(plan.problem), plan.roadmap.nodes, numbers, "", **kept)
+        unchanged = {"planner": plan.planner, "roadmap": plan.roadmap, "stats": plan.stats}
+        return plan_along(as_problem(plan.problem), plan.roadmap.nodes, numbers, "", **unchanged)
     used = edges_along(plan.roadmap.edges, numbers, directed=True)
     used = used[np.argsort(np.searchsorted(numbers, plan.roadmap.edges[used, 1]))]
     assert plan.trajectory is not None  # a driven roadmap comes with one

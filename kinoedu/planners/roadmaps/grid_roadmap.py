@@ -72,7 +72,7 @@ def grid_roadmap(
     nodes = lo + (cells + 0.5) * (extent / counts)
     free = free_among(problem, nodes)
     wraps = getattr(inner.space, "wraps", np.zeros(len(lo), np.bool_))
-    pairs = neighbouring(cells, counts, steps, wraps)
+    pairs = find_neighbours(cells, counts, steps, wraps)
     pairs = (np.cumsum(free) - 1)[pairs[free[pairs].all(axis=1)]]
     is_open, _ = check_edges(problem, nodes[free], pairs)
     return Roadmap(nodes[free], pairs[is_open])
@@ -80,16 +80,16 @@ def grid_roadmap(
 
 def moves(d: int, neighbours: int | None) -> Array:
     """Half of the steps from a cell to its neighbours, (m, d): one of each two opposite steps."""
-    wanted = 2 * d if neighbours is None else integer(neighbours, "neighbours", least=1)
-    if wanted not in (2 * d, 3**d - 1):
+    count = 2 * d if neighbours is None else integer(neighbours, "neighbours", least=1)
+    if count not in (2 * d, 3**d - 1):
         raise InvalidParameter(
             f"neighbours must be {2 * d} or {3**d - 1} in {d} dimensions, got {neighbours}"
         )
     steps = np.array([step for step in product((-1, 0, 1), repeat=d) if step > (0,) * d])
-    return steps[np.abs(steps).sum(axis=1) == 1] if wanted == 2 * d else steps
+    return steps[np.abs(steps).sum(axis=1) == 1] if count == 2 * d else steps
 
 
-def neighbouring(
+def find_neighbours(
     cells: Array, counts: NDArray[np.int64], steps: Array, wraps: NDArray[np.bool_]
 ) -> NDArray[np.int64]:
     """The pairs (m, 2) of cells one step apart, each once, also across a wrapped border."""

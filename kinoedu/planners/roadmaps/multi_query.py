@@ -136,11 +136,11 @@ def query(
     q_start, q_goal = as_free(problem, start, "start"), as_free(problem, goal, "goal")
     before = count_checks(problem)
     nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
-    to_ends, ways = join_ends(problem, nodes, min(closest, len(nodes)))
+    to_ends, end_costs = join_ends(problem, nodes, min(closest, len(nodes)))
     costs = motion_costs(problem, roadmap.nodes, roadmap.edges)
     edges = np.concatenate([to_ends, roadmap.edges + 2])
     return plan_by_astar(
-        "roadmap query", problem, nodes, edges, np.concatenate([ways, costs]), before
+        "roadmap query", problem, nodes, edges, np.concatenate([end_costs, costs]), before
     )
 
 

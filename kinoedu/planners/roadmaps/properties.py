@@ -56,7 +56,7 @@ class RoadmapSurvey(NamedTuple):
     component : (m,), the component of each node, numbered from the largest to the smallest.
     worst : the pair of nodes, of those drawn, with the greatest ratio; empty where there was no
         pair.
-    way : the nodes of the path along the roadmap between them; empty where there is no path.
+    path : the nodes of the path along the roadmap between them; empty where there is no path.
     efficiency : the ratio of that path's length to the shortest length.
     """
 
@@ -64,7 +64,7 @@ class RoadmapSurvey(NamedTuple):
     reached: NDArray[np.bool_]
     component: NDArray[np.int64]
     worst: tuple[int, ...]
-    way: NDArray[np.int64]
+    path: NDArray[np.int64]
     efficiency: float
 
     @property
@@ -170,10 +170,10 @@ def survey_roadmap(
     places = sample_free(problem, draws, 100 * draws, generator)
     reached = (find_reached_sliding if slides else find_reached)(problem, roadmap.nodes, places)
     graph = flat_graph(len(roadmap.nodes), roadmap.edges, motion_costs(problem, *roadmap))
-    worst, way, delta = worst_pair(
+    worst, path, delta = worst_pair(
         roadmap.nodes, graph, problem.distance, shortest or problem.distance, draws, generator
     )
-    return RoadmapSurvey(places, reached, number_components(graph), worst, way, delta)
+    return RoadmapSurvey(places, reached, number_components(graph), worst, path, delta)
 
 
 def number_components(graph: GraphRecord) -> NDArray[np.int64]:
@@ -202,7 +202,7 @@ def worst_pair(
     The pair, the path between them, and the ratio.
     """
     worst: tuple[int, ...] = ()
-    way, delta = np.empty(0, np.int64), np.nan
+    path, delta = np.empty(0, np.int64), np.nan
     searches: dict[int, Search] = {}
     candidates = []
     for u in rng.integers(len(nodes), size=pairs).tolist() if len(nodes) else []:
@@ -218,5 +218,5 @@ def worst_pair(
         ratio = searches[u].cost[v] / least if 0.0 < least < np.inf else np.nan
         if not ratio <= delta and not np.isnan(ratio):
             worst, delta = (u, v), float(ratio)
-            way = extract_path(searches[u].parent, v) if ratio < np.inf else way[:0]
-    return worst, way, delta
+            path = extract_path(searches[u].parent, v) if ratio < np.inf else path[:0]
+    return worst, path, delta

@@ -41,7 +41,7 @@ def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
 
 
 @inlined
-def join(costs: CostTree, q: Array, parent: int, length: float) -> int:
+def append_node(costs: CostTree, q: Array, parent: int, length: float) -> int:
     """Append a node below its parent; returns the node's number."""
     node = add(costs.tree, q, parent)
     costs.child[node], costs.sibling[node], costs.cost[node] = -1, -1, length

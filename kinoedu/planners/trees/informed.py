@@ -30,15 +30,15 @@ class Informed(NamedTuple):
 
 
 @generic(1)
-def draw(
+def draw_sample(
     sampler: Any, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
     """A sample, given the length of the shortest path so far, which is infinite without one."""
-    raise TypeError("this is no way to draw samples")
+    raise TypeError("sampler must be Everywhere or Informed")
 
 
-@draw.register(Everywhere)
-def draw_everywhere(
+@draw_sample.register(Everywhere)
+def sample_everywhere(
     sampler: Everywhere, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
     """A uniform sample of the space."""
@@ -47,8 +47,8 @@ def draw_everywhere(
     return problem.sample(rng)
 
 
-@draw.register(Informed)
-def draw_informed(
+@draw_sample.register(Informed)
+def sample_informed(
     sampler: Informed, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
     """A uniform sample of the q with |start - q| + |q - goal| < shortest, in the plane an ellipse.

@@ -21,9 +21,10 @@ class Rewirings(NamedTuple):
 
     nodes : (n, d), in the order of creation.
     node, parent : (m,), the ends of each edge.
-    came : (m,), the number of the new node with which the edge was made. Where it is not `node`
-        itself, the older `node` was rewired to the new one.
-    gone : (m,), the number of the new node with which the edge was replaced; n where it never was.
+    created_at : (m,), the number of the new node with which the edge was made. Where it is not
+        `node` itself, the older `node` was rewired to the new one.
+    replaced_at : (m,), the number of the new node with which the edge was replaced; n where it
+        never was.
     radius : (n,), the radius within which each new node looked for neighbours; 0 for the root and
         the goal, which did not look for any.
     at_goal : the goal's node, or -1.
@@ -32,8 +33,8 @@ class Rewirings(NamedTuple):
     nodes: Array
     node: NDArray[np.int64]
     parent: NDArray[np.int64]
-    came: NDArray[np.int64]
-    gone: NDArray[np.int64]
+    created_at: NDArray[np.int64]
+    replaced_at: NDArray[np.int64]
     radius: Array
     at_goal: int
 
@@ -59,7 +60,7 @@ def rrt_star_rewirings(
     >>> plan, edges = rrt_star_rewirings(problem, max_nodes=500, rng=0)
     >>> plan.cost == rrt_star(problem, max_nodes=500, rng=0).cost
     True
-    >>> last = edges.gone == len(plan.tree.nodes)
+    >>> last = edges.replaced_at == len(plan.tree.nodes)
     >>> bool((plan.tree.parent[edges.node[last]] == edges.parent[last]).all())
     True
     """
@@ -77,19 +78,25 @@ def rrt_star_rewirings(
     node, parent = growth.costs.log[:attached].T.copy()
     radius = growth.radii[:n].copy()
     radius[[0, growth.at_goal] if growth.at_goal >= 0 else [0]] = 0.0
-    came, plan = np.maximum.accumulate(node), plan_from_growth("RRT*", growth)
+    created_at, plan = np.maximum.accumulate(node), plan_from_growth("RRT*", growth)
     nodes = growth.costs.tree.nodes[:n].copy()
     return plan, Rewirings(
-        nodes, node, parent, came, find_replacements(node, came, n), radius, growth.at_goal
+        nodes,
+        node,
+        parent,
+        created_at,
+        find_replacements(node, created_at, n),
+        radius,
+        growth.at_goal,
     )
 
 
 def find_replacements(
-    node: NDArray[np.int64], came: NDArray[np.int64], n: int
+    node: NDArray[np.int64], created_at: NDArray[np.int64], n: int
 ) -> NDArray[np.int64]:
     """For each edge when the next edge of its node was made, (m,); n where there is none."""
     order = np.argsort(node, kind="stable")
-    gone = np.full(len(node), n)
+    replaced_at = np.full(len(node), n)
     again = node[order][1:] == node[order][:-1]
-    gone[order[:-1][again]] = came[order[1:][again]]
-    return gone
+    replaced_at[order[:-1][again]] = created_at[order[1:][again]]
+    return replaced_at

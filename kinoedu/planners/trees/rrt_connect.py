@@ -62,11 +62,11 @@ def grow_both(
     owner[0], owner[1], grown, iteration = 0, 1, 2, 0
     while True:
         if new != TRAPPED:
-            met, added = connect(problem, there, here.nodes[new], step_size, len(owner) - grown)
+            meeting, added = connect(problem, there, here.nodes[new], step_size, len(owner) - grown)
             owner[grown : grown + added] = 1 - side
             grown += added
-            if met != TRAPPED:
-                return (new, met, iteration) if side == 0 else (met, new, iteration)
+            if meeting != TRAPPED:
+                return (new, meeting, iteration) if side == 0 else (meeting, new, iteration)
         if iteration == max_iterations or grown == len(owner):
             return TRAPPED, TRAPPED, iteration
         here, there, side = there, here, 1 - side

@@ -34,8 +34,8 @@ from ...support.constructors import with_type_names
 from ..answers import plan_from_tree
 from ..problem_input import as_step_size, as_two_way_problem, count_checks, new_tree
 from ..tuning import fraction, integer, iteration_limit, positive
-from .cost_tree import CostTree, empty_costs, join, rewire
-from .informed import Everywhere, Informed, draw
+from .cost_tree import CostTree, append_node, empty_costs, rewire
+from .informed import Everywhere, Informed, draw_sample
 from .near import near_nodes
 
 
@@ -75,7 +75,7 @@ def grow_shortest(
     The goal's node, or -1, and the number of iterations.
     """
     tree = costs.tree
-    join(costs, problem.start, -1, 0.0)
+    append_node(costs, problem.start, -1, 0.0)
     at_goal = reach_goal(problem, costs, 0, step_size)
     least, iteration = problem.distance(problem.start, problem.goal), 0
     room = len(tree.nodes) - 1  # the last place is reserved for the goal
@@ -84,14 +84,14 @@ def grow_shortest(
         if shortest <= least:
             break
         iteration += 1
-        q_rand = draw(sampler, problem, shortest, rng)
+        q_rand = draw_sample(sampler, problem, shortest, rng)
         nearest = problem.nearest(tree, q_rand)
         q_new = problem.steer(tree.nodes[nearest], q_rand, step_size)
         if not problem.is_free_path(tree.nodes[nearest], q_new):
             continue
         near = near_nodes(problem, tree, q_new, radii[tree.size[0]])
         parent, length = cheapest_parent(problem, costs, near, nearest, q_new)
-        new = join(costs, q_new, parent, length)
+        new = append_node(costs, q_new, parent, length)
         for node in near:
             q_near = tree.nodes[node]
             length = problem.motion_cost(q_new, q_near)
@@ -126,7 +126,7 @@ def reach_goal(problem: PlanningProblem, costs: CostTree, node: int, step_size: 
     q = costs.tree.nodes[node]
     if problem.distance(q, problem.goal) > step_size or not problem.is_free_path(q, problem.goal):
         return -1
-    return join(costs, problem.goal, node, problem.motion_cost(q, problem.goal))
+    return append_node(costs, problem.goal, node, problem.motion_cost(q, problem.goal))
 
 
 def rrt_star(
