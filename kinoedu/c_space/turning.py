@@ -122,12 +122,12 @@ def area_and_perimeter(ring: Array) -> tuple[float, float]:
     return area, float(np.sqrt((along * along).sum(axis=1)).sum())
 
 
-def build_solid(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]:
+def build_solid(robot: Array, obstacle: Array, spacing: float) -> tuple[Array, Any]:
     """The solid of two strictly convex polygons.
 
     Returns vertices (n, 3) and triangles (m, 3), counter-clockwise when seen from outside.
     """
-    slices = slices_of(robot, obstacle, step)
+    slices = slices_of(robot, obstacle, spacing)
     first = np.cumsum([0, *(len(slice_.pairs) for slice_ in slices)])
     levels = [
         obstacle[i] - rotate_corners(robot, theta)[j]
@@ -154,8 +154,8 @@ def build_solid(robot: Array, obstacle: Array, step: float) -> tuple[Array, Any]
     return vertices, np.concatenate([np.array(faces), *fans])
 
 
-def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
-    """The slices from -pi to pi, at most `step` apart: at the ends, at and between critical angles.
+def slices_of(robot: Array, obstacle: Array, spacing: float) -> list[Slice]:
+    """The slices from -pi to pi, at most `spacing` apart: at the ends and around critical angles.
 
     At a critical angle one corner of each neighbouring slice lies inside an edge. The slice there
     has only the pairs that both neighbours share. So of two neighbouring slices one has all the
@@ -167,7 +167,7 @@ def slices_of(robot: Array, obstacle: Array, step: float) -> list[Slice]:
     for k, (a, b) in enumerate(pairwise(stops)):
         shared = set(pieces[k - 1])  # for k = 0, the last piece: angles are periodic
         slices.append(Slice(a, [pair for pair in pieces[k] if pair in shared]))
-        count = max(int(np.ceil((b - a) / step)), 2)
+        count = max(int(np.ceil((b - a) / spacing)), 2)
         slices += [Slice(a + (b - a) * i / count, pieces[k]) for i in range(1, count)]
     return [*slices, Slice(np.pi, slices[0].pairs)]
 

@@ -194,16 +194,16 @@ def paint_second_link(
         towards = math.atan2(-ny, -nx)
         ahead = wrap_angle(towards - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
-        for begin, step in ((below, -1), (below + 1, 1)):
+        for begin, side in ((below, -1), (below + 1, 1)):
             radius = arm.shape.radius[1] + parts.radius[j] + contact
-            turn = ahead + step * last_contact(
-                parts, j, x, y, arm.lengths[1], radius, towards, step
+            turn = ahead + side * last_contact(
+                parts, j, x, y, arm.lengths[1], radius, towards, side
             )
             count = cells_in_contact(
-                arm, q, still, corners, parts, j, contact, begin, step, n, turn
+                arm, q, still, corners, parts, j, contact, begin, side, n, turn
             )
             for k in range(count):
-                column[(begin + k * step) % n] = 2
+                column[(begin + k * side) % n] = 2
 
 
 @inlined
@@ -216,7 +216,7 @@ def cells_in_contact(
     j: int,
     contact: float,
     begin: int,
-    step: int,
+    side: int,
     n: int,
     turn: float,
 ) -> int:
@@ -228,10 +228,10 @@ def cells_in_contact(
     most = max(min(n // 4 + 2, n // 2), 1)
     cells = n / FULL_TURN
     doubt = (DOUBT + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
-    to_end = step * (turn - cell_angle(begin, n)) * cells
+    to_end = side * (turn - cell_angle(begin, n)) * cells
     count = min(max(math.floor(to_end - doubt) + 1, 0), most)
     while count < most and count <= to_end + doubt:
-        q[1] = cell_angle((begin + count * step) % n, n)
+        q[1] = cell_angle((begin + count * side) % n, n)
         if not meets_part(
             arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact
         ):

@@ -15,7 +15,13 @@ from ..worlds.checks import World
 
 @generic(2)
 def is_free_path(robot: Robot, world: World, a: Array, b: Array, clearance: float) -> bool:
-    """Whether the robot keeps more than `clearance` from obstacles on the motion from a to b."""
+    """Whether the robot keeps more than `clearance` from obstacles on the motion from a to b.
+
+    Raises
+    ------
+    TypeError
+        Where this kind of robot has no motions in this kind of world.
+    """
     raise TypeError("no motions are defined for this robot in this world")
 
 
@@ -33,6 +39,11 @@ def is_semi_free_path(robot: Robot, world: World, a: Array, b: Array, clearance:
     """Whether the robot keeps at least `clearance` on the motion from a to b; contact is allowed.
 
     The robot never enters the interior of an obstacle.
+
+    Raises
+    ------
+    TypeError
+        Where this kind of robot has no sliding motions in this kind of world.
     """
     raise TypeError("no sliding motions are defined for this robot in this world")
 
@@ -41,11 +52,23 @@ def is_semi_free_path(robot: Robot, world: World, a: Array, b: Array, clearance:
 def is_free_drive(
     robot: Robot, world: World, pose: Array, distance: float, curvature: float, clearance: float
 ) -> bool:
-    """Whether a car keeps more than `clearance` from obstacles while it drives along an arc."""
+    """Whether a car keeps more than `clearance` from obstacles while it drives along an arc.
+
+    Raises
+    ------
+    TypeError
+        Where this kind of robot is not driven.
+    """
     raise TypeError("no drives are defined for this robot in this world")
 
 
 @generic(1)
 def coordinates(robot: Robot) -> int:
-    """The number of coordinates of a configuration of this robot."""
+    """The number of coordinates of a configuration of this robot.
+
+    Raises
+    ------
+    InvalidParameter
+        Where `robot` is not a robot.
+    """
     raise InvalidParameter(f"expected a robot such as Point() or Disk(1), got {shortened(robot)}")

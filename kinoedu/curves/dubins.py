@@ -32,6 +32,10 @@ def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     ----------
     q0, q1 : (3,) poses (x, y, theta).
 
+    Returns
+    -------
+    Curve
+
     Raises
     ------
     InvalidPoint

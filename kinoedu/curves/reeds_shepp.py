@@ -46,6 +46,10 @@ def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     ----------
     q0, q1 : (3,) poses (x, y, theta).
 
+    Returns
+    -------
+    Curve
+
     Raises
     ------
     InvalidPoint

@@ -67,7 +67,13 @@ def axes_for(world: World, ax: Axes | None = None) -> Axes:
 
 @singledispatch
 def draw_world(world: World, ax: Axes | None = None) -> list[Artist]:
-    """Draw the free space and the obstacles of a world."""
+    """Draw the free space and the obstacles of a world.
+
+    Raises
+    ------
+    TypeError
+        Where `world` is not a world.
+    """
     raise TypeError(f"a figure cannot draw a {type(world).__name__}")
 
 

@@ -43,15 +43,17 @@ def draw_tangents(polygon: ArrayLike, spacing: float, ax: Axes) -> list[Artist]:
 def draw_sides(
     side: Callable[[tuple[float, float]], float],
     corner: tuple[float, float],
-    step: float,
+    spacing: float,
     n: int,
     ax: Axes,
 ) -> list[Artist]:
-    """Draw the sign of `side` at n x n places, `step` apart from a corner.
+    """Draw the sign of `side` at n x n places, `spacing` apart from a corner.
 
     1 is left, 0 on the line, -1 right.
     """
-    places = [[(corner[0] + i * step, corner[1] + j * step) for i in range(n)] for j in range(n)]
+    places = [
+        [(corner[0] + i * spacing, corner[1] + j * spacing) for i in range(n)] for j in range(n)
+    ]
     signs = np.array([[np.sign(side(q)) for q in row] for row in places])
     colours = ListedColormap([palette.GOAL, "#FFFFFF", palette.TREE])
     image = ax.imshow(signs, origin="lower", cmap=colours, vmin=-1, vmax=1, interpolation="nearest")

@@ -35,7 +35,13 @@ CURVED = 40  # segments that draw a car's curve
 
 @singledispatch
 def draw_robot(robot: Robot, q: Array, ax: Axes, colour: str = palette.ROBOT) -> list[Artist]:
-    """Draw a robot's body at a configuration."""
+    """Draw a robot's body at a configuration.
+
+    Raises
+    ------
+    TypeError
+        Where `robot` is not a robot.
+    """
     raise TypeError(f"a figure cannot draw a {type(robot).__name__}")
 
 

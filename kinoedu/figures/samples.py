@@ -131,6 +131,11 @@ def draw_dispersion(
     -------
     list of artists
 
+    Raises
+    ------
+    InvalidPoint
+        Where the shapes do not match.
+
     Examples
     --------
     >>> from matplotlib import pyplot as plt

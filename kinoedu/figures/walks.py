@@ -36,6 +36,11 @@ def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     """Plot the distance to the goal against the distance walked.
 
     Lines and marks are those of `draw_walk`.
+
+    Raises
+    ------
+    TypeError
+        Where the plan has no walk.
     """
     ax = palette.axes_or_new(ax, (7.0, 3.2))
     walk = plan.walk

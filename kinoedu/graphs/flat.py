@@ -71,6 +71,10 @@ def flat_graph(
     For planners, whose edges are known to be valid; a reader's own edges go through `Graph`. Edges
     that leave a node are sorted by the node they lead to; parallel edges keep their order.
 
+    Returns
+    -------
+    GraphRecord
+
     Examples
     --------
     >>> graph = flat_graph(3, np.array([(0, 2), (0, 1)]), np.array([5.0, 1.0]))

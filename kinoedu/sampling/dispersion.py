@@ -67,6 +67,10 @@ def largest_empty_ball(points: ArrayLike, norm: float = 2) -> EmptyBall:
 
     Parameters and errors are those of `dispersion`.
 
+    Returns
+    -------
+    EmptyBall
+
     Examples
     --------
     >>> largest_empty_ball([(0, 0)])

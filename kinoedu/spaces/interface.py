@@ -29,19 +29,37 @@ class Space(Protocol):
 
 @generic(1)
 def distance(space: Space, a: Array, b: Array) -> float:
-    """The distance between two configurations; angles take the shorter way around."""
+    """The distance between two configurations; angles take the shorter way around.
+
+    Raises
+    ------
+    TypeError
+        Where `space` is not a space.
+    """
     raise TypeError("this space has no distance")
 
 
 @generic(1)
 def interpolate(space: Space, a: Array, b: Array, t: float) -> Array:
-    """The configuration at a fraction t of the shortest motion from a to b."""
+    """The configuration at a fraction t of the shortest motion from a to b.
+
+    Raises
+    ------
+    TypeError
+        Where `space` is not a space.
+    """
     raise TypeError("this space cannot interpolate")
 
 
 @generic(1)
 def sample(space: Space, rng: np.random.Generator) -> Array:
-    """A configuration drawn uniformly."""
+    """A configuration drawn uniformly.
+
+    Raises
+    ------
+    TypeError
+        Where `space` is not a space.
+    """
     raise TypeError("this space cannot be sampled")
 
 

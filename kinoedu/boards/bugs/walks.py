@@ -42,10 +42,10 @@ class Clock(NamedTuple):
         return np.searchsorted(self.when(walk), np.arange(self.total + 1), side="right") - 1
 
 
-def make_clock(walks: Sequence[Walk], step: float) -> Clock:
-    """A clock that ends with the longest walk and has ticks of at most `step`."""
+def make_clock(walks: Sequence[Walk], spacing: float) -> Clock:
+    """A clock that ends with the longest walk and has ticks of at most `spacing`."""
     longest = max(float(walk.travelled[-1]) for walk in walks)
-    total = max(1, int(np.ceil(longest / step)))
+    total = max(1, int(np.ceil(longest / spacing)))
     return Clock(longest / total or 1.0, total)
 
 

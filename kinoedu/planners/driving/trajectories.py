@@ -17,6 +17,10 @@ def trajectory_along(plan: Plan) -> TrajectoryRecord:
     The car steers fully or not at all. It drives forward at its highest forward speed and backward
     at its highest reverse speed. The trajectory of a plan that has one is returned.
 
+    Returns
+    -------
+    TrajectoryRecord
+
     Raises
     ------
     InvalidParameter

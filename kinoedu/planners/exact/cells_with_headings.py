@@ -58,6 +58,10 @@ def cells_with_headings(
     neighbours : a rule for the pairs that are tried, such as KClosest(10) or Radius(5); by default
         all pairs.
 
+    Returns
+    -------
+    CellsWithHeadings
+
     Raises
     ------
     InvalidParameter
@@ -104,6 +108,10 @@ def plan_by_cells_with_headings(
     ----------
     search : as in `plan_on_roadmap`: `dfs_path` finds some path, `bfs_path` one with the fewest
         motions, `dijkstra_path` the shortest.
+
+    Returns
+    -------
+    Plan with its `roadmap`.
 
     Examples
     --------

@@ -55,6 +55,10 @@ def visibility_roadmap(world: PolygonWorldRecord | ProblemRecord | Recorder) -> 
     world : a PolygonWorld, or a Problem(Point(), PolygonWorld(...), start, goal), whose start and
         goal then are the last nodes.
 
+    Returns
+    -------
+    Roadmap
+
     Raises
     ------
     InvalidParameter

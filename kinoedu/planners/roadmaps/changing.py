@@ -69,6 +69,10 @@ def changing_roadmap(
     n, k : how many configurations are sampled, and how many closest ones each is paired with.
     rng : a seed or a numpy Generator.
 
+    Returns
+    -------
+    ChangingRoadmap
+
     Raises
     ------
     InvalidParameter
@@ -112,6 +116,10 @@ def after_change(
     problem : the Problem as it is now, with the same robot.
     roadmap : the roadmap before the change.
     lo, hi : (x, y), the corners of the box.
+
+    Returns
+    -------
+    ChangingRoadmap
 
     Raises
     ------

@@ -49,6 +49,10 @@ class ComponentRule(NamedTuple):
 def KClosest(k: int) -> ClosestRule:
     """Try to join each node to its k closest nodes.
 
+    Returns
+    -------
+    ClosestRule, for `prm` and `connect_nodes`.
+
     Raises
     ------
     InvalidParameter
@@ -59,6 +63,10 @@ def KClosest(k: int) -> ClosestRule:
 
 def Radius(r: float) -> RadiusRule:
     """Try to join each node to all nodes within a radius, in the unit of the problem's distance.
+
+    Returns
+    -------
+    RadiusRule, for `prm` and `connect_nodes`.
 
     Raises
     ------
@@ -78,6 +86,10 @@ def ComponentKClosest(k: int = 1) -> ComponentRule:
 
     No edge closes a cycle, so the roadmap is a forest: it has the fewest edges that connect its
     components.
+
+    Returns
+    -------
+    ComponentRule, for `prm` and `connect_nodes`.
 
     Raises
     ------

@@ -64,6 +64,10 @@ def build_roadmap(
 
     The parameters are those of `prm`.
 
+    Returns
+    -------
+    Roadmap
+
     Raises
     ------
     InvalidParameter

@@ -124,6 +124,10 @@ def roadmap_properties(
         efficiency is at most the measured one.
     rng : a seed or a numpy Generator.
 
+    Returns
+    -------
+    RoadmapProperties
+
     Raises
     ------
     InvalidParameter
@@ -149,6 +153,10 @@ def survey_roadmap(
     rng: int | np.random.Generator,
 ) -> RoadmapSurvey:
     """The data of `roadmap_properties`, which has the same parameters.
+
+    Returns
+    -------
+    RoadmapSurvey
 
     Examples
     --------

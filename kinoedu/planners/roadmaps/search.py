@@ -46,6 +46,10 @@ def plan_on_roadmap(
         of start and goal; it returns the nodes of a path or None. For example `bfs_path`,
         `dfs_path` or `dijkstra_path`.
 
+    Returns
+    -------
+    Plan with this `roadmap`. Without a path `plan.reason` says why there is none.
+
     Examples
     --------
     >>> from kinoedu import Point, PolygonWorld, Problem, bfs_path, prm
