@@ -41,12 +41,12 @@ def plot_environment(
     hit = link_in_contact(arm, angles, world)
     artists = draw_world(world, ax) + draw_robot(arm, angles, ax, ANSWERS[hit])
     base = ax.plot(*arm.base, "s", color=palette.INK, markersize=11, zorder=7)
-    words = (
+    text = (
         get_message("figure.link_in_contact", link=hit)
         if hit
         else get_message("figure.no_link_in_contact")
     )
-    ax.set_title(words, **palette.TEXT)
+    ax.set_title(text, **palette.TEXT)
     return [*artists, *base]
 
 
@@ -94,8 +94,8 @@ def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) ->
     cells["extent"] = (-np.pi, np.pi, -np.pi, np.pi)
     colours = ListedColormap(palette.LINKS_LIGHT)
     artists: list[Artist] = [ax.imshow(image, cmap=colours, vmin=0, vmax=2, **cells)]
-    for link, words in enumerate(LINK_WORDS):
-        artists += name_region(image == link, get_message(words), ax)
+    for link, text in enumerate(LINK_WORDS):
+        artists += name_region(image == link, get_message(text), ax)
     return artists
 
 

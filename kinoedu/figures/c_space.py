@@ -145,14 +145,14 @@ def draw_body(body: Array, ax: Axes, *, alpha: float) -> Artist:
     return ax.add_patch(patch)
 
 
-def label_inside(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
+def label_inside(ring: Array, text: str, colour: str, ax: Axes) -> Artist:
     """Write words in a shape, in the middle of its largest inscribed circle."""
     import shapely
 
     x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(shapely.Polygon(ring)))[0]
     dark = [patheffects.withStroke(linewidth=3.5, foreground=palette.OBSTACLE)]
     style: Style = {"path_effects": dark if colour == "white" else HALO, **palette.CENTRED}
-    return ax.text(x, y, words, color=colour, zorder=9, **style, **palette.BOLD)
+    return ax.text(x, y, text, color=colour, zorder=9, **style, **palette.BOLD)
 
 
 def unite(parts: list[Array]) -> list[Array]:
@@ -173,10 +173,10 @@ def spread_round(ring: Array, count: int) -> Array:
     return shapely.get_coordinates(points)
 
 
-def label_corner(ring: Array, words: str, colour: str, ax: Axes) -> Artist:
+def label_corner(ring: Array, text: str, colour: str, ax: Axes) -> Artist:
     """Write words in the upper right corner, with a line to the ring's nearest vertex."""
     x, y = ring[int((ring[:, 0] + ring[:, 1]).argmax())]
     style: Style = {"ha": "right", "va": "top", "path_effects": HALO, **palette.BOLD}
     line = {"arrowstyle": "-", "color": colour, "linewidth": 1.2, "shrinkB": 2.0}
     corner: Style = {"xytext": (0.985, 0.975), "textcoords": "axes fraction", "arrowprops": line}
-    return ax.annotate(words, (x, y), color=colour, zorder=9, **corner, **style)
+    return ax.annotate(text, (x, y), color=colour, zorder=9, **corner, **style)

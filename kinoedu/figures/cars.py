@@ -68,7 +68,7 @@ def draw_poses_line(poses: Array, back: bool, ax: Axes, colour: str) -> list[Art
 
 
 def draw_pose(
-    pose: ArrayLike, size: float, words: str, ax: Axes, *, colour: str, below: bool = False
+    pose: ArrayLike, size: float, text: str, ax: Axes, *, colour: str, below: bool = False
 ) -> list[Artist]:
     """Draw a pose as an arrow of length `size` in its heading, with words above or below."""
     from .plane import arrow, label
@@ -76,7 +76,7 @@ def draw_pose(
     x, y, theta = np.asarray(pose, float)
     drawn = arrow((x, y), (size * np.cos(theta), size * np.sin(theta)), "", ax, colour=colour)
     drawn += ax.plot(x, y, "o", color=colour, markersize=8, zorder=8, **palette.RIM)
-    if not words:
+    if not text:
         return drawn
     offset = (10, -22 if below else 10)
-    return [*drawn, label((x, y), words, ax, colour=colour, offset=offset)]
+    return [*drawn, label((x, y), text, ax, colour=colour, offset=offset)]

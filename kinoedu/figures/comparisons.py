@@ -93,9 +93,9 @@ def format_median(median: float, finite: Array, runs: Array) -> str:
     """The median in words, and how many runs it is of, unless it is of all."""
     if not len(finite):
         return get_message("comparisons.never")
-    words = "comparisons.all" if len(finite) == len(runs) else "comparisons.count"
+    key = "comparisons.all" if len(finite) == len(runs) else "comparisons.count"
     middle = f"{median:.3g}" if median < 1000 else f"{median:,.0f}"
-    return get_message(words, median=middle, found=len(finite), runs=len(runs))
+    return get_message(key, median=middle, found=len(finite), runs=len(runs))
 
 
 def draw_ecdf(
@@ -132,11 +132,11 @@ def draw_ecdf(
     artists: list[Artist] = []
     ends = []
     for i, (name, some) in enumerate(finite.items()):
-        share = np.arange(len(some) + 1) / len(runs[name])
-        x, y = np.concatenate([[low], some, [high]]), np.concatenate([share, share[-1:]])
+        fraction = np.arange(len(some) + 1) / len(runs[name])
+        x, y = np.concatenate([[low], some, [high]]), np.concatenate([fraction, fraction[-1:]])
         artists += ax.step(x, y, LINES[i % 4], where="post", color=COLOURS[i % 6], linewidth=2.4)
         median = float(np.median(some)) if len(some) else np.inf
-        ends.append((name, float(share[-1]), COLOURS[i % 6], median))
+        ends.append((name, float(fraction[-1]), COLOURS[i % 6], median))
     if wide:
         ax.set_xscale("log")
     ax.set_xlim(low, high)

@@ -28,7 +28,7 @@ def draw_turn(
     start: float,
     turn: float,
     radius: float,
-    words: str,
+    text: str,
     ax: Axes,
     *,
     colour: str,
@@ -41,12 +41,12 @@ def draw_turn(
     if turn != 0.0:
         head = {"arrowstyle": "-|>", "color": colour, "lw": 0.0, "mutation_scale": 18, **TOUCHING}
         artists.append(ax.annotate("", arc[-1], xytext=arc[-2], arrowprops=head, zorder=6))
-    if not words:
+    if not text:
         return artists
     x, y = np.cos(start + turn / 2), np.sin(start + turn / 2)
     ha = "left" if x > 0.35 else "right" if x < -0.35 else "center"
     offset = (8 * x, 12 * y - 5)
-    return [*artists, label(arc[len(arc) // 2], words, ax, colour=colour, offset=offset, ha=ha)]
+    return [*artists, label(arc[len(arc) // 2], text, ax, colour=colour, offset=offset, ha=ha)]
 
 
 def draw_reach(arm: ArmRobot, ax: Axes) -> list[Artist]:
@@ -60,13 +60,13 @@ def draw_reach(arm: ArmRobot, ax: Axes) -> list[Artist]:
 
 
 def draw_links(
-    places: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-"
+    places: ArrayLike, text: str, ax: Axes, *, colour: str, style: str = "-"
 ) -> list[Artist]:
     """Draw an arm without width through base, joints and tip, (n, 2); its words at the elbow."""
     joints = np.asarray(places, float)
     look: Style = {"marker": "o", "color": colour, "linewidth": 3.0, "markersize": 7}
     artists: list[Artist] = [*ax.plot(*joints.T, style, zorder=5, **look)]
-    return [*artists, label(joints[1], words, ax, colour=colour)] if words else artists
+    return [*artists, label(joints[1], text, ax, colour=colour)] if text else artists
 
 
 def draw_linkage(

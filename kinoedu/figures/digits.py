@@ -71,8 +71,8 @@ def draw_van_der_corput(n: int, base: int = 2, ax: Axes | None = None) -> list[A
         artists += ax.plot([0, 1], [-i, -i], "-", color=palette.OUTSIDE, linewidth=1.2, zorder=1)
         artists += ax.plot(places[: i - 1], np.full(i - 1, -i), "o", **earlier)
         artists += ax.plot(place, -i, "o", **newest)
-        words = f"{i:>3} = {digits_of(i, base):>6} -> {mirrored_digits(i, base)}"
-        artists.append(ax.text(-0.52, -i, words, ha="left", **mono))
+        text = f"{i:>3} = {digits_of(i, base):>6} -> {mirrored_digits(i, base)}"
+        artists.append(ax.text(-0.52, -i, text, ha="left", **mono))
     ax.set_xlim(-0.54, 1.03)
     ax.set_ylim(-n - 0.6, -0.4)
     ax.set_xticks([0, 0.25, 0.5, 0.75, 1], ["0", "1/4", "1/2", "3/4", "1"])

@@ -69,15 +69,15 @@ def draw_driving_steps(
     for number, (ax, name) in enumerate(zip(panels, ("nearest", "controls", "best"))):
         artists += draw_panel(problem, tree, around, get_message(f"driving_steps.{name}"), ax)
         artists += draw_pose(q_rand, size, "q_rand", ax, colour=palette.INK, below=True)
-        words = "q_near" if number < 2 else ""
-        artists += draw_pose(q_near, size, words, ax, colour=palette.TREE, below=True)
+        near = "q_near" if number < 2 else ""
+        artists += draw_pose(q_near, size, near, ax, colour=palette.TREE, below=True)
         if number == 1:
             for drive, cut in zip(drives, cuts):
                 artists += draw_cut(drive, int(cut), ax)
         if number == 2:
-            way, colour = drives[best][: cuts[best] + 1], palette.START if free else palette.HIT
-            artists += ax.plot(*way[:, :2].T, color=colour, linewidth=4.0, zorder=5)
-            artists += draw_pose(way[-1], size, "q_new", ax, colour=colour)
+            driven, colour = drives[best][: cuts[best] + 1], palette.START if free else palette.HIT
+            artists += ax.plot(*driven[:, :2].T, color=colour, linewidth=4.0, zorder=5)
+            artists += draw_pose(driven[-1], size, "q_new", ax, colour=colour)
     return artists
 
 

@@ -13,10 +13,10 @@ WIDE, HIGH = 3.4, 0.9  # the size of a box; columns are 4.4 apart, rows 1.6
 
 
 class Step(NamedTuple):
-    """One element of a flowchart: its kind "do", "ask" or "end", words, column, and row."""
+    """One element of a flowchart: its kind "do", "ask" or "end", its text, column, and row."""
 
     kind: str
-    words: str
+    text: str
     column: float
     row: float
 
@@ -34,15 +34,15 @@ class Step(NamedTuple):
 def draw_flowchart(
     steps: dict[str, Step], arrows: list[tuple[str, str, str]], ax: Axes
 ) -> list[Artist]:
-    """Draw steps by name, and arrows (from, to, words) between them.
+    """Draw steps by name, and arrows (from, to, text) between them.
 
     Arrows run across, straight down, or back up.
     """
     artists: list[Artist] = []
     for step in steps.values():
         artists += draw_step(step, ax)
-    for begin, end, words in arrows:
-        artists += draw_arrow(steps[begin], steps[end], words, ax)
+    for begin, end, text in arrows:
+        artists += draw_arrow(steps[begin], steps[end], text, ax)
     xs, ys = zip(*(step.middle for step in steps.values()))
     ax.set(xlim=(min(xs) - 2.5, max(xs) + 2.2), ylim=(min(ys) - 0.8, max(ys) + 0.8), aspect="equal")
     ax.axis("off")
@@ -63,17 +63,17 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
         box = FancyBboxPatch((x - w, y - h), WIDE, HIGH, boxstyle=style, **look)
         shape = ax.add_patch(box)
     font: Style = {"fontsize": palette.TEXT_SIZE - 1, "color": palette.INK}
-    return [shape, ax.text(x, y, step.words, **palette.CENTRED, **font)]
+    return [shape, ax.text(x, y, step.text, **palette.CENTRED, **font)]
 
 
-def draw_arrow(begin: Step, end: Step, words: str, ax: Axes) -> list[Artist]:
+def draw_arrow(begin: Step, end: Step, text: str, ax: Axes) -> list[Artist]:
     """Draw an arrow from one step to the next: across, down, or back up at the left."""
     (x0, y0), (x1, y1) = begin.middle, end.middle
     (w0, h0), (w1, h1) = begin.half, end.half
     if y0 == y1:
-        way = 1.0 if x1 > x0 else -1.0
-        points = [(x0 + way * w0, y0), (x1 - way * w1, y1)]
-        label = (x0 + way * (w0 + 0.35), y0 + 0.28)
+        sign = 1.0 if x1 > x0 else -1.0
+        points = [(x0 + sign * w0, y0), (x1 - sign * w1, y1)]
+        label = (x0 + sign * (w0 + 0.35), y0 + 0.28)
     elif y1 < y0:
         points, label = [(x0, y0 - h0), (x1, y1 + h1)], (x0 + 0.35, (y0 - h0 + y1 + h1) / 2)
     else:
@@ -84,5 +84,5 @@ def draw_arrow(begin: Step, end: Step, words: str, ax: Axes) -> list[Artist]:
     return [
         *ax.plot(*zip(*points), color=palette.INK, linewidth=1.4, zorder=0),
         ax.annotate("", points[-1], xytext=points[-2], arrowprops=properties),
-        ax.text(*label, words, fontdict=style, **palette.CENTRED),
+        ax.text(*label, text, fontdict=style, **palette.CENTRED),
     ]

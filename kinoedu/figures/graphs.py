@@ -236,9 +236,9 @@ def write_weights(graph: Graph, places: Array, ax: Axes) -> list[Artist]:
 
 
 def write_beside(
-    at: Array, words: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left"
+    at: Array, text: str, ax: Axes, offset: tuple[float, float], colour: str, ha: Any = "left"
 ) -> Artist:
     """Write small words near a place, offset in points."""
     place: Style = {"xytext": offset, "textcoords": "offset points", "ha": ha}
     style: Style = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
-    return ax.annotate(words, (at[0], at[1]), zorder=8, **place, **style)
+    return ax.annotate(text, (at[0], at[1]), zorder=8, **place, **style)

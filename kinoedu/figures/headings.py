@@ -90,5 +90,5 @@ def draw_cells_with_headings(
         body.set(facecolor="none", linewidth=1.0)  # because many overlap
     artists += ax.plot(*roadmap.empty.T, "X", color=palette.GOAL, **MARK)
     counts = {"nodes": len(roadmap.nodes) - 2, "edges": len(roadmap.edges)}
-    words = get_message("headings.counts", **counts, empty=len(roadmap.empty))
-    return [*artists, *bodies, title(words, ax)]
+    text = get_message("headings.counts", **counts, empty=len(roadmap.empty))
+    return [*artists, *bodies, title(text, ax)]

@@ -26,11 +26,11 @@ def plane_figure() -> tuple[Figure, Axes]:
     return figure, figure.add_subplot()
 
 
-def axes(points: ArrayLike, words: str) -> Axes:
+def axes(points: ArrayLike, text: str) -> Axes:
     """New axes in the notebook that show all points, shape (n, 2), under a title."""
     ax = palette.axes_or_new(None, (7.0, 5.0))
     frame(points, ax, margin=0.3)
-    title(words, ax)
+    title(text, ax)
     return ax
 
 
@@ -51,9 +51,9 @@ def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2) -> None:
     ax.grid(zorder=0, **palette.GRID)
 
 
-def title(words: str, ax: Axes) -> Artist:
+def title(text: str, ax: Axes) -> Artist:
     """Write the title: what to see."""
-    return ax.set_title(fill(words, 60), fontsize=palette.TEXT_SIZE + 1)
+    return ax.set_title(fill(text, 60), fontsize=palette.TEXT_SIZE + 1)
 
 
 def dot(
@@ -68,7 +68,7 @@ def dot(
 
 def label(
     at: ArrayLike,
-    words: str,
+    text: str,
     ax: Axes,
     *,
     colour: str = palette.INK,
@@ -82,13 +82,13 @@ def label(
         offset, ha = (-offset[0], offset[1]), "right"  # there is more room on the other side
     beside: Style = {"xytext": offset, "textcoords": "offset points", "ha": ha}
     style: Style = {"color": colour, "path_effects": HALO, **palette.BOLD}
-    return ax.annotate(words, (x, y), zorder=9, **beside, **style)
+    return ax.annotate(text, (x, y), zorder=9, **beside, **style)
 
 
 def segment(
     a: ArrayLike,
     b: ArrayLike,
-    words: str,
+    text: str,
     ax: Axes,
     *,
     colour: str = palette.INK,
@@ -98,12 +98,12 @@ def segment(
     """Draw a segment with words at its midpoint."""
     (ax_, ay), (bx, by) = np.asarray(a, float), np.asarray(b, float)
     line = ax.plot([ax_, bx], [ay, by], style, color=colour, linewidth=width, zorder=4)
-    if not words:
+    if not text:
         return [*line]
-    return [*line, label(((ax_ + bx) / 2, (ay + by) / 2), words, ax, colour=colour)]
+    return [*line, label(((ax_ + bx) / 2, (ay + by) / 2), text, ax, colour=colour)]
 
 
-def line(line: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-") -> list[Artist]:
+def line(line: ArrayLike, text: str, ax: Axes, *, colour: str, style: str = "-") -> list[Artist]:
     """Draw the line a x + b y + c = 0, given as (a, b, c), across the axes.
 
     Nothing is drawn where the numbers are no line.
@@ -120,27 +120,27 @@ def line(line: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-"
     ends = np.array([middle - reach * along, middle + reach * along])
     limits = ax.get_xlim(), ax.get_ylim()
     look: Style = {"color": colour, "linewidth": 2.5, "scalex": False, "scaley": False}
-    artists: list[Artist] = [*ax.plot(*ends.T, style, zorder=3, label=words, **look)]
+    artists: list[Artist] = [*ax.plot(*ends.T, style, zorder=3, label=text, **look)]
     ax.set_xlim(limits[0])
     ax.set_ylim(limits[1])
     return artists
 
 
 def ring(
-    centre: ArrayLike, radius: float, words: str, ax: Axes, *, colour: str, style: str = "-"
+    centre: ArrayLike, radius: float, text: str, ax: Axes, *, colour: str, style: str = "-"
 ) -> list[Artist]:
     """Draw a circle, with words at a point of it that is in view."""
     x, y = np.asarray(centre, float)
     lo, hi = np.column_stack([ax.get_xlim(), ax.get_ylim()])
     if radius > 3.0 * float((hi - lo).max()):
         return (
-            [corner_note(get_message("picture.outside", what=words), ax, colour=colour)]
-            if words
+            [corner_note(get_message("picture.outside", what=text), ax, colour=colour)]
+            if text
             else []
         )
     look: Style = {"edgecolor": colour, "linestyle": style, "linewidth": 2.2}
     circle = ax.add_patch(Circle((x, y), radius, fill=False, zorder=3, **look))
-    if not words:
+    if not text:
         return [circle]
     least, most = lo + (0.22, 0.08) * (hi - lo), hi - (0.12, 0.1) * (hi - lo)
     for angle in np.radians((135, 45, 180, 225, 90, 270, 315, 160, 110)):
@@ -148,18 +148,18 @@ def ring(
         if (least < at).all() and (at < most).all():
             left = np.cos(angle) < 0.1
             beside: Style = {"offset": (-6 if left else 6, 4), "ha": "right" if left else "left"}
-            return [circle, label(at, words, ax, colour=colour, **beside)]
-    return [circle, corner_note(words, ax, colour=colour)]
+            return [circle, label(at, text, ax, colour=colour, **beside)]
+    return [circle, corner_note(text, ax, colour=colour)]
 
 
-def corner_note(words: str, ax: Axes, *, colour: str) -> Artist:
+def corner_note(text: str, ax: Axes, *, colour: str) -> Artist:
     """Write words in the lower left corner, for things outside the picture."""
     style: Style = {"color": colour, "path_effects": HALO, **palette.BOLD}
-    return ax.annotate(words, (0.02, 0.03), xycoords="axes fraction", **style)
+    return ax.annotate(text, (0.02, 0.03), xycoords="axes fraction", **style)
 
 
 def arrow(
-    at: ArrayLike, vector: ArrayLike, words: str, ax: Axes, *, colour: str, style: str = "-"
+    at: ArrayLike, vector: ArrayLike, text: str, ax: Axes, *, colour: str, style: str = "-"
 ) -> list[Artist]:
     """Draw a vector from a place, to scale."""
     (x, y), (u, v) = np.asarray(at, float), np.asarray(vector, float)
@@ -167,11 +167,11 @@ def arrow(
     properties = {"color": colour, "lw": 2.6, "linestyle": style, **head}
     tip = (x + u, y + v)
     drawn: list[Artist] = [ax.annotate("", tip, xytext=(x, y), arrowprops=properties, zorder=7)]
-    if not words:
+    if not text:
         return drawn
     far = 12.0 / (float(np.sqrt(u * u + v * v)) or 1.0)
     ha = "center" if abs(u) < abs(v) else "left" if u > 0 else "right"
-    return [*drawn, label(tip, words, ax, colour=colour, offset=(far * u, far * v - 5), ha=ha)]
+    return [*drawn, label(tip, text, ax, colour=colour, offset=(far * u, far * v - 5), ha=ha)]
 
 
 def polygon(vertices: ArrayLike, ax: Axes, *, numbers: bool = True) -> list[Artist]:

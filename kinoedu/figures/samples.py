@@ -101,19 +101,19 @@ def draw_ball(ball: EmptyBall, norm: float, ax: Axes) -> list[Artist]:
     (x, y), r = ball.centre, ball.radius
     square = norm == math.inf
     shape = Rectangle((x - r, y - r), 2 * r, 2 * r, **look) if square else Circle((x, y), r, **look)
-    words = get_message("samples.sup" if norm == math.inf else "samples.euclidean", radius=r)
+    text = get_message("samples.sup" if norm == math.inf else "samples.euclidean", radius=r)
     centre = ax.plot(x, y, "x", color=palette.INK, markersize=9, markeredgewidth=2.2, zorder=5)
-    return [ax.add_patch(shape), *centre, ax.set_title(words, fontsize=palette.TEXT_SIZE + 1)]
+    return [ax.add_patch(shape), *centre, ax.set_title(text, fontsize=palette.TEXT_SIZE + 1)]
 
 
 def write_beside(
-    words: str, at: tuple[float, float], ax: Axes, *, colour: str = palette.INK
+    text: str, at: tuple[float, float], ax: Axes, *, colour: str = palette.INK
 ) -> Artist:
     """Write words above a place, to the left where there is no room on the right."""
     right = at[0] < 0.93
     place: Style = {"xytext": (4 if right else -4, 3), "textcoords": "offset points"}
     style: Style = {"fontsize": palette.TEXT_SIZE - 1, "color": colour, "path_effects": HALO}
-    return ax.annotate(words, at, ha="left" if right else "right", zorder=6, **place, **style)
+    return ax.annotate(text, at, ha="left" if right else "right", zorder=6, **place, **style)
 
 
 def draw_dispersion(

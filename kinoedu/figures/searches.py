@@ -63,8 +63,8 @@ def draw_search(
     artists += draw_nodes(graph, places, states, ax, numbered)
     if costs:
         for u in (u for u in graph if np.isfinite(moment.cost[u])):
-            words = f"{moment.cost[u]:.3g}"
-            artists.append(write_beside(places[u], words, ax, (0, gap + 3), palette.TREE, "center"))
+            text = f"{moment.cost[u]:.3g}"
+            artists.append(write_beside(places[u], text, ax, (0, gap + 3), palette.TREE, "center"))
     n = len(moment.frontier)
     waiting = ", ".join(map(str, moment.frontier)) if n <= 8 else f"{n} nodes"
     expanded = f"{len(moment.expanded)} nodes expanded, now node {moment.node}"

@@ -37,6 +37,6 @@ def unroll(a: Array, b: Array) -> Array:
 
     A motion that leaves the square is drawn twice: where it leaves and where it enters.
     """
-    way = wrap_angles_exactly(b - a)
-    out, back = np.stack([a, a + way], axis=1), np.stack([b - way, b], axis=1)
+    change = wrap_angles_exactly(b - a)
+    out, back = np.stack([a, a + change], axis=1), np.stack([b - change, b], axis=1)
     return np.concatenate([out, back[np.abs(out[:, 1] - b).max(axis=1) > 1e-9]])

@@ -44,7 +44,7 @@ def margin_rings(world: UncertainWorldRecord, delta: float) -> list[Array]:
         shapely.union_all([grown_pieces[k] for k in np.flatnonzero(world.owner == i)])
         for i in range(len(world.sigma))
     ]
-    return [shapely.get_coordinates(shapely.get_exterior_ring(whole))[:-1] for whole in wholes]
+    return [shapely.get_coordinates(shapely.get_exterior_ring(union))[:-1] for union in wholes]
 
 
 def draw_uncertain(

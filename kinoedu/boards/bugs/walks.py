@@ -155,16 +155,16 @@ def draw_marks(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
     when, names = clock.when(walk), dict[tuple[float, ...], list[str]]()
     hits = [(i, f"H{k}") for k, i in enumerate(walk.hit, start=1)]
     leaves = [(i, f"L{k}") for k, i in enumerate(walk.leave, start=1)]
-    came: list[float] = []
+    times: list[float] = []
     for i, name in sorted(hits + leaves, key=lambda event: event[0]):
         place = tuple(points[i].tolist())
         if place not in names:
-            came.append(when[i])
+            times.append(when[i])
         names.setdefault(place, []).append(name)
     places = np.array(list(names)).reshape(-1, 2)
     return [
-        dots(places, "contact", radius=5.0, when=came),
-        labels(places, [", ".join(group) for group in names.values()], "contact", when=came),
+        dots(places, "contact", radius=5.0, when=times),
+        labels(places, [", ".join(group) for group in names.values()], "contact", when=times),
     ]
 
 
@@ -208,13 +208,13 @@ def make_plot_scene() -> Scene:
 
 def draw_plot(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
     """Draw the distance to the goal against the distance walked, for one walk or several."""
-    way = max(float(walk.travelled[-1]) for _, walk in plans) or 1.0
+    longest = max(float(walk.travelled[-1]) for _, walk in plans) or 1.0
     far = max(float(walk.distance_to_goal.max()) for _, walk in plans) or 1.0
     curves = [
-        np.column_stack([walk.travelled / way * PLOT[0], walk.distance_to_goal / far * PLOT[1]])
+        np.column_stack([walk.travelled / longest * PLOT[0], walk.distance_to_goal / far * PLOT[1]])
         for _, walk in plans
     ]
-    layers = draw_axes(way, far)
+    layers = draw_axes(longest, far)
     if len(plans) == 1:
         walk, curve = plans[0][1], curves[0]
         layers += [
@@ -237,10 +237,10 @@ def draw_plot(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[
     return grow_by_clock(clock, layers, get_message("bug_board.nothing"), texts)
 
 
-def draw_axes(way: float, far: float) -> list[Layer]:
+def draw_axes(longest: float, far: float) -> list[Layer]:
     """The frame of a plot, with lines and numbers at round values."""
-    (wide, high), across, up = PLOT, round_values(way, 5), round_values(far, 4)
-    x, y = across / way * wide, up / far * high
+    (wide, high), across, up = PLOT, round_values(longest, 5), round_values(far, 4)
+    x, y = across / longest * wide, up / far * high
     upright = [((a, 0.0), (a, high)) for a in x[1:].tolist()]
     level = [((0.0, b), (wide, b)) for b in y[1:].tolist()]
     below = np.column_stack([x - 0.06, np.full(len(x), -0.17)])

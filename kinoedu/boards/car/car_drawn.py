@@ -89,10 +89,10 @@ def draw_growth(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
             lines = driven_tracks(car, begins, tree.controls[1:], tree.durations[1:])
         else:
             lines = tracks(car, begins, tree.nodes[1:])
-    n, kept = len(lines), lines[:, :: max(1, (lines.shape[1] - 1) // 4)]
+    n, thinned = len(lines), lines[:, :: max(1, (lines.shape[1] - 1) // 4)]
     total = min(n, GROWTH)
     when = np.ceil((np.arange(n) + 1) * total / max(n, 1))
-    pieces = np.stack([kept[:, :-1], kept[:, 1:]], axis=2)
+    pieces = np.stack([thinned[:, :-1], thinned[:, 1:]], axis=2)
     layer = edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))
     return [layer], total
 

@@ -72,14 +72,14 @@ def draw_curves(scene: Scene, radius: float) -> Drawing:
     layers = [*draw_curve(forward, "tree", 2.0), *draw_curve(both, "path", 4.0)]
     for pose, colour in ((a, "start"), (b, "goal")):
         layers.append(arrows([pose[:2]], [nose(pose, radius) - pose[:2]], colour))
-    words = {
+    values = {
         "forward": forward.word,
         "first": f"{forward.length:.3g}",
         "both": both.word or "-",
         "second": f"{both.length:.3g}",
     }
     places = [("handle", number, nose(pose, radius).tolist()) for number, pose in ((1, a), (3, b))]
-    return Drawing(layers, text=get_message("curves_board.text", **words), places=places)
+    return Drawing(layers, text=get_message("curves_board.text", **values), places=places)
 
 
 def draw_curve(curve: Curve, colour: str, width: float) -> list[Layer]:

@@ -52,11 +52,11 @@ def continue_drive(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Driv
     return Drive(trajectory, notch, stopped)
 
 
-def greatest_speed(car: CarRobot, way: int) -> float:
+def greatest_speed(car: CarRobot, direction: int) -> float:
     """A car's greatest speed forward (way 1) or backward (way -1); 0 where it has none."""
-    if way == 0:
+    if direction == 0:
         return 0.0
-    return float(max(car.speeds.max(), 0.0) if way > 0 else min(car.speeds.min(), 0.0))
+    return float(max(car.speeds.max(), 0.0) if direction > 0 else min(car.speeds.min(), 0.0))
 
 
 def steering_angle(car: CarRobot, notch: int) -> float:
@@ -79,9 +79,9 @@ def extend_trajectory(
         problem, poses[-2 if again else -1], v, phi, before, before + moment
     )
     if time > before:
-        kept = len(controls) - again
-        controls = np.vstack([controls[:kept], (v, phi)])
-        durations = np.append(durations[:kept], time)
+        count = len(controls) - again
+        controls = np.vstack([controls[:count], (v, phi)])
+        durations = np.append(durations[:count], time)
     return trajectory._replace(controls=controls, durations=durations), stopped
 
 

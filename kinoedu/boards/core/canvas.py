@@ -151,10 +151,10 @@ class Canvas(anywidget.AnyWidget):
     def set_state(self, sync_data: JsonObject) -> None:
         """Accept from a page only where things are; ignore the rest, and any invalid scene."""
         try:
-            kept = {}
+            checked = {}
             if "scene" in sync_data:
-                kept["scene"] = arrange_like(self.home, sync_data["scene"])
-            super().set_state(kept)
+                checked["scene"] = arrange_like(self.home, sync_data["scene"])
+            super().set_state(checked)
         except KinoeduError as error:
             log.warning("a board was sent a scene that it cannot show: %s", error)
 

@@ -40,8 +40,8 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     for layer in drawing.layers:
         print_layer(layer, ax, drawing)
     print_handles(scene, ax)
-    for x, y, seen in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
-        half_x, half_y = 0.5 * seen * (x1 - x0) / size, 0.5 * seen * (y1 - y0) / size
+    for x, y, width in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
+        half_x, half_y = 0.5 * width * (x1 - x0) / size, 0.5 * width * (y1 - y0) / size
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
     if not scene.get("ticks", True):
         ax.set_axis_off()
@@ -101,7 +101,7 @@ def mix_colours() -> list[int]:
     named = np.array([list(ImageColor.getrgb(colour)) for colour in palette.NAMED.values()])
     lines = (palette.TREE, palette.ROADMAP, palette.PATH)
     solid = np.array(ImageColor.getrgb(palette.OBSTACLE))
-    mixed = [share * named + (1.0 - share) * 255.0 for share in (1.0, 0.75, 0.5, 0.25, 0.1)]
+    mixed = [weight * named + (1.0 - weight) * 255.0 for weight in (1.0, 0.75, 0.5, 0.25, 0.1)]
     mixed += [0.5 * np.array(ImageColor.getrgb(line)) + 0.5 * solid for line in lines]
     return [int(level) for level in np.unique(np.vstack(mixed).round(), axis=0).ravel()]
 

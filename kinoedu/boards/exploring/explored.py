@@ -17,9 +17,9 @@ MOVES = 8  # steps from one look to the next
 
 def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
     """Draw the regions and walls seen, the plan in that map, the path driven and the robot."""
-    ways = [np.vstack([look.scan.origin, look.followed]) for look in looks]
-    stops = [points_at_fractions(way, np.arange(MOVES) / MOVES) for way in ways]
-    places = np.concatenate([*stops, ways[-1][-1:]]) if ways else plan.problem.start[None]
+    walks = [np.vstack([look.scan.origin, look.followed]) for look in looks]
+    stops = [points_at_fractions(walk, np.arange(MOVES) / MOVES) for walk in walks]
+    places = np.concatenate([*stops, walks[-1][-1:]]) if walks else plan.problem.start[None]
     steps = np.arange(len(places))
     total = len(places) - 1
     begins = MOVES * np.arange(len(looks))
@@ -44,7 +44,7 @@ def draw_looks(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) ->
     regions = np.array([look.scan.points for look in looks])
     counts = [0, *(len(look.walls) for look in looks)]
     walls = looks[-1].walls[:, :2]
-    came = np.repeat(begins, np.diff(counts))
+    times = np.repeat(begins, np.diff(counts))
     paths = [(look.plan.path, k) for k, look in enumerate(looks)]
     plans = [(segments_along(points), k) for points, k in paths if points is not None]
     which = np.repeat([k for _, k in plans], [len(rows) for rows, _ in plans]).astype(np.int64)
@@ -52,23 +52,23 @@ def draw_looks(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) ->
     return [
         cells(regions, "cell", when=begins),
         bodies(regions, "roadmap", when=begins, until=ends),
-        edges(walls, "hit", width=3.0, when=came),
+        edges(walls, "hit", width=3.0, when=times),
         edges(rows, "tree", width=2.5, dash=(7.0, 5.0), when=begins[which], until=ends[which]),
     ]
 
 
 def points_at_fractions(points: Array, fractions: Array) -> Array:
     """Points at given fractions of the length of a path, (k, 2)."""
-    gone = np.concatenate([[0.0], np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).cumsum()])
-    return np.column_stack([np.interp(fractions * gone[-1], gone, axis) for axis in points.T])
+    along = np.concatenate([[0.0], np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).cumsum()])
+    return np.column_stack([np.interp(fractions * along[-1], along, axis) for axis in points.T])
 
 
 def describe_steps(looks: Sequence[Look], walked: Array) -> list[str]:
     """The robot's knowledge at each step before the last, in words."""
     texts = []
     for k, look in enumerate(looks):
-        for gone in walked[MOVES * k : MOVES * (k + 1)].tolist():
-            values = {"look": k + 1, "walls": len(look.walls), "walked": f"{gone:.4g}"}
+        for distance in walked[MOVES * k : MOVES * (k + 1)].tolist():
+            values = {"look": k + 1, "walls": len(look.walls), "walked": f"{distance:.4g}"}
             if look.plan.path is None:
                 texts.append(get_message("exploring_board.stuck", **values))
             else:

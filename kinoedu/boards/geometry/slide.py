@@ -141,10 +141,10 @@ def fraction_at(path: Slide, p: ArrayLike) -> float:
     """The fraction of the way at which the reference point is nearest to p."""
     x, y = np.asarray(p, float)
     stretch, nx, ny, _ = nearest_on_ring(x, y, path.corners)
-    gone = path.lengths[:stretch].sum() + np.hypot(
+    travelled = path.lengths[:stretch].sum() + np.hypot(
         nx - path.corners[stretch, 0], ny - path.corners[stretch, 1]
     )
-    return float(min(gone / path.lengths.sum(), 1.0))
+    return float(min(travelled / path.lengths.sum(), 1.0))
 
 
 def describe_contact(path: Slide, stretch: int) -> str:

@@ -192,15 +192,15 @@ class SolidBoard(anywidget.AnyWidget):
 
     def set_state(self, sync_data: JsonObject) -> None:
         """Accept from a page only valid places of the plane and of the point."""
-        kept: dict[str, Any] = {}
+        checked: dict[str, Any] = {}
         try:
             if "theta" in sync_data:
-                kept["theta"] = self._nearest(as_array([sync_data["theta"]], "theta").item())
+                checked["theta"] = self._nearest(as_array([sync_data["theta"]], "theta").item())
             if "place" in sync_data and self.place is not None:
-                kept["place"] = as_point(sync_data["place"], "place").tolist()
+                checked["place"] = as_point(sync_data["place"], "place").tolist()
         except (KinoeduError, ValueError) as error:
             log.warning("a board was sent a place that it cannot show: %s", error)
-        super().set_state(kept)
+        super().set_state(checked)
 
     def _nearest(self, theta: float) -> float:
         """The height of the solid that is nearest to an angle."""

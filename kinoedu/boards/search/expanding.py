@@ -49,10 +49,10 @@ def draw_search(
         layers.append(edges([[here, places[node]]], colour, width=2.0, dash=(4.0, 4.0)))
     counts = {"expanded": total, "nodes": len(graph), "frontier": len(moments[-1].frontier)}
     if moments[-1].node == goal:
-        way = extract_path(moments[-1].parent, goal)
-        layers.append(path(places[way], "path"))
-        cost = sum(graph.weight(u, v) for u, v in pairwise(way.tolist()))
-        text = get_message("search_board.found", **counts, edges=len(way) - 1, cost=f"{cost:.4g}")
+        found = extract_path(moments[-1].parent, goal)
+        layers.append(path(places[found], "path"))
+        cost = sum(graph.weight(u, v) for u, v in pairwise(found.tolist()))
+        text = get_message("search_board.found", **counts, edges=len(found) - 1, cost=f"{cost:.4g}")
     else:
         text = get_message("search_board.failed", **counts)
     if not side and len(graph) <= MOST_NUMBERED:

@@ -14,11 +14,11 @@ def describe_timeout(over: TimeUp, who: str) -> str:
     """A message why a function was stopped: the time it used and the time allowed."""
     why = "time_up" if over.used > over.allowed else "waited"
     seconds = {"used": over.used, "allowed": over.allowed, "passed": over.passed}
-    words = get_message(
+    message = get_message(
         f"board.own.{why}", who=who, **{name: f"{value:.1f}" for name, value in seconds.items()}
     )
     ending = "board.own.left_running" if over.left_running else "board.own.stopped"
-    return f"{words} {get_message(ending)}"
+    return f"{message} {get_message(ending)}"
 
 
 def describe_exception(error: BaseException, who: str) -> str:

@@ -87,19 +87,19 @@ def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
     n, nodes = len(log.nodes), log.nodes[:, :2]
     old = former_parents(log)
     new, again = log.node == log.created_at, log.node != log.created_at
-    looked = np.flatnonzero(log.radius > 0.0)
+    searching = np.flatnonzero(log.radius > 0.0)
 
     def then(numbers: NDArray[np.int64]) -> JsonObject:
         return {"when": numbers + 1, "until": numbers + 2}
 
     angles = 2.0 * np.pi * np.arange(CORNERS) / CORNERS
     rim = np.column_stack([np.cos(angles), np.sin(angles)])
-    balls = nodes[looked, None] + log.radius[looked, None, None] * rim
+    balls = nodes[searching, None] + log.radius[searching, None, None] * rim
     replaced = log_segments(log, old, log.node[again])
     rewired = log_segments(log, log.parent[again], log.node[again])
     added = log_segments(log, log.parent[new], log.node[new])
     return [
-        bodies(balls, "robot", **then(looked)),
+        bodies(balls, "robot", **then(searching)),
         edges(replaced, "hit", width=1.8, dash=(3.0, 5.0), **then(log.created_at[again])),
         edges(rewired, "hit", width=4.0, **then(log.created_at[again])),
         edges(added, "ink", width=4.0, **then(log.created_at[new])),

@@ -100,9 +100,9 @@ def find_assignment(file: Path, data: bytes) -> str:
             f"begin with one of: {', '.join(lessons)}"
         )
     if not shared[named]:
-        seen = f"its cells are those of {best}" if best else "it has none of its functions"
+        fault = f"its cells are those of {best}" if best else "it has none of its functions"
         raise InvalidParameter(
-            f"{file.name} is named like {named}, but {seen}: is it the wrong file? Exercises are "
+            f"{file.name} is named like {named}, but {fault}: is it the wrong file? Exercises are "
             "in the folder exercises, and lessons of the same names in the folder notebooks"
         )
     return named
@@ -137,9 +137,9 @@ def find_functions(cells: list[Cell]) -> tuple[dict[str, bool], dict[str, str]]:
     for part in (part for cell in cells for part in parse_cell(cell.source, "")):
         if isinstance(part, Failure):
             reason = part.error.msg if isinstance(part.error, SyntaxError) else str(part.error)
-            words = get_message("hand_in.unreadable", message=reason, line=part.line)
+            message = get_message("hand_in.unreadable", message=reason, line=part.line)
             written |= dict.fromkeys(part.names, False)
-            broken |= dict.fromkeys(part.names, words)
+            broken |= dict.fromkeys(part.names, message)
         else:
             written |= dict.fromkeys(find_names(part), not is_unwritten(part))
     return written, broken

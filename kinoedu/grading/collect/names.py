@@ -54,10 +54,10 @@ def name_in_canvas(row: dict[str, str | None]) -> Iterator[tuple[str, str]]:
     """
     name, number = row.get("Student") or "", row.get("ID") or ""
     last, comma, first = name.partition(",")
-    whole = f"{first.strip()} {last.strip()}" if comma else name
+    full_name = f"{first.strip()} {last.strip()}" if comma else name
     if number:
-        yield f"{re.sub(r'[^a-z0-9]', '', name.casefold())}_{number}", whole
-        yield from ((row.get(column) or "", whole) for column in CANVAS_IDS)
+        yield f"{re.sub(r'[^a-z0-9]', '', name.casefold())}_{number}", full_name
+        yield from ((row.get(column) or "", full_name) for column in CANVAS_IDS)
 
 
 def read_gradescope_names(folder: Path) -> Names:

@@ -80,8 +80,8 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     have = {one.student for one in submissions}
     submissions += find_missing_notebooks(found, have, owners, known)
     mine = (refuse_unknown(one, known) for one in submissions)
-    kept = merge_doubles(select_assignment(only, submissions) if only else mine)
-    return sorted(kept, key=lambda one: (one.student, one.assignment, one.file))
+    merged = merge_doubles(select_assignment(only, submissions) if only else mine)
+    return sorted(merged, key=lambda one: (one.student, one.assignment, one.file))
 
 
 def remove_outer_folders(files: list[Found], known: list[str]) -> list[Found]:
@@ -133,13 +133,13 @@ def make_submission(
     one = Submission(
         student, named, describe_place(file), file.data, file.trouble, late=is_marked_late(file)
     )
-    wanted = named or only
-    if not readable or not wanted or shared[wanted]:
+    assignment = named or only
+    if not readable or not assignment or shared[assignment]:
         return one
     if best and only == best:
         return one._replace(assignment=best)
-    seen = f"its cells are those of {best}" if best else f"it {NO_ANSWERS}"
-    trouble = f"it is handed in for {wanted}, but {seen}: is it the wrong file?"
+    finding = f"its cells are those of {best}" if best else f"it {NO_ANSWERS}"
+    trouble = f"it is handed in for {assignment}, but {finding}: is it the wrong file?"
     return one._replace(trouble=trouble)
 
 
@@ -171,13 +171,13 @@ def find_missing_notebooks(
     for student, files in rest.items():
         if student not in have:
             named = find_assignment(files[0].place[-1], files[0].place, {}, known)
-            seen = list_some([describe_place(file) for file in files])
+            finding = list_some([describe_place(file) for file in files])
             late = any(map(is_marked_late, files))
             lost.append(
                 Submission(
                     student,
                     named,
-                    seen,
+                    finding,
                     b"",
                     "there is no notebook in what was handed in",
                     late=late,

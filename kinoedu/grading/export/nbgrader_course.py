@@ -198,10 +198,10 @@ def clean_cell(cell: JsonObject, left: Marks) -> JsonObject:
 
 def make_text_cell(source: str, mark: JsonObject | None) -> JsonObject:
     """A cell of text."""
-    kept = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
+    fields = {key: value for key, value in (mark or {}).items() if key != "cell_type"}
     return {
         "cell_type": "markdown",
-        "metadata": {"nbgrader": kept} if mark else {},
+        "metadata": {"nbgrader": fields} if mark else {},
         "source": source,
     }
 

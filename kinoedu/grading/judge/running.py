@@ -92,16 +92,16 @@ def grade_all(
     readable = [one for one in submissions if not one.trouble]
     keyed = ((compute_key(one, secret), one) for one in readable)
     jobs = {key: make_job(one, key, secret, trusted, patience) for key, one in keyed}
-    kept = {key: read_result(results / f"{key}.json") for key in jobs}
-    known = {
+    records = {key: read_result(results / f"{key}.json") for key in jobs}
+    grades = {
         key: record
-        for key, record in kept.items()
+        for key, record in records.items()
         if record is not None and is_settled(record, patience)
     }
     report_progress = progress or (lambda done, everything: None)
-    report_progress(len(known), len(jobs))
+    report_progress(len(grades), len(jobs))
     troubles: dict[str, str] = {}
-    missing = [job for key, job in jobs.items() if key not in known]
+    missing = [job for key, job in jobs.items() if key not in grades]
     # what was late beside other jobs is graded again, alone and with more time
     for alone in (False, True):
         late = []
@@ -117,10 +117,10 @@ def grade_all(
                 if is_cut_off(record):
                     record = {**record, "patience": patience}
                 write_result(results / f"{job.key}.json", record)
-                known[job.key] = record
-            report_progress(len(known) + len(troubles), len(jobs))
+                grades[job.key] = record
+            report_progress(len(grades) + len(troubles), len(jobs))
         missing = late
-    return [attach_grade(one, known, troubles, secret) for one in submissions]
+    return [attach_grade(one, grades, troubles, secret) for one in submissions]
 
 
 def make_job(one: Submission, key: str, secret: bytes, trusted: bool, patience: float) -> Job:
@@ -134,13 +134,13 @@ def is_settled(record: Grade, patience: float) -> bool:
 
 
 def attach_grade(
-    one: Submission, known: dict[str, Grade], troubles: dict[str, str], secret: bytes
+    one: Submission, grades: dict[str, Grade], troubles: dict[str, str], secret: bytes
 ) -> Graded:
     """A submission with its grade, or with the reason why there is none."""
     if one.trouble:
         return Graded(one, None, one.trouble)
     key = compute_key(one, secret)
-    return Graded(one, known.get(key), troubles.get(key, ""))
+    return Graded(one, grades.get(key), troubles.get(key, ""))
 
 
 def compute_key(one: Submission, secret: bytes) -> str:

@@ -68,13 +68,13 @@ def insert_contracts(book: Any, chosen: Choices) -> Any:
     for cell in book["cells"]:
         name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
         if name in mine:
-            words = get_message("variants.yours", contract=find(name, mine[name]).contract)
+            message = get_message("variants.yours", contract=find(name, mine[name]).contract)
             cells.append(
                 {
                     "cell_type": "markdown",
                     "id": f"contract_{name}",
                     "metadata": {},
-                    "source": [words],
+                    "source": [message],
                 }
             )
         if name.removeprefix("check_") in mine and name.startswith("check_"):

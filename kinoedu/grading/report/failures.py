@@ -33,15 +33,15 @@ def restore_failure(question: Grade) -> tuple[Exercise, JudgedCase] | None:
 
     None if nothing failed, the case is hidden, or the course has changed since.
     """
-    kept: Any = question.get("failure")
-    if kept is None:
+    stored: Any = question.get("failure")
+    if stored is None:
         return None
     try:
         exercise = find(question["question"], question.get("variant", ""))
-        case = Case(kept["case"]["kind"], exercise.given.decode(kept["case"]["given"]))
-        outcome = decode_outcome(kept["outcome"], exercise.answer)
+        case = Case(stored["case"]["kind"], exercise.given.decode(stored["case"]["given"]))
+        outcome = decode_outcome(stored["outcome"], exercise.answer)
         verdict = exercise.judge(case, outcome)
-        return exercise, JudgedCase(case, outcome, verdict, kept["slip"], kept["number"])
+        return exercise, JudgedCase(case, outcome, verdict, stored["slip"], stored["number"])
     except (KinoeduError, WrongShape, KeyError, TypeError):
         return None
 
@@ -70,10 +70,10 @@ def explain_kinds(question: Grade) -> Iterator[tuple[str, str]]:
     failed = [kind for kind in question.get("kinds", []) if kind not in untried]
     for key, kinds in (("passed", passed), ("failed", failed), ("untried", untried)):
         if kinds:
-            words = "; ".join(describe_kind(question["question"], kind) for kind in kinds)
-            yield get_message(f"grades.kinds.{key}"), words
-    share = len(passed) / max(1, len(passed) + len(failed) + len(untried))
-    if question["score"] < share * question["max_score"] - ROUNDING:
+            kinds_text = "; ".join(describe_kind(question["question"], kind) for kind in kinds)
+            yield get_message(f"grades.kinds.{key}"), kinds_text
+    fraction = len(passed) / max(1, len(passed) + len(failed) + len(untried))
+    if question["score"] < fraction * question["max_score"] - ROUNDING:
         yield get_message("grades.kinds.points"), get_message("grades.kinds.trivial")
 
 

@@ -124,8 +124,8 @@ def render_cells(troubles: list[Grade]) -> Iterator[str]:
     yield heading(get_message("grades.cells"))
     yield paragraph(get_message("grades.cells_about"), "quiet")
     for trouble in troubles:
-        words, lines = describe_cell(trouble["trouble"])
-        yield paragraph(get_message("grades.cell", number=trouble["cell"], words=words))
+        text, lines = describe_cell(trouble["trouble"])
+        yield paragraph(get_message("grades.cell", number=trouble["cell"], words=text))
         if lines:
             yield f"<pre>{escape(chr(10).join(lines))}</pre>"
 

@@ -127,12 +127,12 @@ def select_fingerprints(words: list[tuple[int, int]], window: int) -> dict[int, 
     runs = [
         hash(tuple(word for word, _ in words[at : at + RUN])) for at in range(len(words) - RUN + 1)
     ]
-    kept: dict[int, Lines] = {}
+    selected: dict[int, Lines] = {}
     for at in range(min(len(runs), max(1, len(runs) - window + 1))):
         _, back = min((run, -place) for place, run in enumerate(runs[at : at + window]))
         lines = [line for _, line in words[at - back : at - back + RUN]]
-        kept.setdefault(runs[at - back], (min(lines), max(lines)))
-    return kept
+        selected.setdefault(runs[at - back], (min(lines), max(lines)))
+    return selected
 
 
 def list_words(nodes: list[ast.stmt], own: set[str], first: int) -> Iterator[tuple[int, int]]:

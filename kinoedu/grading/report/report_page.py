@@ -205,19 +205,19 @@ def order_kinds(question: str, kinds: set[str]) -> list[str]:
 
 def tabulate_mistakes(of: Class) -> Iterator[str]:
     """Yield a table of the rules broken first and the misconceptions, with their counts."""
-    met: Counter[tuple[str, str]] = Counter()
+    counts: Counter[tuple[str, str]] = Counter()
     for entry in of.entries:
         record = read_record(entry, of.out)
         for question in record["questions"] if record is not None else ():
             if question.get("reason"):
-                met[question["question"], question["reason"]] += 1
+                counts[question["question"], question["reason"]] += 1
     yield heading(get_message("grades.report.mistakes"))
-    if not met:
+    if not counts:
         yield paragraph(get_message("grades.report.nothing"))
         return
     yield paragraph(get_message("grades.report.mistakes_about"), "quiet")
     head = [get_message(f"grades.report.{key}") for key in ("question", "mistake", "count")]
-    often = sorted(met.items(), key=lambda item: (-item[1], item[0]))
+    often = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
     lines = [
         [breakable(name), breakable(describe_reason(name, reason)), str(count)]
         for (name, reason), count in often

@@ -145,11 +145,11 @@ def rank_pairs(
     else:
         alike, like_course = (np.zeros((len(programs), len(one))) for one in (programs, others))
     unseen = math.log(len(programs) + 1)
-    whole = {
+    totals = {
         id(one): sum(weights.get(p, unseen) for p in one.prints) for one in (*programs, *others)
     }
-    each_other = select_heaviest(np.triu(alike, 1), programs, programs, whole, most)
-    return each_other, select_heaviest(like_course, programs, others, whole, most)
+    each_other = select_heaviest(np.triu(alike, 1), programs, programs, totals, most)
+    return each_other, select_heaviest(like_course, programs, others, totals, most)
 
 
 def make_matrix(programs: list[Program], places: dict[int, int]) -> "scipy.sparse.csr_array":  # type: ignore[name-defined] # noqa: F821
@@ -170,7 +170,7 @@ def select_heaviest(
     weights: np.ndarray,
     rows: list[Program],
     columns: list[Program],
-    whole: dict[int, float],
+    totals: dict[int, float],
     most: int,
 ) -> list[Likeness]:
     """The pairs for the largest entries of a table; ties are ordered by name."""
@@ -179,7 +179,7 @@ def select_heaviest(
     found = []
     for i, j in np.argwhere(weights > max(EQUAL, least - EQUAL)).tolist():
         first, second, weight = rows[i], columns[j], float(weights[i, j])
-        fractions = (weight / whole[id(one)] for one in (first, second))
+        fractions = (weight / totals[id(one)] for one in (first, second))
         found.append(Likeness(first, second, weight, *fractions))
     found.sort(key=lambda one: (-round(one.weight, 5), one.first.name, one.second.name))
     return found[:most]

@@ -69,13 +69,13 @@ def render_row(pair: tuple[str, Likeness]) -> list[str]:
     return [*names, *map(format_percent, (one.of_first, one.of_second)), f"{one.weight:.0f}"]
 
 
-def format_percent(share: float) -> str:
+def format_percent(fraction: float) -> str:
     """A fraction as text.
 
     >>> format_percent(0.996)
     '100 %'
     """
-    return f"{100.0 * share:.0f} %"
+    return f"{100.0 * fraction:.0f} %"
 
 
 def render_pair_page(of: Similar, one: Likeness) -> str:

@@ -86,10 +86,10 @@ def render_page(rows: list[Row], entry: Entry, record: Grade | None, out: Path) 
     return render_feedback(rows, record, trouble, out / "pictures", entry.name)
 
 
-def remove_others(folder: Path, kept: set[Path]) -> None:
+def remove_others(folder: Path, written: set[Path]) -> None:
     """Remove the pages of submissions that are gone, so that nobody hands them out."""
     for file in folder.rglob("*.html"):
-        if file not in kept:
+        if file not in written:
             file.unlink()
     for below in folder.iterdir() if folder.is_dir() else ():
         if below.is_dir() and not any(below.iterdir()):

@@ -170,12 +170,16 @@ class LentModule(ModuleType):
             raise AttributeError(name)
         if name in SILENT or self.__name__.startswith(SILENT_MODULES):
             return Silent()
-        whole = f"{self.__name__}.{name}"
+        full_name = f"{self.__name__}.{name}"
         if self.__name__ == "kinoedu.errors":
             return type(name, (ValueError,), {})
         finder = self.__loader__
         assert isinstance(finder, LentModules)
-        return importlib.import_module(whole) if finder.has_module(whole) else NotLent(whole)
+        return (
+            importlib.import_module(full_name)
+            if finder.has_module(full_name)
+            else NotLent(full_name)
+        )
 
 
 class LentModules(importlib.machinery.PathFinder):
