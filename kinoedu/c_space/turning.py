@@ -177,10 +177,11 @@ def critical_angles(robot: Array, obstacle: Array) -> list[float]:
 
     Both ends are included.
     """
-    ours, theirs = (
+    robot_angles, obstacle_angles = (
         np.arctan2(*(np.roll(ring, -1, axis=0) - ring).T[::-1]) for ring in (robot, obstacle)
     )
-    angles = np.sort(np.mod(theirs[:, None] - ours[None, :], 2.0 * np.pi).ravel() - np.pi)
+    turns = obstacle_angles[:, None] - robot_angles[None, :]
+    angles = np.sort(np.mod(turns, 2.0 * np.pi).ravel() - np.pi)
     inner = angles[(angles > -np.pi + SAME) & (angles < np.pi - SAME)]
     return [-np.pi, *inner[np.diff(inner, prepend=-np.inf) > SAME].tolist(), np.pi]
 

@@ -37,16 +37,16 @@ def relative_obstacles(
     pieces: list[Any] = []
     own: list[int] = []
     if isinstance(robot, RoundRobot):
-        bodies, more = [np.zeros((1, 2))], robot.radius
+        bodies, radius = [np.zeros((1, 2))], robot.radius
     else:
         body = robot.shape
-        bodies, more = [body.points[a:b] for a, b in zip(body.first[:-1], body.first[1:])], 0.0
+        bodies, radius = [body.points[a:b] for a, b in zip(body.first[:-1], body.first[1:])], 0.0
     for i in range(len(shapes.radius)):
         piece = shapes.points[shapes.first[i] : shapes.first[i + 1]]
         for body_piece in bodies:
             pieces.append(
                 grow_piece(
-                    sum_pieces(piece, -body_piece), float(shapes.radius[i]) + more + clearance
+                    sum_pieces(piece, -body_piece), float(shapes.radius[i]) + radius + clearance
                 )
             )
             own.append(i)

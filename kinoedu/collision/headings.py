@@ -130,21 +130,21 @@ def critical_headings(robot: RigidPolygonRobot, world: World, place: Array) -> A
     parts, near = obstacles_near(world, *(place - reach), *(place + reach))
     rings = [ring_of(parts, j) - place for j in near] + [rim(world) - place]
     radius = np.repeat([*parts.radius[near], 0.0], [len(ring) for ring in rings])[:, None]
-    mine = [ring_of(robot.shape, i) for i in range(len(robot.shape.radius))]
-    ours, theirs = np.vstack(mine)[:, None], np.vstack(rings)[:, None]
-    sides = np.vstack([edges_of(ring) for ring in mine])
+    pieces = [ring_of(robot.shape, i) for i in range(len(robot.shape.radius))]
+    robot_corners, corners = np.vstack(pieces)[:, None], np.vstack(rings)[:, None]
+    robot_edges = np.vstack([edges_of(ring) for ring in pieces])
     found = [
-        edge_directions(ours, np.vstack([edges_of(ring) for ring in rings]))
-        - direction(ours)[..., None]
+        edge_directions(robot_corners, np.vstack([edges_of(ring) for ring in rings]))
+        - direction(robot_corners)[..., None]
     ]
     for off in (radius, -radius) if radius.any() else (radius,):
         found.append(
-            direction(theirs)[..., None] - edge_directions(theirs, offset_edges(sides, off))
+            direction(corners)[..., None] - edge_directions(corners, offset_edges(robot_edges, off))
         )
     discs = radius[:, 0] > 0.0
     found.append(
-        direction(theirs[discs])[..., None]
-        - circle_directions(theirs[discs], ours[:, 0], radius[discs])
+        direction(corners[discs])[..., None]
+        - circle_directions(corners[discs], robot_corners[:, 0], radius[discs])
     )
     headings = np.concatenate([angles.ravel() for angles in found])
     return headings[np.isfinite(headings)]

@@ -27,7 +27,8 @@ import numpy as np
 from ..curves.space import CurveSpace
 from ..errors import InvalidParameter, InvalidPoint, UnknownFormat, UnreadableScene
 from ..geometry.checks import as_array
-from ..problems import Plan, ProblemRecord, Recorder, Roadmap, Tree, Walk
+from ..problems import Plan, ProblemRecord, Roadmap, Tree, Walk
+from ..problems.recorder import unwrap_recorder
 from ..robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from ..spaces import RealSpace, WrappingSpace
 from ..support.json_fields import Field, JsonObject, read_json
@@ -113,7 +114,7 @@ def column_names(plan: Plan) -> list[str]:
 
 def write_whole_plan(plan: Plan, file: Path) -> None:
     """Write the whole plan as JSON."""
-    inner = plan.problem.problem if isinstance(plan.problem, Recorder) else plan.problem
+    inner = unwrap_recorder(plan.problem)
     try:
         scene = as_scene_object(inner) if isinstance(inner, ProblemRecord) else None
     except UnreadableScene:  # a robot that scenes cannot hold

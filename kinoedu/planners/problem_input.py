@@ -7,8 +7,9 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
-from ..problems import MOTIONS, ProblemRecord, Recorder
+from ..problems import MOTIONS, ProblemRecord
 from ..problems.protocols import PlanningProblem, ProblemLike
+from ..problems.recorder import unwrap_recorder
 from ..robots.round import RoundRobot
 from ..spaces import diameter
 from ..spaces.buckets import GrowingTree, empty_tree
@@ -96,7 +97,7 @@ def as_problem(problem: Any) -> PlanningProblem:
     InvalidPoint
         Where its start or goal is not a configuration.
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner = unwrap_recorder(problem)
     return problem if isinstance(inner, ProblemRecord) else OwnProblem(problem)
 
 
@@ -140,7 +141,7 @@ def check_exact(problem: PlanningProblem, planner: str) -> None:
     InvalidParameter
         Where the problem is of another kind.
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner = unwrap_recorder(problem)
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.world, PolygonWorldRecord):
         raise InvalidParameter(
             f"{planner} needs a Problem(Point(), PolygonWorld(...), start, goal)"

@@ -67,3 +67,8 @@ class Recorder:
             for name in self.QUERIES
             if (n := sum(question.name == name for question in self.log))
         }
+
+
+def unwrap_recorder(problem: Any) -> Any:
+    """The problem that a recorder records; any other problem is returned unchanged."""
+    return problem.problem if isinstance(problem, Recorder) else problem

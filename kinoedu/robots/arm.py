@@ -104,15 +104,15 @@ class ArmRobot(NamedTuple):
             return []
         # half-angle formulas of the triangle base, elbow, tip: the tangents are accurate near the
         # rims, where cosines are not
-        bend = 2.0 * math.atan2(
+        elbow = 2.0 * math.atan2(
             math.sqrt((reach - far) * (reach + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2))
         )
         lead = 2.0 * math.atan2(
             math.sqrt((reach - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + reach))
         )
         return [
-            np.array([wrap_angle(heading - lead), wrap_angle(bend)]),
-            np.array([wrap_angle(heading + lead), wrap_angle(-bend)]),
+            np.array([wrap_angle(heading - lead), wrap_angle(elbow)]),
+            np.array([wrap_angle(heading + lead), wrap_angle(-elbow)]),
         ]
 
 

@@ -98,8 +98,10 @@ def torus_distance(a: ArrayLike, b: ArrayLike) -> float | Array:
     (1.0, 0.0)
     """
     x, y = as_array(a, "a"), as_array(b, "b")
-    fits = all(1 <= p.ndim <= 2 and p.shape[-1] > 0 for p in (x, y)) and x.shape[-1] == y.shape[-1]
-    if not fits or (x.ndim == y.ndim and x.shape != y.shape):
+    is_valid = (
+        all(1 <= p.ndim <= 2 and p.shape[-1] > 0 for p in (x, y)) and x.shape[-1] == y.shape[-1]
+    )
+    if not is_valid or (x.ndim == y.ndim and x.shape != y.shape):
         raise InvalidPoint(
             f"a and b must have shape (d,) or (n, d), d and n the same for both, got {x.shape} "
             f"and {y.shape}"

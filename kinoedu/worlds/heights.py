@@ -76,10 +76,10 @@ def roughness(heights: ArrayLike, *, reach: int = 1) -> Array:
     field, r = as_heights(heights), integer(reach, "reach", least=1)
     if r >= min(field.shape):
         raise InvalidWorld(f"reach {r} must be less than both sides of the heights, {field.shape}")
-    wide = np.pad(field, r, mode="reflect", reflect_type="odd")
+    padded = np.pad(field, r, mode="reflect", reflect_type="odd")
     rows, columns = field.shape
     steps = list(product(range(-r, r + 1), repeat=2))
-    rise = [wide[r + v : r + v + rows, r + u : r + u + columns] - field for v, u in steps]
+    rise = [padded[r + v : r + v + rows, r + u : r + u + columns] - field for v, u in steps]
     mean = sum(rise) / len(steps)
     along = [
         sum(step[axis] * above for step, above in zip(steps, rise)) / len(steps) for axis in (0, 1)

@@ -88,11 +88,11 @@ class Moving(Mover, metaclass=Constructor):
     """
 
     def __new__(cls, shape: ArrayLike, times: ArrayLike, places: ArrayLike) -> Mover:  # type: ignore[misc]  # returns the record
-        moments, where = as_array(times, "times"), as_array(places, "places")
-        if moments.ndim != 1 or len(moments) == 0 or where.shape != (len(moments), 2):
+        moments, stops = as_array(times, "times"), as_array(places, "places")
+        if moments.ndim != 1 or len(moments) == 0 or stops.shape != (len(moments), 2):
             raise InvalidWorld(
                 "times (k,) and places (k, 2) must have the same k >= 1, got shapes "
-                f"{moments.shape} and {where.shape}"
+                f"{moments.shape} and {stops.shape}"
             )
         if not (np.diff(moments) > 0.0).all():
             raise InvalidWorld(
@@ -101,8 +101,8 @@ class Moving(Mover, metaclass=Constructor):
             )
         if np.ndim(shape) == 0:
             disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]
-            return Mover(np.zeros((1, 2)), float(disc[2]), moments, where)
-        return Mover(as_ring(shape, "a moving obstacle"), 0.0, moments, where)
+            return Mover(np.zeros((1, 2)), float(disc[2]), moments, stops)
+        return Mover(as_ring(shape, "a moving obstacle"), 0.0, moments, stops)
 
 
 class MovingWorld(MovingWorldRecord, metaclass=Constructor):

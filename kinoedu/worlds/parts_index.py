@@ -52,12 +52,12 @@ def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
     last = [columns - 1, rows - 1]
     low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, last).astype(int)
     high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, last).astype(int)
-    wide, tall = (high - low + 1).T
-    count = wide * tall
+    width, height = (high - low + 1).T
+    count = width * height
     # one entry for each cell of each part: its part, and its number among the cells of that part
     part = np.repeat(np.arange(len(boxes)), count)
     k = np.arange(len(part)) - np.repeat(np.cumsum(count) - count, count)
-    held = (low[part, 1] + k // wide[part]) * columns + low[part, 0] + k % wide[part]
+    held = (low[part, 1] + k // width[part]) * columns + low[part, 0] + k % width[part]
     first = np.append(0, np.cumsum(np.bincount(held, minlength=columns * rows)))
     parts_by_cell = part[np.argsort(held, kind="stable")]
     x, y = float(lo[0]), float(lo[1])

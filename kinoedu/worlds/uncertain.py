@@ -152,9 +152,9 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
     """
     margin, parts = chance_margins(world.sigma, delta)[world.owner], world.parts
     solids: list[Any] = []
-    for k, (own, more) in enumerate(zip(parts.radius, margin)):
+    for k, (radius, m) in enumerate(zip(parts.radius, margin)):
         piece = parts.points[parts.first[k] : parts.first[k + 1]]
-        solids.append((piece[0], own + more) if own > 0.0 else grow_piece(piece, float(more)))
+        solids.append((piece[0], radius + m) if radius > 0.0 else grow_piece(piece, float(m)))
     return PolygonWorld(ring_of(world.empty), solids)
 
 

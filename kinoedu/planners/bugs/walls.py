@@ -77,10 +77,10 @@ def contact(walls: Walls, q: Array) -> int:
     """Where a point is: 1 inside an obstacle, 0 on a wall, -1 in free space; exact."""
     inside = -1
     for ring in walls.rings:
-        where = locate_point(q[0], q[1], ring)
-        if where == 0:
+        side = locate_point(q[0], q[1], ring)
+        if side == 0:
             return 0
-        if where > 0:  # inside an obstacle, or in a hole of it, and so on
+        if side > 0:  # inside an obstacle, or in a hole of it, and so on
             inside = -inside
     return inside
 
@@ -184,10 +184,10 @@ def compare_by_turn(points: Array, v: Array, u: Array, i: int, j: int) -> int:
     The comparison is exact.
     """
     a, b = points[i], points[j]
-    a_late, b_late = (
+    a_after_half_turn, b_after_half_turn = (
         orientation_sign(*v, *u, *a) < 0,
         orientation_sign(*v, *u, *b) < 0,
     )  # in the second half of the turn
-    if a_late != b_late:
-        return 1 if a_late else -1
+    if a_after_half_turn != b_after_half_turn:
+        return 1 if a_after_half_turn else -1
     return -int(orientation_sign(*v, *a, *b))

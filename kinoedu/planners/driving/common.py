@@ -12,8 +12,10 @@ from numpy.typing import NDArray
 from ...compiled import callable_from_compiled, compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
+from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
+from ...problems.recorder import unwrap_recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ...spaces import SE2
@@ -135,11 +137,7 @@ def as_car_problem(
     InvalidParameter
         Where the robot is not a car, or `turn_weight` is not positive.
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
-    if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
-        raise InvalidParameter(
-            f"{planner} needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
-        )
+    inner = check_car(problem, planner)
     weight = wheelbases * inner.robot.wheelbase
     if turn_weight is not None:
         weight = positive(turn_weight, "turn_weight")
@@ -149,6 +147,22 @@ def as_car_problem(
     recorder = Recorder(in_se2)
     recorder.log = problem.log
     return recorder
+
+
+def check_car(problem: ProblemRecord | Recorder, planner: str) -> ProblemRecord:
+    """The problem of a car, without its recorder.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the robot is not a car.
+    """
+    inner = unwrap_recorder(problem)
+    if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
+        raise InvalidParameter(
+            f"{planner} needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
+        )
+    return inner
 
 
 def begin_tree(problem: Any, capacity: int) -> DrivenGrowth:
@@ -180,6 +194,22 @@ def trajectory_to(
     )
 
 
+def plan_from_driven_tree(
+    problem: CarProblem, growth: DrivenGrowth, at_goal: int, planner: str, stats: dict[str, int]
+) -> Plan:
+    """The plan to a node of a tree of drives; with -1, a plan without a path.
+
+    Its trajectory then leads to the node nearest to the goal.
+    """
+    tree = copy_tree(growth)
+    last = at_goal if at_goal >= 0 else int(problem.nearest(growth.tree, problem.goal))
+    trajectory = trajectory_to(problem, tree, extract_path(tree.parent, last))
+    stats = {"nodes": len(tree.nodes), **stats}
+    return plan_from_trajectory(
+        problem, trajectory, at_goal >= 0, planner=planner, tree=tree, stats=stats
+    )
+
+
 def plan_from_trajectory(
     problem: CarProblem, trajectory: TrajectoryRecord, arrived: bool, **built: Any
 ) -> Plan:
@@ -189,10 +219,10 @@ def plan_from_trajectory(
             trajectory.poses, trajectory.length, trajectory=trajectory, problem=problem, **built
         )
     x, y, theta = trajectory.poses[-1]
-    off, askew = math.dist((x, y), problem.goal[:2]), abs(wrap_angle(theta - problem.goal[2]))
+    distance, angle = math.dist((x, y), problem.goal[:2]), abs(wrap_angle(theta - problem.goal[2]))
     reason = (
-        f"no pose is near enough to the goal; the trajectory leads to the nearest one, {off:.3g} "
-        f"away and {math.degrees(askew):.3g} degrees askew: allow more iterations, or a larger "
-        "tolerance"
+        "no pose is near enough to the goal; the trajectory leads to the nearest one, "
+        f"{distance:.3g} away and {math.degrees(angle):.3g} degrees askew: allow more iterations, "
+        "or a larger tolerance"
     )
     return Plan(None, math.inf, trajectory=trajectory, reason=reason, problem=problem, **built)

@@ -28,12 +28,10 @@ from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
-from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
-from ...support.text import shortened
 from ..problem_input import count_checks
 from ..tuning import integer, positive
-from .common import DrivenGrowth, add_drive, begin_tree, copy_tree
+from .common import DrivenGrowth, add_drive, begin_tree, check_car, copy_tree
 from .trajectories import controls_along
 
 
@@ -141,11 +139,7 @@ def hybrid_astar(
     >>> plan.path[-1].round(9), bool(20 < plan.cost < 30)
     (array([16.,  4.,  0.]), True)
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
-    if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
-        raise InvalidParameter(
-            f"hybrid_astar needs a Problem(Car(...), world, start, goal), got {shortened(problem)}"
-        )
+    inner = check_car(problem, "hybrid_astar")
     side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
     length = 1.5 * side if step_size is None else positive(step_size, "step_size")
     lattice = lattice_for(inner, side, length, integer(angles, "angles", least=2))

@@ -14,11 +14,12 @@ Algorithms, section 14.4.3.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...compiled import algorithm
 from ...geometry.checks import as_generator
-from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
 from ..problem_input import count_checks
@@ -28,12 +29,10 @@ from .common import (
     add_drive,
     as_car_problem,
     begin_tree,
-    copy_tree,
     free_drive,
     is_near,
     next_target,
-    plan_from_trajectory,
-    trajectory_to,
+    plan_from_driven_tree,
 )
 from .parameters import (
     Drives,
@@ -134,14 +133,6 @@ def kinodynamic_rrt(
     at_goal, iterations = grow_by_driving(
         car_problem, growth, bias, tried, near, limit, as_generator(rng)
     )
-    tree = copy_tree(growth)
-    last = at_goal if at_goal >= 0 else int(car_problem.nearest(growth.tree, car_problem.goal))
-    trajectory = trajectory_to(car_problem, tree, extract_path(tree.parent, last))
-    stats = {
-        "nodes": len(tree.nodes),
-        "iterations": int(iterations),
-        "checks": count_checks(car_problem) - before,
-    }
-    return plan_from_trajectory(
-        problem, trajectory, at_goal >= 0, planner="kinodynamic RRT", tree=tree, stats=stats
-    )
+    stats = {"iterations": int(iterations), "checks": count_checks(car_problem) - before}
+    plan = plan_from_driven_tree(car_problem, growth, at_goal, "kinodynamic RRT", stats)
+    return replace(plan, problem=problem)

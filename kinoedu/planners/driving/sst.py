@@ -6,6 +6,7 @@ optimal sampling-based kinodynamic planning" (2016), algorithm 6.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -13,7 +14,6 @@ from numpy.typing import NDArray
 
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
-from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
 from ..problem_input import count_checks
@@ -23,11 +23,9 @@ from .common import (
     add_drive,
     as_car_problem,
     begin_tree,
-    copy_tree,
     is_near,
     next_target,
-    plan_from_trajectory,
-    trajectory_to,
+    plan_from_driven_tree,
 )
 from .parameters import (
     GoalBias,
@@ -200,11 +198,7 @@ def sst(
     at_goal = grow_sparsely(
         car_problem, growth, sparse, bias, longest, near, limit, as_generator(rng)
     )
-    tree = copy_tree(growth)
-    last = at_goal if at_goal >= 0 else int(car_problem.nearest(growth.tree, car_problem.goal))
-    stats = {"nodes": len(tree.nodes), "spots": int(sparse.size[0]), "iterations": limit}
+    stats = {"witnesses": int(sparse.size[0]), "iterations": limit}
     stats["checks"] = count_checks(car_problem) - before
-    trajectory = trajectory_to(car_problem, tree, extract_path(tree.parent, last))
-    return plan_from_trajectory(
-        problem, trajectory, at_goal >= 0, planner="SST", tree=tree, stats=stats
-    )
+    plan = plan_from_driven_tree(car_problem, growth, at_goal, "SST", stats)
+    return replace(plan, problem=problem)

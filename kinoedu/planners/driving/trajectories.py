@@ -5,7 +5,8 @@ import numpy as np
 from ...curves.space import pieces_between
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
-from ...problems import Plan, ProblemRecord, Recorder
+from ...problems import Plan, ProblemRecord
+from ...problems.recorder import unwrap_recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import Trajectory, TrajectoryRecord
 from ...support.text import shortened
@@ -40,7 +41,7 @@ def trajectory_along(plan: Plan) -> TrajectoryRecord:
         raise InvalidParameter(f"expected a plan with a path, got {shortened(plan)}")
     if plan.trajectory is not None:
         return plan.trajectory
-    inner = plan.problem.problem if isinstance(plan.problem, Recorder) else plan.problem
+    inner = unwrap_recorder(plan.problem)
     if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, CarRobot):
         raise InvalidParameter(
             "only a car is driven along a path; plan for a Problem(Car(...), world, start, goal)"

@@ -16,6 +16,7 @@ from ...decomposition import decomposition_roadmap, trapezoidation
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...problems import Plan, ProblemRecord, Recorder
+from ...problems.recorder import unwrap_recorder
 from ...robots.polygon import RigidPolygonRobot
 from ...spaces.angles import wrap_angle
 from ...support.constructors import with_type_names
@@ -147,7 +148,7 @@ def turning_polygon(
     InvalidParameter
         Where the robot or the world is another.
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner = unwrap_recorder(problem)
     if (
         not isinstance(inner, ProblemRecord)
         or not isinstance(inner.robot, RigidPolygonRobot)

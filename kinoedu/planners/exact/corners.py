@@ -73,14 +73,14 @@ def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
         on_edge.setdefault(edge, []).append(point)
     cut, edge = [], 0
     for ring in rings:
-        whole: list[int] = []
+        corners: list[int] = []
         for p in ring:
             begin, end = points[ends[edge]]
             ahead = np.where(end >= begin, 1.0, -1.0)
             inner = sorted(on_edge.get(edge, ()), key=lambda i: tuple((points[i] * ahead).tolist()))
-            whole += [p, *inner]
+            corners += [p, *inner]
             edge += 1
-        cut.append(whole)
+        cut.append(corners)
     return cut
 
 
@@ -171,12 +171,12 @@ def turning_points(
     """
     turning = np.zeros(len(points), np.bool_)
     for v in range(len(points)):
-        gaps, wide = 0, False
+        gaps, has_wide_gap = 0, False
         for i in range(len(before)):
             if before[i, v] >= 0 and begins_gap(points, before, after, v, i):
                 gaps += 1
-                wide = wide or opens_wide(points, before[i, v], after, v)
-        turning[v] = wide or gaps > 1
+                has_wide_gap = has_wide_gap or opens_wide(points, before[i, v], after, v)
+        turning[v] = has_wide_gap or gaps > 1
     return turning
 
 

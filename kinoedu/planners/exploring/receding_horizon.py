@@ -23,6 +23,7 @@ from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_generator
 from ...geometry.exact import orientation_sign
 from ...problems import Plan, Problem, ProblemRecord, Recorder, Tree
+from ...problems.recorder import unwrap_recorder
 from ...robots.round import RoundRobot
 from ...support.constructors import with_type_names
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
@@ -57,8 +58,8 @@ class SeenMap(NamedTuple):
         first, second = measured.points, np.roll(measured.points, -1, axis=0)
         apart = np.sqrt(((second - first) ** 2).sum(axis=1))
         farther = np.maximum(measured.distances, np.roll(measured.distances, -1))
-        wide = JOINED * farther * (2.0 * np.pi / len(measured.angles))
-        joined = measured.hit & np.roll(measured.hit, -1) & (apart <= wide) & (apart > 0.0)
+        limit = JOINED * farther * (2.0 * np.pi / len(measured.angles))
+        joined = measured.hit & np.roll(measured.hit, -1) & (apart <= limit) & (apart > 0.0)
         first, second, apart = first[joined], second[joined], apart[joined, None]
         middle = 0.5 * (first + second)
         away = middle - measured.origin
@@ -173,7 +174,7 @@ def receding_horizon_looks(
     >>> looks[0].scan.origin, looks[-1].followed[-1]
     (array([1., 1.]), array([9., 1.]))
     """
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner = unwrap_recorder(problem)
     if not (
         isinstance(inner, ProblemRecord)
         and isinstance(inner.robot, RoundRobot)

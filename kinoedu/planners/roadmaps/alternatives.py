@@ -60,7 +60,7 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
         raise InvalidParameter(
             f"expected a plan with a roadmap, such as prm's, got {shortened(plan)}"
         )
-    count, more = integer(k, "k", least=1), positive(penalty, "penalty")
+    count, factor = integer(k, "k", least=1), positive(penalty, "penalty")
     if plan.path is None:
         return []
     roadmap, driven = plan.roadmap, isinstance(plan.roadmap, DrivenRoadmap)
@@ -74,7 +74,7 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
         if len(found) == count:
             break
         used = edges_along(roadmap.edges, numbers, driven)
-        weights[used] += more * lengths[used]
+        weights[used] += factor * lengths[used]
     routes = [plan_along_route(plan, numbers) for numbers in found]
     return sorted(routes, key=lambda one: one.cost)
 

@@ -93,11 +93,11 @@ def changing_roadmap(
     True
     """
     check_round(problem)
-    chance, many = as_generator(rng), integer(n, "n", least=2)
-    nodes = np.array([problem.sample(chance) for _ in range(many)])
+    generator, count = as_generator(rng), integer(n, "n", least=2)
+    nodes = np.array([problem.sample(generator) for _ in range(count)])
     near = k_closest(problem, nodes, integer(k, "k", least=1))
     both = np.sort(
-        np.column_stack([np.repeat(np.arange(many), near.shape[1]), near.ravel()]), axis=1
+        np.column_stack([np.repeat(np.arange(count), near.shape[1]), near.ravel()]), axis=1
     )
     pairs = np.unique(both, axis=0).astype(np.int64)
     return ChangingRoadmap(nodes, pairs, free_pairs(problem, nodes, pairs), len(pairs))

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
-from ...problems import ProblemRecord, Recorder, Roadmap
+from ...problems import ProblemRecord, Roadmap
 from ...problems.protocols import ProblemLike
+from ...problems.recorder import unwrap_recorder
 from ..exact.by_decomposition import check_edges
 from ..problem_input import as_two_way_problem
 from ..tuning import integer, positive
@@ -56,7 +57,7 @@ def grid_roadmap(
     (15, 20)
     """
     problem = as_two_way_problem(problem, "a grid")
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner = unwrap_recorder(problem)
     if not isinstance(inner, ProblemRecord):
         raise InvalidParameter("a grid needs a Problem, whose space it covers")
     lo, extent = inner.space.lo, inner.space.hi - inner.space.lo

@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from ...compiled import algorithm
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_array
-from ...problems import Plan, Problem, ProblemRecord, Recorder, Roadmap
+from ...problems import Plan, Problem, ProblemRecord, Roadmap
 from ...problems.protocols import PlanningProblem, ProblemLike
+from ...problems.recorder import unwrap_recorder
 from ...support.text import shortened
 from ..problem_input import as_two_way_problem, count_checks
 from ..tuning import integer
@@ -160,7 +161,7 @@ def as_free(problem: PlanningProblem, value: ArrayLike | None, name: str) -> Arr
     error = InvalidStart if name == "start" else InvalidGoal
     if q.shape != problem.start.shape:
         raise error(f"the {name} must have shape {problem.start.shape}, got {q.shape}")
-    inner: PlanningProblem = problem.problem if isinstance(problem, Recorder) else problem
+    inner: PlanningProblem = unwrap_recorder(problem)
     if not inner.is_free(q):
         raise error(f"the {name} {tuple(q.tolist())} is not free; move it into the open")
     return q

@@ -18,6 +18,7 @@ from ...graphs import GraphRecord, Search, dijkstra, extract_path, flat_graph
 from ...graphs.components import label_components
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...problems.protocols import PlanningProblem, ProblemLike
+from ...problems.recorder import unwrap_recorder
 from ...robots.round import RoundRobot
 from ...support.constructors import with_type_names
 from ...support.text import shortened
@@ -173,7 +174,7 @@ def survey_roadmap(
             f"expected a roadmap, such as build_roadmap makes, got {shortened(roadmap)}"
         )
     problem, draws, generator = as_problem(problem), integer(n, "n", least=1), as_generator(rng)
-    inner = problem.problem if isinstance(problem, Recorder) else problem
+    inner = unwrap_recorder(problem)
     slides = isinstance(inner, ProblemRecord) and isinstance(inner.robot, RoundRobot)
     places = sample_free(problem, draws, 100 * draws, generator)
     reached = (find_reached_sliding if slides else find_reached)(problem, roadmap.nodes, places)

@@ -119,14 +119,14 @@ def rrt(
         )
     most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
-    in_a_row = limit if max_failures is None else integer(max_failures, "max_failures", least=1)
+    failures = limit if max_failures is None else integer(max_failures, "max_failures", least=1)
     tree = new_tree(problem, most + 1)
     before, generator = count_checks(problem), as_generator(rng)
-    if apart == 0.0 and in_a_row >= limit:
+    if apart == 0.0 and failures >= limit:
         at_goal, iterations = grow(problem, tree, delta, bias, limit, generator)
     else:
         at_goal, iterations = grow_spaced(
-            problem, tree, delta, bias, apart, limit, in_a_row, generator
+            problem, tree, delta, bias, apart, limit, failures, generator
         )
     reason = (
         f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
