@@ -195,10 +195,8 @@ def paint_second_link(
         ahead = wrap_angle(towards - q[0])
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
         for begin, side in ((below, -1), (below + 1, 1)):
-            radius = arm.shape.radius[1] + parts.radius[j] + contact
-            turn = ahead + side * last_contact(
-                parts, j, x, y, arm.lengths[1], radius, towards, side
-            )
+            r = arm.shape.radius[1] + parts.radius[j] + contact
+            turn = ahead + side * last_contact(parts, j, x, y, arm.lengths[1], r, towards, side)
             count = cells_in_contact(
                 arm, q, still, corners, parts, j, contact, begin, side, n, turn
             )
@@ -242,16 +240,9 @@ def cells_in_contact(
 
 @compiled
 def last_contact(
-    parts: Parts,
-    j: int,
-    x: float,
-    y: float,
-    length: float,
-    radius: float,
-    towards: float,
-    side: int,
+    parts: Parts, j: int, x: float, y: float, length: float, r: float, towards: float, side: int
 ) -> float:
-    """The largest angle to one side at which a link comes within `radius` of part j; radians, >= 0.
+    """The largest angle to one side at which a link comes within `r` of part j; radians, >= 0.
 
     The link turns about (x, y), starting in the direction `towards` of the part's nearest point, to
     the side 1 or -1. At the last contact its end or its flank touches a circle round a corner, or
@@ -265,10 +256,9 @@ def last_contact(
         before = k
         last = max(
             last,
-            side * wrap_angle(math.atan2(by, bx) - towards)
-            + angle_at_corner(bx, by, length, radius),
+            side * wrap_angle(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, r),
         )
-        last = max(last, angle_at_edge(ax, ay, bx, by, length, radius, towards, side))
+        last = max(last, angle_at_edge(ax, ay, bx, by, length, r, towards, side))
     return last
 
 
