@@ -257,6 +257,6 @@ BOX = (
 )
 STYLE: dict[str, Any] = {
     "right": BOX.format(colour="#007A5E"),
-    "wrong": BOX.format(colour="#C44E00"),
+    "wrong": BOX.format(colour="#A84300"),
     "unanswered": BOX.format(colour="#9CA3AF"),
 }

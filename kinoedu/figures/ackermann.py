@@ -66,7 +66,7 @@ def draw_ackermann(
         drawn.append(ax.add_patch(Polygon(wheel, facecolor=palette.INK, zorder=4)))
     circle = Circle((centre[0], centre[1]), math.dist(centre, place[:2]), zorder=1, **line)
     drawn.append(ax.add_patch(circle))
-    drawn += ax.plot(*centre, "o", color=palette.GOAL, markersize=9, zorder=5)
+    drawn += ax.plot(*centre, "o", color=palette.CUT, markersize=9, zorder=5)
     ax.set_aspect("equal")
     ax.autoscale_view()
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)

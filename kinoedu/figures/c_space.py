@@ -122,7 +122,7 @@ def draw_slice(
     outlines = unite(translating_obstacles(robot, [ring]))
     q = spread_round(outlines[0], 8)[5] if at is None else np.asarray(at, float)
     plane.frame(np.concatenate([*outlines, robot + q]), ax, margin=0.12)
-    line: Style = {"fill": False, "edgecolor": palette.GOAL, "linewidth": 2.5, "zorder": 4}
+    line: Style = {"fill": False, "edgecolor": palette.CUT, "linewidth": 2.5, "zorder": 4}
     faces = [Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1) for outline in outlines]
     lines = [Polygon(outline, **line) for outline in outlines]
     solid = Polygon(ring, zorder=2, **palette.SOLID)
@@ -131,7 +131,7 @@ def draw_slice(
     artists += ax.plot(*q, "o", markersize=7, zorder=6, **SPOT)
     artists.append(label_inside(ring, get_message("c_space.obstacle"), "white", ax))
     artists.append(label_inside(robot + q, get_message("c_space.robot"), palette.INK, ax))
-    artists.append(label_corner(outlines[0], get_message("c_space.c_obstacle"), palette.GOAL, ax))
+    artists.append(label_corner(outlines[0], get_message("c_space.c_obstacle"), palette.CUT, ax))
     return [
         *artists,
         plane.title(get_message("c_space.turning", theta=f"{np.degrees(theta):.0f}"), ax),

@@ -23,7 +23,7 @@ from .palette import Style
 
 TEXT: Style = {**palette.TEXT, "va": "center", "color": palette.INK}
 BUTT: Style = {"solid_capstyle": "butt"}
-COLOURS = (palette.TREE, palette.GOAL, palette.START, palette.ROBOT, palette.INK, palette.ROADMAP)
+COLOURS = palette.METHODS
 LINES = ("-", "--", "-.", ":")
 WIDE = 20.0  # the ratio of largest to smallest value from which on the axis is logarithmic
 

@@ -106,8 +106,8 @@ def draw_sweep(steps: Sequence[Step], world: World, ax: Axes | None = None) -> l
         new = PolyCollection(list(corners_of(now.closed)), zorder=2, **frame)
         artists.append(ax.add_collection(new, autolim=False))
     for name, edges, colour, style in (
-        ("floors", now.status[::2], palette.START, "-"),
-        ("ceilings", now.status[1::2], palette.GOAL, "--"),
+        ("floors", now.status[::2], palette.FLOOR, "-"),
+        ("ceilings", now.status[1::2], palette.CEILING, "--"),
     ):
         look: Style = {"color": colour, "linewidth": 3.5, "linestyle": style}
         artists += ax.plot(*join_edges(edges), zorder=4, label=f"{name}: {len(edges)}", **look)

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from ..geometry.checks import Array
 from ..messages import get_message
 from ..problems import Plan, ProblemRecord, Roadmap, Tree
+from ..problems.plan import roots_of
 from ..robots import Point
 from ..robots.trajectory import DrivenRoadmap, DrivenTree
 from ..worlds.checks import World
@@ -179,7 +180,8 @@ def draw_tree(
 ) -> list[Artist]:
     """Draw a tree, or the tree of its first `upto` nodes.
 
-    An arm's tree is drawn by the path of its tip.
+    An arm's tree is drawn by the path of its tip. A second tree, with a root of its own, has the
+    colour of a goal's tree.
     """
     grown = np.arange(1, len(tree.nodes) if upto is None else max(upto, 1))
     grown = grown[tree.parent[grown] >= 0]
@@ -188,7 +190,33 @@ def draw_tree(
         lines = driven_tracks(robot, begins, tree.controls[grown], tree.durations[grown])
     else:
         lines = tracks(robot, begins, ends)
-    return draw_edges(lines, ax, palette.TREE, width=line_width(len(tree.nodes)), zorder=3)
+    width, roots = line_width(len(tree.nodes)), roots_of(tree.parent)[grown]
+    first = np.asarray(roots == 0)
+    artists = draw_edges(rows_of(lines, first), ax, palette.TREE, width=width, zorder=3)
+    if first.all():
+        return artists
+    return artists + draw_edges(
+        rows_of(lines, ~first), ax, palette.GOAL_TREE, width=1.3 * width, zorder=3
+    )
+
+
+def rows_of(lines: Any, these: Array) -> list[Any]:
+    """Some of the lines."""
+    return [line for line, wanted in zip(lines, these) if wanted]
+
+
+def draw_meeting(plan: Plan, ax: Axes) -> list[Artist]:
+    """Mark where the trees of a plan meet: the configuration of its path that both have."""
+    if plan.tree is None or plan.path is None or (plan.tree.parent < 0).sum() != 2:
+        return []
+    roots = roots_of(plan.tree.parent)
+    here, there = ({q.tobytes() for q in plan.tree.nodes[roots == root]} for root in (0, 1))
+    both = [q for q in plan.path if q.tobytes() in here & there]
+    look: Style = {"color": "white", "markeredgecolor": palette.INK, "markersize": 11}
+    at = np.array([place_of(plan.problem.robot, q) for q in both[:1]]).reshape(-1, 2)
+    name, world = get_message("figure.meeting"), plan.problem.world
+    words = [label_beside(q, name, palette.INK, world, ax) for q in at]
+    return [*ax.plot(*at.T, "D", zorder=8, **look), *words]
 
 
 def draw_roadmap(
@@ -245,7 +273,7 @@ def draw_plan(
     if plan.roadmap is not None:
         artists += draw_roadmap(plan.roadmap, ax, upto=upto, robot=robot)
     if plan.walk is not None:
-        artists += draw_walk(plan.walk, ax, upto=upto, found=plan.path is not None)
+        artists += draw_walk(plan.walk, ax, upto=upto)
     shown = total if upto is None else min(upto, total)
     if plan.trajectory is not None and shown == total:
         poses = plan.trajectory.at(even_times(plan.trajectory))
@@ -253,6 +281,7 @@ def draw_plan(
     elif plan.path is not None and plan.walk is None and shown == total:
         artists += draw_along(robot, plan.problem.space, plan.path, ax)
         artists += draw_path(track_of(robot, plan.path), ax)
+        artists += draw_meeting(plan, ax)
     ax.set_title(summary(plan, shown) if title is None else title, wrap=True, **palette.TEXT)
     return artists
 

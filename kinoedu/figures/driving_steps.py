@@ -75,7 +75,7 @@ def draw_driving_steps(
             for drive, cut in zip(drives, cuts):
                 artists += draw_cut(drive, int(cut), ax)
         if number == 2:
-            driven, colour = drives[best][: cuts[best] + 1], palette.START if free else palette.HIT
+            driven, colour = drives[best][: cuts[best] + 1], palette.CLEAR if free else palette.HIT
             artists += ax.plot(*driven[:, :2].T, color=colour, linewidth=4.0, zorder=5)
             artists += draw_pose(driven[-1], size, "q_new", ax, colour=colour)
     return artists
@@ -98,5 +98,5 @@ def draw_cut(drive: Array, cut: int, ax: Axes) -> list[Artist]:
     """Draw a drive up to its cut, and the rest thinner."""
     before = ax.plot(*drive[: cut + 1, :2].T, color=palette.PATH, linewidth=2.2, zorder=4.5)
     after = ax.plot(*drive[cut:, :2].T, ":", color=palette.OUTSIDE, linewidth=1.6, zorder=4.2)
-    end = ax.plot(*drive[cut, :2], ".", color=palette.GOAL, markersize=7, zorder=5)
+    end = ax.plot(*drive[cut, :2], ".", color=palette.INK, markersize=7, zorder=5)
     return [*before, *after, *end]

@@ -60,7 +60,7 @@ def draw_growth(curve: Curve, ax: Axes | None = None) -> list[Artist]:
     middle = np.log(median[-curve.fitted :]).mean()
     height = np.exp(middle + curve.exponent * (np.log(last) - np.log(last).mean()))
     line: Style = {"linewidth": 5.0, "alpha": 0.5, "solid_capstyle": "butt"}
-    artists += ax.plot(last, height, color=palette.GOAL, **line)
+    artists += ax.plot(last, height, color=palette.METHODS[1], **line)
     artists += ax.plot(curve.n, median, "o-", color=palette.TREE, linewidth=2.0, markersize=5.0)
     ax.tick_params(labelsize=palette.TEXT_SIZE)
     ax.grid(**palette.GRID)

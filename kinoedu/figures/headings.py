@@ -44,7 +44,7 @@ def draw_headings(
     rows = free_headings(robot, world, place)
     artists = draw_world(world, ax)
     thin: Style = {"color": palette.CONTACT, "linewidth": 1.5}
-    thick: Style = {"color": palette.START, "linewidth": 7}
+    thick: Style = {"color": palette.CLEAR, "linewidth": 7}
     size = 2 * reach
     for look, arcs in ((thin, [(-np.pi, np.pi)]), (thick, rows)):
         for low, high in np.degrees(np.array(arcs).reshape(-1, 2)):
@@ -67,8 +67,8 @@ def mark_tried(
     poses = np.column_stack([np.tile(place, (len(tried), 1)), tried])
     free = free_configurations(robot, world, poses)
     at = place + reach * np.column_stack([np.cos(tried), np.sin(tried)])
-    disks = ax.plot(*at[free].T, "o", color=palette.START, **MARK)
-    return [*disks, *ax.plot(*at[~free].T, "X", color=palette.GOAL, **MARK)]
+    disks = ax.plot(*at[free].T, "o", color=palette.CLEAR, **MARK)
+    return [*disks, *ax.plot(*at[~free].T, "X", color=palette.HIT, **MARK)]
 
 
 def draw_cells_with_headings(
@@ -88,7 +88,7 @@ def draw_cells_with_headings(
     bodies = [body for q in roadmap.nodes[2:] for body in draw_robot(problem.robot, q, ax)]
     for body in bodies:
         body.set(facecolor="none", linewidth=1.0)  # because many overlap
-    artists += ax.plot(*roadmap.empty.T, "X", color=palette.GOAL, **MARK)
+    artists += ax.plot(*roadmap.empty.T, "X", color=palette.HIT, **MARK)
     counts = {"nodes": len(roadmap.nodes) - 2, "edges": len(roadmap.edges)}
     text = get_message("headings.counts", **counts, empty=len(roadmap.empty))
     return [*artists, *bodies, title(text, ax)]

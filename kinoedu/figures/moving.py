@@ -105,7 +105,7 @@ def draw_against_time(
     ax.set(xlim=(0.0, far), ylim=(0.0, until), facecolor=palette.OBSTACLE)
     free = PolyCollection(list(boxes), facecolors=palette.FREE, edgecolors="none", zorder=1)
     fastest = [[(0.0, 0.0), (far, far / problem.speed)]]
-    dotted: Style = {"colors": palette.START, "linestyles": ":", "linewidths": 2.0}
+    dotted: Style = {"colors": palette.PATH, "linestyles": ":", "linewidths": 2.0}
     slope = LineCollection(fastest, zorder=3, **dotted)
     artists: list[Artist] = [ax.add_collection(free), ax.add_collection(slope)]
     ax.set_xlabel("way from start to goal", **palette.TEXT)

@@ -11,25 +11,35 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 
 START = "#007A5E"
-GOAL = "#C44E00"
+GOAL = "#7B1FA2"  # purple, which nothing else has
 OBSTACLE = "#4B5563"
 FREE = "#FFFFFF"
 DEAR = "#A98467"  # the most expensive ground; the cheapest has the colour of free space
 OUTSIDE = "#9CA3AF"
 CELL = "#E3F0FA"
 TREE = "#0072B2"
+GOAL_TREE = "#5B8C1A"  # light green: the tree that grows from the goal
 ROADMAP = "#3B9BD9"
-PATH = "#E69F00"
+PATH = "#E69F00"  # called orange
 ROBOT = "#CC79A7"
 CONTACT = "#000000"
-FRONTIER = "#F0E442"  # the frontier of a search
+FRONTIER = "#F0E442"  # yellow: the frontier of a search
 INK = "#111827"
 FREE_LINK = "#0072B2"
 HIT = "#D32F2F"
+CLEAR = "#007A5E"  # green: a motion, pose or place that is free
+TRUE = "#007A5E"  # green and solid: the right answer in the picture of a wrong one
+YOURS = "#A84300"  # brown and dashed: the student's answer in that picture
+FLOOR, CEILING = "#009E73", "#882255"  # of a cell: the edges below and above it
+CUT = "#882255"  # a slice through a solid, and what it meets
+LEFT, RIGHT = "#0072B2", "#C44E00"  # of a line
 # The book's blue, black and red: an arm is free, its link 1 is in contact, its link 2 is.
 LINKS = ("#2F7FD0", "#111827", "#D32F2F")
 FREE_AREA, HIT_1_AREA, HIT_2_AREA = "#CFE3F7", "#3B4250", "#E8837F"
 LINKS_LIGHT = (FREE_AREA, HIT_1_AREA, HIT_2_AREA)  # the same, for areas
+
+# Methods that are compared, in the order in which they are named.
+METHODS = ("#0072B2", "#C44E00", "#009E73", "#882255", "#111827", "#3B9BD9")
 
 TEXT_SIZE = 13
 

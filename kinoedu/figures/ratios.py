@@ -21,7 +21,7 @@ LINE, WIDTH = 0.34, 14.0  # inches: the height of a line, the width of the figur
 TITLE = 38  # the most letters in a line of a title
 GUTTER = 440.0  # points from the beginning of a title to the axis
 HOLDS = {
-    True: ("o", palette.START, "holds"),
+    True: ("o", palette.CLEAR, "holds"),
     False: ("X", palette.HIT, "missed"),
     None: ("s", palette.OBSTACLE, "nothing to hold"),
 }

@@ -25,7 +25,7 @@ from .palette import Style
 
 MOST_NUMBERS = 40  # the numbers of more points than this would cover the square
 LINES = ("-", "--", "-.", ":")
-COLOURS = (palette.TREE, palette.GOAL, palette.START, palette.ROBOT)
+COLOURS = palette.METHODS[:4]
 
 
 def draw_samples(

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 LIGHT = np.array([-0.45, -0.65, 0.61])  # towards the light, over the reader's left shoulder
 TORUS = (2.0, 1.0)  # the radii of the ring and of the tube
-ARM = (palette.ROADMAP, palette.INK, palette.GOAL)  # free; link 1 in contact; link 2 in contact
+ARM = palette.LINKS  # free; link 1 in contact; link 2 in contact
 
 
 def draw_mesh(
@@ -58,9 +58,9 @@ def draw_mesh(
         margin = 0.06 * (hi - lo)
         (x0, y0, _), (x1, y1, _) = lo - margin, hi + margin
         page = [[(x0, y0, theta), (x1, y0, theta), (x1, y1, theta), (x0, y1, theta)]]
-        glass: Style = {"facecolors": palette.PATH, "edgecolors": palette.GOAL, "alpha": 0.22}
+        glass: Style = {"facecolors": palette.PATH, "edgecolors": palette.CUT, "alpha": 0.22}
         plane, outline = Poly3DCollection(page, zorder=2, **glass), list(cut_mesh(mesh, theta))
-        cut = Line3DCollection(outline, colors=palette.GOAL, linewidths=3.0, zorder=3)
+        cut = Line3DCollection(outline, colors=palette.CUT, linewidths=3.0, zorder=3)
         artists.append(ax.add_collection3d(plane))
         artists.append(ax.add_collection3d(cut))
     return artists

@@ -19,15 +19,13 @@ HALO = [patheffects.withStroke(linewidth=3.0, foreground="white")]
 ARROWS = 12  # about the number of arrows that show the direction of a walk
 
 
-def draw_walk(walk: Walk, ax: Axes, *, upto: int | None = None, found: bool = True) -> list[Artist]:
-    """Draw a walk, or its first `upto` points: solid along walls, dotted towards the goal.
+def draw_walk(walk: Walk, ax: Axes, *, upto: int | None = None) -> list[Artist]:
+    """Draw a walk, or its first `upto` points: dotted blue to the goal, solid orange along walls.
 
-    H1, H2, ... mark hits of walls and L1, L2, ... leaves. A walk that found no path has the colour
-    of a tree.
+    H1, H2, ... mark hits of walls and L1, L2, ... leaves. The board has the same two colours.
     """
     shown = len(walk.points) if upto is None else min(max(upto, 1), len(walk.points))
-    colour = palette.PATH if found else palette.TREE
-    artists = draw_stretches(walk.points[:shown], walk.following[:shown], ax, colour)
+    artists = draw_stretches(walk.points[:shown], walk.following[:shown], ax)
     artists += draw_arrows(walk, shown, ax)
     return artists + mark_hits_and_leaves(walk.points, walk, shown, ax)
 
@@ -49,8 +47,7 @@ def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
             f"a plan of {plan.planner or 'this planner'} has no walk; those of the Bug family have"
         )
     curve = np.column_stack([walk.travelled, walk.distance_to_goal])
-    colour = palette.PATH if plan.path is not None else palette.TREE
-    artists = draw_stretches(curve, walk.following, ax, colour)
+    artists = draw_stretches(curve, walk.following, ax)
     artists += mark_hits_and_leaves(curve, walk, len(curve), ax, above=True)
     ax.set_xlim(0.0, max(1.02 * walk.travelled[-1], 1e-9))
     ax.set_ylim(0.0, 1.15 * walk.distance_to_goal.max() or 1.0)
@@ -61,8 +58,8 @@ def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     return artists
 
 
-def draw_stretches(points: Array, following: Iterable[bool], ax: Axes, colour: str) -> list[Artist]:
-    """Draw the line through points (n, 2): solid along walls, dotted elsewhere."""
+def draw_stretches(points: Array, following: Iterable[bool], ax: Axes) -> list[Artist]:
+    """Draw the line through points (n, 2): solid orange along walls, dotted blue elsewhere."""
     along = np.asarray(following, dtype=bool)[1:]
     changes = np.flatnonzero(along[1:] != along[:-1]) + 1
     artists: list[Artist] = []
@@ -70,6 +67,7 @@ def draw_stretches(points: Array, following: Iterable[bool], ax: Axes, colour: s
         if len(run):
             line = points[run[0] : run[-1] + 2]
             style: Any = "-" if along[run[0]] else (0, (0.1, 1.8))
+            colour = palette.PATH if along[run[0]] else palette.TREE
             look: Style = {"colors": colour, "linewidths": 2.6, "capstyle": "round"}
             lines = LineCollection([line], linestyles=[style], zorder=5, **look)
             lines.set_path_effects([*CASING, patheffects.Normal()])

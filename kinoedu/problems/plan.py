@@ -21,6 +21,20 @@ class Tree(NamedTuple):
     parent: NDArray[np.int64]
 
 
+def roots_of(parent: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The root of each node's tree, (n,).
+
+    Examples
+    --------
+    >>> roots_of(np.array([-1, -1, 0, 1, 3]))
+    array([0, 1, 0, 1, 1])
+    """
+    roots = np.where(parent < 0, np.arange(len(parent)), parent)
+    while (roots[roots] != roots).any():
+        roots = roots[roots]
+    return roots
+
+
 @with_type_names
 class Roadmap(NamedTuple):
     """A roadmap in the order it grew: nodes (n, d), and edges (m, 2), pairs of node numbers."""

@@ -31,8 +31,8 @@ def draw_frame() -> list[Layer]:
     level = np.array([(x, y) for y in sides for x in (0.0, 0.3)])
     return [
         edges(sides_of(corners), "ink", width=1.5),
-        arrows(upright - (0.0, 0.25), np.full((2, 2), (0.0, 0.5)), "goal", width=3.5),
-        arrows(level - (0.4, 0.0), np.full((4, 2), (0.5, 0.0)), "start", width=3.5),
+        arrows(upright - (0.0, 0.25), np.full((2, 2), (0.0, 0.5)), "ceiling", width=3.5),
+        arrows(level - (0.4, 0.0), np.full((4, 2), (0.5, 0.0)), "floor", width=3.5),
         labels(np.column_stack([values - 0.3, np.full(3, -PI - 0.55)]), names, "ink"),
         labels(np.column_stack([np.full(3, -PI - 0.65), values - 0.2]), names, "ink"),
         labels([(0.5 * PI - 0.3, -PI - 0.55), (-PI - 0.65, 0.5 * PI - 0.2)], ["θ₁", "θ₂"], "ink"),

@@ -107,7 +107,7 @@ def answer_torus_path(scene: Scene) -> Drawing:
     pieces = segments_along(sample_torus_path(a, b))
     uncut = pieces[(np.abs(pieces[:, 1] - pieces[:, 0]) < np.pi).all(axis=1)]
     plane, torus = float(np.hypot(*(a - b))), float(torus_distance(a, b))
-    layers = [edges([[a, b]], "goal", width=1.5, dash=(6, 4)), edges(uncut, "path", width=4.0)]
+    layers = [edges([[a, b]], "ink", width=1.5, dash=(6, 4)), edges(uncut, "path", width=4.0)]
     text = get_message("torus_board.text", torus=f"{torus:.3g}", plane=f"{plane:.3g}")
     return Drawing(layers, text=text)
 

@@ -226,7 +226,7 @@ class SolidBoard(anywidget.AnyWidget):
     def _outline(self, theta: float, _: Array) -> JsonObject:
         """The cut itself, as a section."""
         lines = [
-            shape(line[:, :2], line="goal", closed=False) for line in cut_mesh(self._mesh, theta)
+            shape(line[:, :2], line="cut", closed=False) for line in cut_mesh(self._mesh, theta)
         ]
         return {
             "text": get_message("c_space.nothing", theta=f"{np.degrees(theta):.0f}"),
@@ -254,7 +254,7 @@ class SolidBoard(anywidget.AnyWidget):
             }
             ax.add_patch(Polygon(part["points"], edgecolor=named[part["line"]], **style))
         for line in self.cut:
-            ax.plot(*np.transpose(line), color=palette.GOAL, linewidth=2.0)
+            ax.plot(*np.transpose(line), color=palette.CUT, linewidth=2.0)
         ax.autoscale_view()
         ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
         ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)

@@ -19,7 +19,7 @@ from ..core.framed import Pictured
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import world_in
 
-FLOOR, CEILING = "start", "goal"  # colours of the status, as in the figures
+FLOOR, CEILING = "floor", "ceiling"  # colours of the status, as in the figures
 
 
 def sweep_board(world: PolygonWorldRecord, *, x: float | None = None) -> SweepBoard:

@@ -8,6 +8,7 @@ import numpy as np
 from ...errors import InvalidParameter
 from ...figures.drawing import dot_size, growth_of, line_width, summary
 from ...problems import Plan, Problem, ProblemRecord
+from ...problems.plan import roots_of
 from ...problems.protocols import ProblemLike
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
@@ -117,7 +118,11 @@ def draw_plan(plan: Plan) -> Drawing:
         nodes, parent = plan.tree.nodes[:, :2], plan.tree.parent
         grown = np.flatnonzero(parent >= 0)
         segments = np.stack([nodes[parent[grown]], nodes[grown]], axis=1)
-        layers.append(edges(segments, "tree", width=line_width(total), when=grown + 1))
+        first = np.asarray(roots_of(parent)[grown] == 0)
+        for these, colour in ((first, "tree"), (~first, "goal_tree")):
+            if these.any():
+                look = {"width": line_width(total), "when": grown[these] + 1}
+                layers.append(edges(segments[these], colour, **look))
     if plan.roadmap is not None:
         nodes, pairs = plan.roadmap.nodes[:, :2], plan.roadmap.edges
         layers.append(edges(nodes[pairs], "roadmap", width=0.8, when=np.arange(1, total + 1)))

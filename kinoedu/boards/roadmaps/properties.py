@@ -22,8 +22,8 @@ Style = tuple[str, float, tuple[float, ...]]  # colour, width, dashes
 LOOKS: tuple[Style, ...] = (  # of components, the largest first
     ("roadmap", 0.9, ()),
     ("robot", 2.0, ()),
-    ("start", 2.0, (7.0, 4.0)),
-    ("goal", 2.0, (2.0, 4.0)),
+    ("cut", 2.0, (7.0, 4.0)),
+    ("clear", 2.0, (2.0, 4.0)),
     ("ink", 1.6, (9.0, 3.0, 2.0, 3.0)),
 )
 

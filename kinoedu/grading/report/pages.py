@@ -34,9 +34,9 @@ td.n, h2 .n {{ white-space: nowrap }}
 section {{ border-left: 6px solid {palette.OUTSIDE}; padding: .1rem 0 .3rem 1.1rem; \
 margin: 1.6rem 0 }}
 section h2 {{ margin: 0; display: flex; justify-content: space-between; gap: 1rem }}
-section.all {{ border-color: {palette.START} }}
+section.all {{ border-color: {palette.TRUE} }}
 section.some {{ border-color: {palette.PATH} }}
-section.none {{ border-color: {palette.GOAL} }}
+section.none {{ border-color: {palette.YOURS} }}
 dl {{ display: grid; grid-template-columns: 9rem 1fr; gap: .3rem .8rem; margin: .6rem 0 }}
 dt {{ color: {palette.OBSTACLE} }}
 dd {{ margin: 0; min-width: 0; white-space: pre-wrap; overflow-wrap: anywhere }}

@@ -59,7 +59,7 @@ class ExposeMendedBug(Exercise):
         fault = world_fault(*outcome.value) if isinstance(outcome, Answer) else "range"
         if not isinstance(outcome, Answer) or fault == "range":
             plane.frame([(0, 0), (1, 1)], ax)
-            plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+            plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
             return
         start, goal, obstacles = outcome.value
         plane.frame(np.vstack([start, goal, *obstacles]), ax, margin=0.15)
@@ -67,7 +67,7 @@ class ExposeMendedBug(Exercise):
             plane.polygon(obstacle, ax, numbers=False)
         walk = None if fault == "valid" else mended_bug0(start, goal, obstacles, FAR).walk
         if walk is not None:
-            ax.plot(*walk.points.T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
+            ax.plot(*walk.points.T, "--", color=palette.YOURS, linewidth=2.5, zorder=4)
         plane.dot(start, "start", ax, colour=palette.START)
         plane.dot(goal, "goal", ax, colour=palette.GOAL, marker="*")
         plane.title(self.message("picture"), ax)

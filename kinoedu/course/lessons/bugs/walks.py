@@ -125,7 +125,7 @@ class WalkExercise(Exercise):
         for obstacle in given["obstacles"]:
             plane.polygon(obstacle, ax, numbers=False)
         broad: palette.Style = {
-            "color": palette.START,
+            "color": palette.TRUE,
             "linewidth": 5.0,
             "alpha": 0.35,
             "zorder": 3,
@@ -133,7 +133,7 @@ class WalkExercise(Exercise):
         ax.plot(*walk.T, "-", label=get_message("picture.true"), **broad)
         if len(seen):
             dotted: palette.Style = {
-                "color": palette.GOAL,
+                "color": palette.YOURS,
                 "linewidth": 1.8,
                 "markersize": 4,
                 "zorder": 4,

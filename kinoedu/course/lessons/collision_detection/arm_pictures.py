@@ -1,4 +1,4 @@
-"""Pictures of arms for exercises: truth solid green, student's answer dashed orange."""
+"""Pictures of arms for exercises: truth solid green, student's answer dashed brown."""
 
 import numpy as np
 
@@ -48,10 +48,10 @@ def draw_contact(
     for link, outline in enumerate(outlines, 1):
         ax.fill(*outline.T, facecolor=palette.ROBOT, alpha=0.45, zorder=3)
         closed = np.vstack([outline, outline[:1]])
-        edge = palette.START if link == truth else palette.INK
+        edge = palette.TRUE if link == truth else palette.INK
         ax.plot(*closed.T, "-", color=edge, linewidth=3.5 if link == truth else 1.2, zorder=4)
         if link == value:
-            ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.5, zorder=5)
+            ax.plot(*closed.T, "--", color=palette.YOURS, linewidth=2.5, zorder=5)
         plane.label(
             (ends[link - 1] + ends[link]) / 2,
             get_message("collision_picture.link", number=link),
@@ -64,7 +64,7 @@ def draw_contact(
         if value is None
         else get_message("picture.yours", value=value)
     )
-    plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.corner_note(words, ax, colour=palette.YOURS)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
@@ -81,20 +81,20 @@ def draw_scene(exercise: Exercise, case: Case, truth: Scene, value: Scene | None
         ("disc", palette.OBSTACLE),
     ):
         for ring in truth[label]:
-            edge: palette.Style = {"edgecolor": palette.START, "linewidth": 2.0}
+            edge: palette.Style = {"edgecolor": palette.TRUE, "linewidth": 2.0}
             ax.fill(*ring.T, facecolor=colour, alpha=0.4, zorder=2, **edge)
         for ring in [] if value is None else value[label]:
             if len(ring) > 1:
                 closed = np.vstack([ring, ring[:1]])
-                ax.plot(*closed.T, "--", color=palette.GOAL, linewidth=2.5, zorder=4)
+                ax.plot(*closed.T, "--", color=palette.YOURS, linewidth=2.5, zorder=4)
         if label in LINKS:
             plane.label(truth[label][0].mean(axis=0), label, ax)
     for place in truth[JOINTS]:
-        plane.dot(place, "", ax, colour=palette.START)
+        plane.dot(place, "", ax, colour=palette.TRUE)
     for place in [] if value is None else value[JOINTS]:
-        plane.dot(place, "", ax, colour=palette.GOAL, marker="x")
+        plane.dot(place, "", ax, colour=palette.YOURS, marker="x")
     if value is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 

@@ -1,4 +1,4 @@
-"""Pictures of failing cases of lesson 7: truth solid green, student's answer dashed orange."""
+"""Pictures of failing cases of lesson 7: truth solid green, student's answer dashed brown."""
 
 from typing import Any
 
@@ -21,8 +21,8 @@ def draw_membership(exercise: ValueExercise, case: Case, value: object, ax: Axes
     for a, b in zip(P, np.roll(P, -1, axis=0)):
         (x, y), (u, v) = b - a, q - a
         if x * v - y * u < 0:
-            plane.line((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
-            plane.segment(a, b, "", ax, colour=palette.START, width=4.0)
+            plane.line((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.TRUE, style=":")
+            plane.segment(a, b, "", ax, colour=palette.TRUE, width=4.0)
     plane.dot(q, "q", ax)
     write_answer_and_title(exercise, case, value, ax)
 
@@ -40,10 +40,10 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
             end, name, ax, colour=palette.OBSTACLE if lift > 0 else palette.TREE, offset=(5, lift)
         )
     for point in exercise.truth(case):
-        plane.dot(point, "", ax, colour=palette.START)
+        plane.dot(point, "", ax, colour=palette.TRUE)
     shown: Any = [] if value is None else value[np.isfinite(value).all(axis=1)][:20]
     for point in shown:
-        plane.dot(point, "", ax, colour=palette.GOAL, marker="X")
+        plane.dot(point, "", ax, colour=palette.YOURS, marker="X")
     words = (
         get_message("picture.no_answer")
         if value is None
@@ -51,7 +51,7 @@ def draw_segments(exercise: ValueExercise, case: Case, value: Array | None, ax: 
             "collision_picture.points", yours=len(value), true=len(exercise.truth(case))
         )
     )
-    plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.corner_note(words, ax, colour=palette.YOURS)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
@@ -73,8 +73,8 @@ def draw_polygons(P: Array, Q: Array, ax: Axes) -> None:
         for a, b in zip(ring, np.roll(ring, -1, axis=0)):
             (x, y), way = b - a, other - a
             if (x * way[:, 1] - y * way[:, 0] < 0).all():
-                plane.line((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.START, style=":")
-                plane.segment(a, b, "", ax, colour=palette.START, width=4.0)
+                plane.line((-y, x, y * a[0] - x * a[1]), "", ax, colour=palette.TRUE, style=":")
+                plane.segment(a, b, "", ax, colour=palette.TRUE, width=4.0)
                 return
 
 
@@ -91,14 +91,14 @@ def draw_grown_obstacle(exercise: ValueExercise, case: Case, value: Array | None
     plane.frame(np.vstack([ground, near]), ax, margin=0.15)
     ax.fill(*obstacle.T, facecolor=palette.OBSTACLE, zorder=3)
     ax.fill(*robot.T, facecolor=palette.ROBOT, alpha=0.6, zorder=3)
-    ax.fill(*truth.T, facecolor="none", edgecolor=palette.START, linewidth=2.5, zorder=4)
+    ax.fill(*truth.T, facecolor="none", edgecolor=palette.TRUE, linewidth=2.5, zorder=4)
     plane.dot((0, 0), get_message("collision_picture.reference"), ax)
     if len(shown):
         closed = np.vstack([shown, shown[:1]])
-        dashed: palette.Style = {"color": palette.GOAL, "linewidth": 2.2}
+        dashed: palette.Style = {"color": palette.YOURS, "linewidth": 2.2}
         ax.plot(*closed.T, "--o", zorder=5, scalex=False, scaley=False, **dashed)
     if value is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
@@ -108,7 +108,7 @@ def draw_gap(exercise: Any, value: tuple[Array, Array] | None, ax: Axes) -> None
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     else:
         draw_polygons(value[0], value[1], ax)
     plane.title(exercise.message("picture"), ax)
@@ -123,6 +123,6 @@ def write_answer_and_title(exercise: ValueExercise, case: Case, value: object, a
         if value is None
         else get_message("picture.yours", value=value),
         ax,
-        colour=palette.GOAL,
+        colour=palette.YOURS,
     )
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)

@@ -1,4 +1,4 @@
-"""Pictures of failing cases of lesson 5: truth solid green, student's answer dashed orange."""
+"""Pictures of failing cases of lesson 5: truth solid green, student's answer dashed brown."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ def write_both(truth: Value, value: object, ax: Axes) -> None:
     plane.corner_note(
         get_message("configuration_picture.both", true=f"{float(truth):.4g}", yours=yours),
         ax,
-        colour=palette.GOAL,
+        colour=palette.YOURS,
     )
 
 
@@ -38,14 +38,14 @@ def draw_shorter_arcs(exercise: ValueExercise, case: Case, value: float | None, 
     for x, p, q in zip(middles, a, b):
         turn = angle_difference(wrap_angle(p), wrap_angle(q))
         plane.ring((x, 0.0), 1.0, "", ax, colour=palette.OUTSIDE)
-        configurations.draw_turn((x, 0), p, turn, 1.0, "", ax, colour=palette.START)
+        configurations.draw_turn((x, 0), p, turn, 1.0, "", ax, colour=palette.TRUE)
         plane.label(
-            (x, 0.0), f"{abs(turn):.4g}", ax, colour=palette.START, offset=(0, -5), ha="center"
+            (x, 0.0), f"{abs(turn):.4g}", ax, colour=palette.TRUE, offset=(0, -5), ha="center"
         )
         if value is not None and len(a) == 1 and 0.0 < abs(value) < 20.0:
             sense = float(np.sign(turn) or 1.0)
             configurations.draw_turn(
-                (x, 0), p, sense * value, 0.8, "", ax, colour=palette.GOAL, style="--"
+                (x, 0), p, sense * value, 0.8, "", ax, colour=palette.YOURS, style="--"
             )
         for angle, name, gap in ((p, "a", 16), (q, "b", 30)):  # the labels must not overlap
             u, v = np.cos(angle), np.sin(angle)
@@ -70,16 +70,16 @@ def draw_moved(exercise: ValueExercise, case: Case, value: Array | None, ax: Axe
     draw_outline(
         flag, get_message("configuration_picture.before"), ax, colour=palette.OUTSIDE, style="-"
     )
-    draw_outline(right, get_message("picture.true"), ax, colour=palette.START, style="-")
+    draw_outline(right, get_message("picture.true"), ax, colour=palette.TRUE, style="-")
     if seen is not None:
-        draw_outline(seen, get_message("picture.yours_short"), ax, colour=palette.GOAL, style="--")
+        draw_outline(seen, get_message("picture.yours_short"), ax, colour=palette.YOURS, style="--")
     else:
         words = (
             get_message("picture.no_answer")
             if yours is None
             else get_message("picture.outside", what=get_message("picture.yours_short"))
         )
-        plane.corner_note(words, ax, colour=palette.GOAL)
+        plane.corner_note(words, ax, colour=palette.YOURS)
     plane.dot((0, 0), "", ax)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
@@ -104,16 +104,16 @@ def draw_joints(exercise: ValueExercise, case: Case, value: Array | None, ax: Ax
     l1, l2 = case.given["l1"], case.given["l2"]
     frame_arm(l1 + l2, ax)
     truth = np.vstack([(0.0, 0.0), exercise.truth(case)])
-    configurations.draw_links(truth, "", ax, colour=palette.START)
+    configurations.draw_links(truth, "", ax, colour=palette.TRUE)
     if value is not None and np.isfinite(value).all() and np.abs(value).max() < 2.0 * (l1 + l2):
         configurations.draw_links(
-            np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.GOAL, style="--"
+            np.vstack([(0.0, 0.0), value]), "", ax, colour=palette.YOURS, style="--"
         )
         name = get_message("configuration_picture.your_tip")
-        plane.label(value[1], name, ax, colour=palette.GOAL, offset=(9, -18))
+        plane.label(value[1], name, ax, colour=palette.YOURS, offset=(9, -18))
     else:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
-    plane.label(truth[2], get_message("configuration_picture.tip"), ax, colour=palette.START)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
+    plane.label(truth[2], get_message("configuration_picture.tip"), ax, colour=palette.TRUE)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
@@ -125,7 +125,7 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
     truth = exercise.truth(case)
     draw_reach(l1, l2, p, ax)
     for q in [] if isinstance(truth, ValueError) else truth:
-        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.START)
+        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.TRUE)
     draw_students(
         l1, l2, [] if value is None else [q for q in value[:6] if np.isfinite(q).all()], ax
     )
@@ -135,7 +135,7 @@ def draw_solutions(exercise: ValueExercise, case: Case, value: Array | None, ax:
             if value is None
             else get_message("configuration_picture.no_solution")
         )
-        plane.corner_note(words, ax, colour=palette.GOAL)
+        plane.corner_note(words, ax, colour=palette.YOURS)
     plane.dot(p, "p", ax, marker="*")
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
@@ -146,7 +146,7 @@ def draw_missed(value: tuple[float, float, Array] | None, answers: Value, ax: Ax
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
         return
     l1, l2, p = value
     draw_reach(l1, l2, p, ax)
@@ -160,7 +160,7 @@ def draw_students(l1: float, l2: float, answers: Value, ax: Axes) -> None:
     from ....figures import configurations, palette
 
     for q in answers:
-        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.GOAL, style="--")
+        configurations.draw_links(arm_points(l1, l2, q), "", ax, colour=palette.YOURS, style="--")
 
 
 def draw_reach(l1: float, l2: float, p: Array, ax: Axes) -> None:

@@ -1,4 +1,4 @@
-"""Pictures of failing cases of lesson 3: truth solid, student's answer dashed orange."""
+"""Pictures of failing cases of lesson 3: truth solid, student's answer dashed brown."""
 
 from collections.abc import Callable
 
@@ -34,9 +34,9 @@ def draw_crossed(
         yours = ", ".join(str(k) for k, other in enumerate(answered) if other == edge) or "-"
         height = ay + (x - ax_) / (bx - ax_) * (by - ay)
         name = get_message("picture.place", true=place, yours=yours) if len(truth) <= 8 else ""
-        plane.dot((x, height), name, ax, colour=palette.GOAL)
+        plane.dot((x, height), name, ax, colour=palette.YOURS)
     if value is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
 
 
 def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Axes) -> None:
@@ -47,31 +47,31 @@ def draw_intervals(case: Case, truth: Array, value: Array | None, ax: Axes) -> N
     draw_ground(case.given, ax)
     draw_sweep_line(x, ax)
     for low, high in truth:
-        plane.segment((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
+        plane.segment((x, low), (x, high), "", ax, colour=palette.TRUE, width=6.0)
     aside = x + 0.03 * float(np.ptp(ax.get_xlim()))
     for low, high in [] if value is None else value[np.isfinite(value).all(axis=1)][:50]:
         plane.segment(
-            (aside, low), (aside, high), "", ax, colour=palette.GOAL, style="--", width=4.0
+            (aside, low), (aside, high), "", ax, colour=palette.YOURS, style="--", width=4.0
         )
-        ticks: palette.Style = {"color": palette.GOAL, "markersize": 12, "markeredgewidth": 3}
+        ticks: palette.Style = {"color": palette.YOURS, "markersize": 12, "markeredgewidth": 3}
         ax.plot([aside, aside], [low, high], "_", zorder=5, **ticks)
     note = (
         get_message("picture.no_answer")
         if value is None
         else get_message("picture.stretches", true=len(truth), yours=len(value))
     )
-    plane.corner_note(note, ax, colour=palette.GOAL)
+    plane.corner_note(note, ax, colour=palette.YOURS)
 
 
 def draw_cells(world: Given, truth: Array, value: Array | None, ax: Axes) -> None:
-    """Draw the world, the true cells pale, the student's dashed, and wrong ones filled orange."""
+    """Draw the world, the true cells pale, the student's dashed, and wrong ones filled brown."""
     from ....figures import palette, plane
 
     draw_ground(world, ax)
     for outline in corners_of(truth):
         ax.fill(*outline.T, facecolor=palette.CELL, edgecolor=palette.TREE, linewidth=2.0, zorder=3)
     if value is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
         return
     shown = value[np.isfinite(value).all(axis=1)][:300]
     right = np.array(
@@ -84,14 +84,14 @@ def draw_cells(world: Given, truth: Array, value: Array | None, ax: Axes) -> Non
     for outline, good in zip(corners_of(shown), right):
         if good:
             closed = np.vstack([outline, outline[:1]])
-            dashed: palette.Style = {"color": palette.GOAL, "linewidth": 2.0, "zorder": 4}
+            dashed: palette.Style = {"color": palette.YOURS, "linewidth": 2.0, "zorder": 4}
             ax.plot(*closed.T, "--", scalex=False, scaley=False, **dashed)
         else:
-            face = (*bytes.fromhex(palette.GOAL[1:]), 40)
+            face = (*bytes.fromhex(palette.YOURS[1:]), 40)
             ax.fill(
                 *outline.T,
                 facecolor=[c / 255 for c in face],
-                edgecolor=palette.GOAL,
+                edgecolor=palette.YOURS,
                 linewidth=3,
                 linestyle="--",
                 zorder=5,
@@ -100,7 +100,7 @@ def draw_cells(world: Given, truth: Array, value: Array | None, ax: Axes) -> Non
     plane.corner_note(
         get_message("picture.cells", true=len(truth), yours=len(value), good=int(right.sum())),
         ax,
-        colour=palette.GOAL,
+        colour=palette.YOURS,
     )
 
 
@@ -112,15 +112,15 @@ def draw_pairs(
 
     centres = number_cells(cells, ax)
     for i, j in truth:
-        plane.segment(centres[i], centres[j], "", ax, colour=palette.START, width=4.0)
+        plane.segment(centres[i], centres[j], "", ax, colour=palette.TRUE, width=4.0)
     for i, j in [] if value is None else value[(np.isin(value, np.arange(len(cells)))).all(axis=1)]:
-        plane.segment(centres[i], centres[j], "", ax, colour=palette.GOAL, style="--")
+        plane.segment(centres[i], centres[j], "", ax, colour=palette.YOURS, style="--")
     note = (
         get_message("picture.no_answer")
         if value is None
         else get_message("picture.pairs", true=len(truth), yours=len(value))
     )
-    plane.corner_note(note, ax, colour=palette.GOAL)
+    plane.corner_note(note, ax, colour=palette.YOURS)
 
 
 def draw_cell_path(
@@ -135,14 +135,14 @@ def draw_cell_path(
 
     number_cells(given["trapezoids"], ax)
     if truth is not None:
-        ax.plot(*truth.T, "-", color=palette.START, linewidth=3, zorder=5)
+        ax.plot(*truth.T, "-", color=palette.TRUE, linewidth=3, zorder=5)
     if value is None:
-        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.YOURS)
     elif len(value) and np.isfinite(value).all():
         ax.plot(
             *value.T,
             "o--",
-            color=palette.GOAL,
+            color=palette.YOURS,
             linewidth=2.5,
             markersize=5,
             zorder=6,
@@ -177,8 +177,8 @@ def draw_middles(
     for i, j in pairs:
         x, low, high = shared(cells[i], cells[j])
         y = found(cells[i], cells[j])[1]
-        plane.segment((x, low), (x, high), "", ax, colour=palette.START, width=6.0)
-        colour, marker = (palette.INK, "o") if low < y < high else (palette.GOAL, "X")
+        plane.segment((x, low), (x, high), "", ax, colour=palette.TRUE, width=6.0)
+        colour, marker = (palette.INK, "o") if low < y < high else (palette.YOURS, "X")
         plane.dot((x, y), "", ax, colour=colour, marker=marker)
 
 
@@ -188,9 +188,9 @@ def draw_outline(boundary: Array, ax: Axes) -> None:
 
     shown = boundary[np.isfinite(boundary).all(axis=1)]
     plane.frame(np.vstack([shown, np.zeros((1 - min(len(shown), 1), 2))]), ax, margin=0.15)
-    ax.plot(*np.vstack([shown, shown[:1]]).T, "o--", color=palette.GOAL, linewidth=2.5)
+    ax.plot(*np.vstack([shown, shown[:1]]).T, "o--", color=palette.YOURS, linewidth=2.5)
     if len(shown) == 0:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
 
 
 def set_title(exercise: Exercise, case: Case, ax: Axes) -> None:

@@ -1,6 +1,6 @@
 """Pictures of failing cases on graphs.
 
-The right answer is solid and green, the student's is dashed and orange.
+The right answer is solid and green, the student's is dashed and brown.
 """
 
 from typing import Any
@@ -43,7 +43,7 @@ def draw_tree_answer(
             text = get_message("graph_picture.far", d=f"{d:.0f}")
         else:
             text = get_message("graph_picture.unreached")
-        draw_label(places, u, text, ax, palette.START)
+        draw_label(places, u, text, ax, palette.TRUE)
     if value is not None and len(value) == len(neighbours):
         for u, p in enumerate(value):
             if 0 <= p < len(value) and p != u:
@@ -53,7 +53,7 @@ def draw_tree_answer(
                     and (wanted is None or wanted[u] == p)
                 )
                 draw_pointer(
-                    places, p, u, ax, palette.START if good else palette.GOAL, "-" if good else "--"
+                    places, p, u, ax, palette.TRUE if good else palette.YOURS, "-" if good else "--"
                 )
     draw_answer_note(value, ax)
     finish_picture(exercise, case, ax)
@@ -90,7 +90,7 @@ def draw_misled(exercise: Exercise, value: Value, paths: tuple[Any, Any], ax: Ax
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     else:
         draw_question(
             dict(zip(("neighbours", "weights", "estimate", "start", "goal"), value)), *paths, ax
@@ -133,9 +133,9 @@ def draw_costs(exercise: Exercise, case: Case, value: Value, truth: Value, ax: A
                 value=format_value(truth[u]),
                 yours=format_value(float(value[u])),
             )
-            draw_label(places, u, text, ax, palette.GOAL)
+            draw_label(places, u, text, ax, palette.YOURS)
         else:
-            draw_label(places, u, format_value(truth[u]), ax, palette.START)
+            draw_label(places, u, format_value(truth[u]), ax, palette.TRUE)
     draw_answer_note(value, ax)
     finish_picture(exercise, case, ax)
 
@@ -168,12 +168,12 @@ def draw_grey_graph(case: Case, ax: Axes, *, highlight: list[int]) -> Value:
 
 
 def draw_paths(places: Value, truth: Value, value: Value, ax: Axes) -> None:
-    """Draw a right path, wide and green, and over it the student's, dashed and orange."""
+    """Draw a right path, wide and green, and over it the student's, dashed and brown."""
     from ....figures import graphs, palette
 
     for path, colour, width, style in (
-        (truth, palette.START, 7.0, "-"),
-        (value, palette.GOAL, 2.8, "--"),
+        (truth, palette.TRUE, 7.0, "-"),
+        (value, palette.YOURS, 2.8, "--"),
     ):
         nodes = [u for u in (path or [])[:MOST_STEPS] if 0 <= u < len(places)]
         for u, v in zip(nodes[:-1], nodes[1:]):
@@ -216,7 +216,7 @@ def draw_answer_note(value: object, ax: Axes) -> None:
         if value is None
         else get_message("picture.yours", value=format_value(value))
     )
-    plane.corner_note(text if len(text) <= 60 else text[:57] + "...", ax, colour=palette.GOAL)
+    plane.corner_note(text if len(text) <= 60 else text[:57] + "...", ax, colour=palette.YOURS)
 
 
 def finish_picture(exercise: Exercise, case: Case, ax: Axes) -> None:

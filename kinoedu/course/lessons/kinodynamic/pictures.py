@@ -1,6 +1,6 @@
 """Pictures of failing cases of lesson 13.
 
-The right answer is solid and green, the student's is dashed and orange.
+The right answer is solid and green, the student's is dashed and brown.
 """
 
 import math
@@ -25,7 +25,7 @@ def draw_driven_answer(problem: Any, built: Value, fault: Value, text: str, ax: 
 
     draw_problem(problem, ax)
     if built is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     else:
         tree, poses = built
         draw_tree(tree, ax, robot=problem.robot)
@@ -42,10 +42,10 @@ def draw_driven_answer(problem: Any, built: Value, fault: Value, text: str, ax: 
             ax,
         )
     if fault is not None and len(fault.marked):
-        look: palette.Style = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        look: palette.Style = {"color": palette.YOURS, "linewidth": 3.5, "zorder": 8}
         ax.plot(*fault.marked[:, :2].T, "--", **look, scalex=False, scaley=False)
         look = {
-            "color": palette.GOAL,
+            "color": palette.YOURS,
             "markersize": 13,
             "markeredgecolor": "white",
             "zorder": 9,
@@ -75,7 +75,7 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: object, ax: Axes)
     plane.frame(np.array([a[:2] - size, a[:2] + size, b[:2] - size, b[:2] + size]), ax)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
     ax.plot(*np.array([a, b])[:, :2].T, ":", color=palette.INK, linewidth=2.0)
-    cars.draw_pose(a, size, "a", ax, colour=palette.START)
+    cars.draw_pose(a, size, "a", ax, colour=palette.INK)
     cars.draw_pose(b, size, "b", ax, colour=palette.TREE, below=True)
     yours = "-" if value is None else format_value(value)
     plane.corner_note(
@@ -83,7 +83,7 @@ def draw_two_poses(exercise: ValueExercise, case: Case, value: object, ax: Axes)
             "picture", true=format_value(exercise.truth(case)), yours=yours, radian=radian
         ),
         ax,
-        colour=palette.GOAL,
+        colour=palette.YOURS,
     )
 
 
@@ -116,8 +116,8 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Value, ax: Axes) -> 
         ax.plot(*way[:, :2].T, "-", color=palette.OUTSIDE, linewidth=2.0, zorder=3)
         plane.label(way[-1, :2], str(number), ax, colour=palette.INK)
     for choice, colour, style in (
-        (exercise.truth(case), palette.START, "-"),
-        (value, palette.GOAL, "--"),
+        (exercise.truth(case), palette.TRUE, "-"),
+        (value, palette.YOURS, "--"),
     ):
         if choice is not None and is_choice(choice, controls, n):
             i, k = choice
@@ -150,14 +150,14 @@ def draw_fastest(exercise: ValueExercise, case: Case, value: Value, ax: Axes) ->
     graph = Graph(n, edges, durations, directed=True)
     draw_graph(graph, ax, weights=n <= 12, highlight=[0, *ends])
     places, truth = layout(graph), exercise.truth(case)
-    for way, colour, style in ((truth, palette.START, "-"), (value, palette.GOAL, "--")):
+    for way, colour, style in ((truth, palette.TRUE, "-"), (value, palette.YOURS, "--")):
         known = [u for u in ([] if way is None else way) if 0 <= u < n]
         ax.plot(*places[known].T, style, color=colour, linewidth=4.0, alpha=0.7, zorder=4)
     if value is None:
         plane.corner_note(
             get_message("picture.no_answer") if truth is not None else "None",
             ax,
-            colour=palette.GOAL,
+            colour=palette.YOURS,
         )
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
     ax.set_axis_off()

@@ -1,6 +1,6 @@
 """Pictures of failing cases of lesson 14.
 
-The right answer is solid and green, the student's is dashed and orange.
+The right answer is solid and green, the student's is dashed and brown.
 """
 
 import math
@@ -37,15 +37,15 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
     plane.dot(c0, "c0", ax, colour=palette.OBSTACLE, marker="s")
     plane.ring(c0, r, "", ax, colour=palette.OBSTACLE, style=":")
     truth = exercise.truth(case)
-    for s, colour, style in ((truth, palette.START, "-"), (value, palette.GOAL, "--")):
+    for s, colour, style in ((truth, palette.TRUE, "-"), (value, palette.YOURS, "--")):
         if s is not None and 0.0 <= s <= 1.0:
             plane.ring(c0 + s * (c1 - c0), r, "", ax, colour=colour, style=style)
-            marker = "o" if colour == palette.START else "X"
+            marker = "o" if colour == palette.TRUE else "X"
             plane.dot(p0 + s * (p1 - p0), "", ax, colour=colour, marker=marker)
     plane.corner_note(
         get_message("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
         ax,
-        colour=palette.GOAL,
+        colour=palette.YOURS,
     )
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
@@ -64,7 +64,7 @@ def draw_schedule(
         for begin, end in own:
             ax.plot([begin, end], [place, place], color=palette.ROADMAP, **thick)
     yours = np.empty((0, 2)) if value is None else value[np.isfinite(value).all(axis=1)]
-    for rows, colour, style in ((best, palette.START, "-o"), (yours, palette.GOAL, "--X")):
+    for rows, colour, style in ((best, palette.TRUE, "-o"), (yours, palette.YOURS, "--X")):
         points = []
         for (u, a), (v, b) in zip(rows, rows[1:]):
             points += [(a, u), (b - durations.get(frozenset((int(u), int(v))), 0.0), u)]
@@ -92,10 +92,10 @@ def draw_margins(exercise: ValueExercise, case: Case, value: Array | None, ax: A
 
     truth = exercise.truth(case)
     number = np.arange(len(truth))
-    ax.bar(number - 0.2, truth, 0.38, color=palette.START, zorder=3)
+    ax.bar(number - 0.2, truth, 0.38, color=palette.TRUE, zorder=3)
     yours = np.nan_to_num(value) if value is not None and len(value) == len(truth) else np.empty(0)
     striped: palette.Style = {"hatch": "//", "edgecolor": "white", "zorder": 3}
-    ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.GOAL, **striped)
+    ax.bar(number[: len(yours)] + 0.2, yours, 0.38, color=palette.YOURS, **striped)
     ax.set(xticks=number)
     ax.set_xlabel(get_message("timed_picture.obstacle"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(get_message("timed_picture.margin"), fontsize=palette.TEXT_SIZE)
@@ -140,7 +140,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
     ax.set_xlabel(
         get_message("timed_picture.shares", true=true, yours=yours),
         fontsize=palette.TEXT_SIZE,
-        color=palette.GOAL,
+        color=palette.YOURS,
     )
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
@@ -151,7 +151,7 @@ def draw_missed(value: Value, radius: float, moments: int, ax: Axes) -> None:
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
         return
     p0, p1, c0, c1 = value
     way = (p0 - c0) + np.linspace(0.0, 1.0, moments)[:, None] * ((p1 - p0) - (c1 - c0))
@@ -160,5 +160,5 @@ def draw_missed(value: Value, radius: float, moments: int, ax: Axes) -> None:
     plane.frame(np.vstack([near, [(radius, radius), (-radius, -radius)]]), ax, margin=0.2)
     plane.ring((0, 0), radius, "", ax, colour=palette.OBSTACLE)
     plane.corner_note(get_message("timed_picture.disc"), ax, colour=palette.OBSTACLE)
-    ax.plot(*way.T, "-o", color=palette.GOAL, linewidth=1.5, markersize=6, zorder=4)
+    ax.plot(*way.T, "-o", color=palette.YOURS, linewidth=1.5, markersize=6, zorder=4)
     plane.title(get_message("exposing_motions.picture"), ax)

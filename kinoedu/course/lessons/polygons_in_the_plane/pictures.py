@@ -1,6 +1,6 @@
 """Pictures of failing cases of lesson 11.
 
-The right answer is solid and green, the student's is dashed and orange.
+The right answer is solid and green, the student's is dashed and brown.
 """
 
 import numpy as np
@@ -28,14 +28,14 @@ def draw_heading(
 
     draw_world(problem.world, ax)
     if right is not None:
-        draw_robot(problem.robot, np.array([*place, right]), ax, palette.START)
+        draw_robot(problem.robot, np.array([*place, right]), ax, palette.TRUE)
     if value is None:
-        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.YOURS)
     elif np.isfinite(value):
-        (body,) = draw_robot(problem.robot, np.array([*place, value]), ax, palette.GOAL)
+        (body,) = draw_robot(problem.robot, np.array([*place, value]), ax, palette.YOURS)
         body.set(linestyle="--")
         plane.corner_note(
-            get_message("picture.yours", value=f"{value:.4g}"), ax, colour=palette.GOAL
+            get_message("picture.yours", value=f"{value:.4g}"), ax, colour=palette.YOURS
         )
     plane.dot(place, "", ax)
     plane.title(text, ax)
@@ -51,16 +51,16 @@ def draw_matrix(
     draw_world(problem.world, ax)
     fits = value is not None and value.shape == truth.shape
     for i, j in np.argwhere(np.triu(truth, 1)):
-        plane.segment(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.START)
+        plane.segment(nodes[i, :2], nodes[j, :2], "", ax, colour=palette.TRUE)
     for i, j in np.argwhere((value != truth) & (value != 0)) if fits else []:
         plane.segment(
-            nodes[i, :2], nodes[j, :2], "", ax, colour=palette.GOAL, style="--", width=4.0
+            nodes[i, :2], nodes[j, :2], "", ax, colour=palette.YOURS, style="--", width=4.0
         )
     for number, q in enumerate(nodes):
         draw_robot(problem.robot, q, ax)
         plane.label(q[:2], str(number), ax, offset=(3, 3))
     if not fits:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     plane.title(text, ax)
 
 
@@ -76,7 +76,7 @@ def draw_swept(value: Value, chords: Value, text: str, ax: Axes) -> None:
 
     if value is None:
         plane.frame([(-1.0, -1.0), (5.0, 1.5)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     else:
         a, b, obstacle = value
         plane.frame(np.vstack([a - 1.0, a + 1.0, b - 1.0, b + 1.0, obstacle]), ax)

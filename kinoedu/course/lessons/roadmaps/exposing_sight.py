@@ -62,9 +62,9 @@ class ExposeSight(Exercise):
         for ring in shown:
             plane.polygon(ring, ax, numbers=len(shown) == 1)
         for a, b in [] if world_fault(rings) else wrong_views(rings):
-            plane.segment(a, b, "", ax, colour=palette.GOAL, style="--")
+            plane.segment(a, b, "", ax, colour=palette.YOURS, style="--")
         if not shown:
-            plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+            plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
         plane.title(self.message("picture"), ax)
 
 

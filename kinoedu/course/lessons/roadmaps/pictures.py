@@ -1,6 +1,6 @@
 """Pictures of failing cases on roadmaps.
 
-The right answer is solid and green, the student's is dashed and orange.
+The right answer is solid and green, the student's is dashed and brown.
 """
 
 from typing import Any
@@ -25,8 +25,8 @@ def draw_joined(problem: ProblemLike, nodes: Array, truth: Value, value: Value, 
     draw_problem_ground(problem, ax)
     wraps = is_arm(problem)
     for pairs, colour, style, width in (
-        (truth, palette.START, "-", 5.0),
-        (value, palette.GOAL, "--", 2.2),
+        (truth, palette.TRUE, "-", 5.0),
+        (value, palette.YOURS, "--", 2.2),
     ):
         for i, j in [] if pairs is None else pairs:
             if 0 <= i < len(nodes) and 0 <= j < len(nodes) and i != j:
@@ -39,7 +39,7 @@ def draw_joined(problem: ProblemLike, nodes: Array, truth: Value, value: Value, 
         if value is None
         else get_message("roadmap_picture.edges", true=len(truth), yours=len(value))
     )
-    plane.corner_note(note, ax, colour=palette.GOAL)
+    plane.corner_note(note, ax, colour=palette.YOURS)
 
 
 def draw_problem_ground(problem: Any, ax: Axes) -> None:
@@ -92,8 +92,8 @@ def draw_roadmap_answer(problem: ProblemLike, truth: Value, value: Value, ax: Ax
 
     draw_problem_ground(problem, ax)
     for roadmap, colour, style, width in (
-        (truth, palette.START, "-", 5.0),
-        (value, palette.GOAL, "--", 1.8),
+        (truth, palette.TRUE, "-", 5.0),
+        (value, palette.YOURS, "--", 1.8),
     ):
         if roadmap is None:
             continue
@@ -104,7 +104,7 @@ def draw_roadmap_answer(problem: ProblemLike, truth: Value, value: Value, ax: Ax
                     nodes[i], nodes[j], ax, False, color=colour, linestyle=style, linewidth=width
                 )
     if value is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     else:
         number_nodes(value[0], ax, first=2)  # start and goal are labelled already
     plane.dot(problem.start, "start", ax, colour=palette.START, marker="s")
@@ -119,8 +119,8 @@ def draw_shortest_path(nodes: Array, edges: Value, truth: Value, value: Value, a
     for i, j in edges:
         draw_edge(nodes[i, :2], nodes[j, :2], ax, False, color=palette.ROADMAP, linewidth=1.2)
     for path, colour, style, width in (
-        (truth, palette.START, "-", 6.0),
-        (value, palette.GOAL, "--", 2.8),
+        (truth, palette.TRUE, "-", 6.0),
+        (value, palette.YOURS, "--", 2.8),
     ):
         steps = [int(u) for u in ([] if path is None else path) if 0 <= u < len(nodes)]
         for i, j in zip(steps, steps[1:]):
@@ -128,4 +128,4 @@ def draw_shortest_path(nodes: Array, edges: Value, truth: Value, value: Value, a
             draw_edge(nodes[i, :2], nodes[j, :2], ax, False, **look)
     number_nodes(nodes[:, :2], ax)
     if value is None:
-        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.yours", value="None"), ax, colour=palette.YOURS)

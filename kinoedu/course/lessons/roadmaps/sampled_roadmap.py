@@ -149,7 +149,7 @@ class SampledRoadmap(Watched, PlannerExercise):
         draw_roadmap_answer(case.given["problem"], None, shown if good else None, ax)
         fault = self.fault_of_three(case, value) if value is not None else None
         if fault is not None and len(fault.marked) and good:
-            look: palette.Style = {"color": palette.GOAL, "markeredgecolor": "white", "zorder": 9}
+            look: palette.Style = {"color": palette.YOURS, "markeredgecolor": "white", "zorder": 9}
             ax.plot(*fault.marked.T, "X", markersize=14, **look)
         rule = self.judge(case, outcome).rule
         plane.title(self.message(f"pictures.{rule}"), ax)

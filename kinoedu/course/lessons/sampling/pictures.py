@@ -1,6 +1,6 @@
 """Pictures of failing cases in the unit cube.
 
-The right answer is green, the student's is orange.
+The right answer is green, the student's is brown.
 """
 
 from textwrap import fill
@@ -49,18 +49,18 @@ def draw_points(
     if truth is not None:
         ring: palette.Style = {
             "markerfacecolor": "none",
-            "markeredgecolor": palette.START,
+            "markeredgecolor": palette.TRUE,
             "markeredgewidth": 2.2,
             "markersize": 11,
         }
         ax.plot(*project_points(truth).T, "o", label=get_message("picture.true"), zorder=5, **ring)
     if len(near):
         size = 9 if len(near) <= 150 else 4
-        look: palette.Style = {"color": palette.GOAL, "markeredgewidth": 2.2, "zorder": 6}
+        look: palette.Style = {"color": palette.YOURS, "markeredgewidth": 2.2, "zorder": 6}
         ax.plot(*near.T, "x", markersize=size, label=get_message("picture.yours_short"), **look)
     else:
         text = get_message("picture.no_answer" if found is None else "samples.elsewhere")
-        draw_label(text, 0.05, ax, colour=palette.GOAL)
+        draw_label(text, 0.05, ax, colour=palette.YOURS)
     if truth is not None or len(near):
         ax.legend(fontsize=palette.TEXT_SIZE, loc="upper right", framealpha=1.0)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
@@ -112,20 +112,20 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Axes)
         ax.text(
             0.5, 0.27, fill(text, 60), ha="center", fontsize=palette.TEXT_SIZE, color=palette.INK
         )
-    plane.dot((truth, 0), "", ax, colour=palette.START)
+    plane.dot((truth, 0), "", ax, colour=palette.TRUE)
     text = get_message("picture.should_be", value=f"{truth:.6g}")
-    plane.label((truth, 0), text, ax, colour=palette.START, offset=(9, 14))
+    plane.label((truth, 0), text, ax, colour=palette.TRUE, offset=(9, 14))
     if found is not None and -0.1 <= found <= 1.1:
-        plane.dot((found, 0), "", ax, colour=palette.GOAL, marker="X")
+        plane.dot((found, 0), "", ax, colour=palette.YOURS, marker="X")
         text = get_message("picture.yours", value=f"{found:.6g}")
-        plane.label((found, 0), text, ax, colour=palette.GOAL, offset=(9, -32))
+        plane.label((found, 0), text, ax, colour=palette.YOURS, offset=(9, -32))
     else:
         text = (
             get_message("picture.no_answer")
             if found is None
             else get_message("picture.yours", value=f"{found:.6g}")
         )
-        plane.corner_note(text, ax, colour=palette.GOAL)
+        plane.corner_note(text, ax, colour=palette.YOURS)
     ax.set_yticks([])
     ax.set_ylabel("")
     ax.set_xlabel("")
@@ -142,23 +142,23 @@ def draw_holes(exercise: Exercise, case: Case, found: Array | None, ax: Axes) ->
     (inside,) = ax.fill(*np.transpose(CORNERS), alpha=0.0)
     low, high = (np.nan, np.nan) if found is None else found
     for radius, colour, style in (
-        (ball.radius, palette.START, "-"),
-        (low, palette.GOAL, ":"),
-        (high, palette.GOAL, "--"),
+        (ball.radius, palette.TRUE, "-"),
+        (low, palette.YOURS, ":"),
+        (high, palette.YOURS, "--"),
     ):
         if 0 < radius < FAR:
             for circle in plane.ring(ball.centre, radius, "", ax, colour=colour, style=style):
                 circle.set_clip_path(inside)
     ax.plot(*points.T, "o", color=palette.TREE, markersize=7, zorder=5)
-    plane.dot(ball.centre, "", ax, colour=palette.START, marker="X")
+    plane.dot(ball.centre, "", ax, colour=palette.TRUE, marker="X")
     text = (
         get_message("picture.no_answer")
         if found is None
         else get_message("samples.bounds", low=f"{low:.4f}", high=f"{high:.4f}")
     )
-    draw_label(text, 0.05, ax, colour=palette.GOAL)
+    draw_label(text, 0.05, ax, colour=palette.YOURS)
     draw_label(
-        get_message("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.START
+        get_message("picture.should_be", value=f"{ball.radius:.4f}"), 0.85, ax, colour=palette.TRUE
     )
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
@@ -172,15 +172,15 @@ def draw_corridor(corridor: Array | None, ax: Axes) -> None:
     ax.plot(*points.T, "o", color=palette.TREE, markersize=4, zorder=4)
     if corridor is None or not (np.abs(corridor) <= FAR).all():
         text = get_message("picture.no_answer" if corridor is None else "samples.elsewhere")
-        draw_label(text, 0.05, ax, colour=palette.GOAL)
+        draw_label(text, 0.05, ax, colour=palette.YOURS)
         return
     x0, y0, x1, y1 = corridor
     look: palette.Style = {
         "facecolor": palette.PATH,
         "alpha": 0.4,
-        "edgecolor": palette.GOAL,
+        "edgecolor": palette.YOURS,
         "linewidth": 1.5,
     }
     ax.fill([x0, x1, x1, x0], [y0, y0, y1, y1], **look, zorder=3)
     inside = points[((points > (x0, y0)) & (points < (x1, y1))).all(axis=1)]
-    ax.plot(*inside.T, "x", color=palette.GOAL, markersize=10, markeredgewidth=2.5, zorder=6)
+    ax.plot(*inside.T, "x", color=palette.YOURS, markersize=10, markeredgewidth=2.5, zorder=6)

@@ -1,4 +1,4 @@
-"""Pictures of failing cases of lesson 12: truth solid green, student's answer dashed orange."""
+"""Pictures of failing cases of lesson 12: truth solid green, student's answer dashed brown."""
 
 import math
 
@@ -35,11 +35,11 @@ def set_axes(truth: Array, value: Array | None, words: str, ax: Axes) -> tuple[f
         plane.corner_note(
             get_message("picture.outside", what=get_message("picture.yours_short")),
             ax,
-            colour=palette.GOAL,
+            colour=palette.YOURS,
         )
         shown = None
     elif shown is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     plane.frame((truth if shown is None else np.vstack([truth, shown]))[:, :2], ax, margin=0.2)
     plane.title(words, ax)
     return 0.18 * size, shown
@@ -54,12 +54,12 @@ def draw_moves(exercise: ValueExercise, case: Case, value: Array | None, ax: Axe
     size, shown = set_axes(
         way, None if value is None else value[None], exercise.message(f"pictures.{case.kind}"), ax
     )
-    ax.plot(*way[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
+    ax.plot(*way[:, :2].T, "-", color=palette.TRUE, linewidth=2.6, zorder=3)
     cars.draw_pose(pose, size, get_message("car_picture.start"), ax, colour=palette.INK, below=True)
-    cars.draw_pose(way[-1], size, get_message("picture.true"), ax, colour=palette.START)
+    cars.draw_pose(way[-1], size, get_message("picture.true"), ax, colour=palette.TRUE)
     if shown is not None:
         cars.draw_pose(
-            shown[0], size, get_message("picture.yours_short"), ax, colour=palette.GOAL, below=True
+            shown[0], size, get_message("picture.yours_short"), ax, colour=palette.YOURS, below=True
         )
 
 
@@ -72,11 +72,11 @@ def draw_drives(exercise: ValueExercise, case: Case, value: Array | None, ax: Ax
     for pose, (v, phi), t in zip(truth, controls, durations):
         ways.append(arc(pose, v * t, math.tan(phi) / wheelbase))
     size, shown = set_axes(np.vstack(ways), value, exercise.message(f"pictures.{case.kind}"), ax)
-    ax.plot(*np.vstack(ways)[:, :2].T, "-", color=palette.START, linewidth=2.6, zorder=3)
+    ax.plot(*np.vstack(ways)[:, :2].T, "-", color=palette.TRUE, linewidth=2.6, zorder=3)
     for number, pose in enumerate(truth):
-        cars.draw_pose(pose, 0.7 * size, str(number), ax, colour=palette.START)
+        cars.draw_pose(pose, 0.7 * size, str(number), ax, colour=palette.TRUE)
     for pose in [] if shown is None else shown:
-        cars.draw_pose(pose, 0.7 * size, "", ax, colour=palette.GOAL)
+        cars.draw_pose(pose, 0.7 * size, "", ax, colour=palette.YOURS)
 
 
 def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes) -> None:
@@ -88,11 +88,11 @@ def draw_steps(exercise: ValueExercise, case: Case, value: Array | None, ax: Axe
     size, shown = set_axes(truth, value, exercise.message(f"pictures.{case.kind}"), ax)
     exact = arc(pose, v * t, math.tan(phi) / wheelbase)
     ax.plot(*exact[:, :2].T, ":", color=palette.INK, linewidth=2.0, zorder=2)
-    solid: palette.Style = {"color": palette.START, "linewidth": 2.6, "markersize": 6, "zorder": 4}
+    solid: palette.Style = {"color": palette.TRUE, "linewidth": 2.6, "markersize": 6, "zorder": 4}
     ax.plot(*truth[:, :2].T, "-o", label=get_message("picture.true"), **solid)
     if shown is not None:
         dashed: palette.Style = {
-            "color": palette.GOAL,
+            "color": palette.YOURS,
             "linewidth": 2.2,
             "markersize": 6,
             "zorder": 5,
@@ -117,7 +117,7 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Ax
         )
         at = math.sqrt(h[k] * h[k + 1]), math.sqrt(errors[k] * errors[k + 1])
         name = get_message("car_picture.order", true=f"{order:.3g}", yours=yours)
-        plane.label(at, name, ax, colour=palette.GOAL, offset=(9, -16))
+        plane.label(at, name, ax, colour=palette.YOURS, offset=(9, -16))
     ax.margins(x=0.35, y=0.2)
     ax.set_xlabel(get_message("car_picture.step"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(get_message("car_picture.error"), fontsize=palette.TEXT_SIZE)
@@ -146,14 +146,14 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
     )
     for centre in centres:
         plane.ring(centre, r, "", ax, colour=palette.OUTSIDE, style=":")
-    cars.draw_curve(curve, ax, colour=palette.START)
+    cars.draw_curve(curve, ax, colour=palette.TRUE)
     cars.draw_pose(a, r, "a", ax, colour=palette.INK, below=True)
     cars.draw_pose(b, r, "b", ax, colour=palette.INK, below=True)
     yours = get_message("car_picture.none") if value is None else f"{value:.4g}"
     words = get_message(
         "car_picture.lengths", word=curve.word, true=f"{curve.length:.4g}", yours=yours
     )
-    plane.corner_note(words, ax, colour=palette.GOAL)
+    plane.corner_note(words, ax, colour=palette.YOURS)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
 
@@ -163,17 +163,17 @@ def draw_lost(value: tuple[float, float] | None, wheelbase: float, ax: Axes) -> 
 
     if value is None:
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
         return
     (phi, t), start = value, np.zeros(3)
     true, believed = arc(start, t, math.tan(phi) / wheelbase), arc(start, t, phi / wheelbase)
     plane.frame(np.vstack([true, believed])[:, :2], ax, margin=0.2)
     size = 0.15 * max(float(np.ptp(true[:, :2], axis=0).max()), 1.0)
     for way, colour, style, words in (
-        (true, palette.START, "-", "car"),
-        (believed, palette.GOAL, "--", "program"),
+        (true, palette.TRUE, "-", "car"),
+        (believed, palette.YOURS, "--", "program"),
     ):
         ax.plot(*way[:, :2].T, style, color=colour, linewidth=2.4, zorder=3)
-        name, below = get_message(f"car_picture.{words}"), colour == palette.GOAL
+        name, below = get_message(f"car_picture.{words}"), colour == palette.YOURS
         cars.draw_pose(way[-1], size, name, ax, colour=colour, below=below)
     plane.title(get_message("exposing_drive.picture"), ax)

@@ -1,4 +1,4 @@
-"""Pictures of failing cases: the truth solid green, the student's answer dashed orange."""
+"""Pictures of failing cases: the truth solid green, the student's answer dashed brown."""
 
 import numpy as np
 
@@ -20,19 +20,19 @@ def draw_line(exercise: ValueExercise, case: Case, value: Array | None, ax: Axes
     plane.frame([p1, p2], ax, margin=0.6)
     if (p1 != p2).any():
         plane.line(
-            line_through_points(p1, p2), get_message("picture.true"), ax, colour=palette.START
+            line_through_points(p1, p2), get_message("picture.true"), ax, colour=palette.TRUE
         )
     if value is not None:
         numbers = ", ".join(f"{number if abs(number) > 1e-12 else 0.0:.3g}" for number in value)
         plane.line(
-            value, get_message("picture.yours", value=numbers), ax, colour=palette.GOAL, style="--"
+            value, get_message("picture.yours", value=numbers), ax, colour=palette.YOURS, style="--"
         )
     if ax.lines:
         ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.dot(p1, "p1" if (p1 != p2).any() else "p1 = p2", ax)
     plane.dot(p2, "p2" if (p1 != p2).any() else "", ax)
     if value is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     plane.title(title_words(exercise, case, value), ax)
 
 
@@ -54,18 +54,18 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
     plane.frame(np.vstack([q, target] + ([] if nearest is None else [nearest])), ax, margin=0.35)
     draw_target(exercise, target, ax)
     if nearest is not None:
-        plane.ring(q, truth, "", ax, colour=palette.START)
+        plane.ring(q, truth, "", ax, colour=palette.TRUE)
         words = get_message("picture.should_be", value=f"{truth:.4g}")
         if truth > 0:
-            plane.segment(q, nearest, words, ax, colour=palette.START)
+            plane.segment(q, nearest, words, ax, colour=palette.TRUE)
     if value is not None and np.isfinite(value) and value > 0:
         name = get_message("picture.yours", value=f"{value:.4g}")
-        plane.ring(q, value, name, ax, colour=palette.GOAL, style="--")
+        plane.ring(q, value, name, ax, colour=palette.YOURS, style="--")
     else:
         words = get_message("picture.no_answer")
         if value is not None:
             words = get_message("picture.yours", value=f"{value:.4g}")
-        plane.corner_note(words, ax, colour=palette.GOAL)
+        plane.corner_note(words, ax, colour=palette.YOURS)
     plane.dot(q, "q", ax)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
@@ -118,12 +118,12 @@ def draw_tangent(exercise: ValueExercise, case: Case, value: Array | None, ax: A
         plane.ring(
             (x, y), float(np.hypot(*(q - (x, y)))), "", ax, colour=palette.OUTSIDE, style=":"
         )
-    plane.arrow(q, reach * truth, get_message("picture.true"), ax, colour=palette.START)
+    plane.arrow(q, reach * truth, get_message("picture.true"), ax, colour=palette.TRUE)
     if seen is not None and np.isfinite(seen).all() and seen.any():
         words = get_message("picture.yours_short")
         if abs(size - 1.0) >= 1e-6:
             words = get_message("picture.yours_long", length=f"{size:.3g}")
-        plane.arrow(q, reach * seen, words, ax, colour=palette.GOAL, style="--")
+        plane.arrow(q, reach * seen, words, ax, colour=palette.YOURS, style="--")
     plane.dot(q, "q", ax)
     plane.title(title_words(exercise, case, value), ax)
 
@@ -135,13 +135,13 @@ def draw_crossings(value: tuple[Array, Array] | None, ax: Axes) -> None:
     q, polygon = value if value is not None else (np.zeros(2), np.empty((0, 2)))
     if value is None or not np.isfinite(np.vstack([q, polygon])).all():
         plane.frame([(0, 0), (1, 1)], ax)
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
         return
     plane.frame(np.vstack([q, polygon]), ax, margin=0.3)
     if len(polygon) > 1:
         plane.polygon(polygon, ax)
     far = max(ax.get_xlim()[1], q[0])
-    plane.segment(q, (far, q[1]), "", ax, colour=palette.GOAL, style="--")
+    plane.segment(q, (far, q[1]), "", ax, colour=palette.YOURS, style="--")
     crossed: dict[float, int] = {}
     for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
         if a[1] != b[1] and min(a[1], b[1]) <= q[1] <= max(a[1], b[1]):
@@ -149,6 +149,6 @@ def draw_crossings(value: tuple[Array, Array] | None, ax: Axes) -> None:
             if x > q[0]:
                 crossed[float(x)] = crossed.get(float(x), 0) + 1
     for x, times in crossed.items():
-        plane.dot((x, q[1]), f"{times}x" if times > 1 else "", ax, colour=palette.GOAL, marker="X")
+        plane.dot((x, q[1]), f"{times}x" if times > 1 else "", ax, colour=palette.YOURS, marker="X")
     plane.dot(q, "q", ax)
     plane.title(get_message("exposing_case.picture"), ax)

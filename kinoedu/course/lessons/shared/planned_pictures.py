@@ -35,17 +35,17 @@ def draw_answer(
         draw_path(track_of(problem.robot, path[np.isfinite(path).all(axis=1)]), ax)
     if fault is not None and len(fault.marked):
         marks = np.array([place_of(problem.robot, q) for q in fault.marked])
-        line: palette.Style = {"color": palette.GOAL, "linewidth": 3.5, "zorder": 8}
+        line: palette.Style = {"color": palette.YOURS, "linewidth": 3.5, "zorder": 8}
         ax.plot(*marks.T, "--", scalex=False, scaley=False, **line)
         cross: palette.Style = {
-            "color": palette.GOAL,
+            "color": palette.YOURS,
             "markersize": 13,
             "markeredgecolor": "white",
             "zorder": 9,
         }
         ax.plot(*marks[-1], "X", **cross)
-    if not trees and path is None:
-        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.GOAL)
+    if not trees and path is None and fault is None:
+        plane.corner_note(get_message("picture.no_answer"), ax, colour=palette.YOURS)
     plane.title(words, ax)
 
 

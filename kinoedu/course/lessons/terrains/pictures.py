@@ -1,6 +1,6 @@
 """Pictures of failing cases of lesson 10.
 
-The right answer is green, the student's is orange.
+The right answer is green, the student's is brown.
 """
 
 import numpy as np
@@ -36,8 +36,8 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
     ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
     ax.plot(*places.T, "o", color=palette.INK, markersize=6, zorder=5)
     set_cell_axes(ax, columns, rows)
-    plane.dot(a, "a", ax, colour=palette.START)
-    plane.dot(b, "b", ax, colour=palette.GOAL)
+    plane.dot(a, "a", ax, colour=palette.TREE)
+    plane.dot(b, "b", ax, colour=palette.INK)
     yours = (
         get_message("picture.no_answer")
         if found is None
@@ -60,7 +60,7 @@ def set_cell_axes(ax: Axes, columns: int, rows: int) -> None:
 
 
 def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Value, ax: Axes) -> None:
-    """Draw the table with the repeats in green and the student's wrong entries in orange."""
+    """Draw the table with the repeats in green and the student's wrong entries in brown."""
     from ....figures import palette, plane
 
     table = case.given["table"]
@@ -73,8 +73,8 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Value
     named = {(row, c) for i, j, c in triples for row in (i, j)}
     size = palette.TEXT_SIZE if n <= 12 else 10
     for (row, c), value in np.ndenumerate(table):
-        colour = palette.GOAL if (row, c) in named else palette.INK
-        colour = palette.START if (row, c) in right else colour
+        colour = palette.YOURS if (row, c) in named else palette.INK
+        colour = palette.TRUE if (row, c) in right else colour
         weight = "bold" if (row, c) in right | named else "normal"
         ax.text(c, row, f"{value:.7g}", fontsize=size, color=colour, fontweight=weight, va="center")
     for row in range(n):
@@ -88,7 +88,7 @@ def draw_table(exercise: Exercise, case: Case, found: Array | None, truth: Value
 def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array, ax: Axes) -> None:
     """Draw every run with a path as a dot, with quartiles and medians.
 
-    The right ones are green, the student's are orange and below.
+    The right ones are green, the student's are brown and below.
     """
     from ....figures import palette, plane
 
@@ -97,9 +97,9 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
         ends = np.isfinite(runs)
         look: palette.Style = {"color": palette.TREE, "markersize": 6, "alpha": 0.6, "zorder": 3}
         ax.plot(runs[ends], np.full(ends.sum(), i), "o", **look)
-        rows = [(row, 0.15, palette.START)]
+        rows = [(row, 0.15, palette.TRUE)]
         if found is not None and len(found) == len(truth):
-            rows.append((found[i], 0.3, palette.GOAL))
+            rows.append((found[i], 0.3, palette.YOURS))
         for (_, low, median, high), below, colour in rows:
             ax.plot([low, high], [i + below] * 2, color=colour, linewidth=4.0, zorder=4)
             look = {"color": colour, "markeredgecolor": "white", "zorder": 5}
@@ -118,7 +118,7 @@ def draw_samples_on(value: Value, text: str, ax: Axes) -> None:
     if value is None or find_motion_fault(*value):
         plane.frame([(0, 0), (3, 2)], ax)
         note = get_message("picture.no_answer" if value is None else "exposing_motion.outside")
-        plane.corner_note(note, ax, colour=palette.GOAL)
+        plane.corner_note(note, ax, colour=palette.YOURS)
     else:
         free, a, b = value
         rows, columns = free.shape

@@ -94,7 +94,7 @@ class RepeatedRows(ValueExercise):
         )
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
-        """Draw the table, the repeats in green and the student's wrong entries in orange."""
+        """Draw the table, the repeats in green and the student's wrong entries in brown."""
         from .pictures import draw_table
 
         value = np.asarray(outcome.value) if isinstance(outcome, Answer) else None

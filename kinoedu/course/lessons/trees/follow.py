@@ -178,9 +178,8 @@ class Follow(ValueExercise):
         value = outcome.value if isinstance(outcome, Answer) else np.empty((0, 2))
         if len(value) and value.shape[1] == 2 and np.isfinite(value).all():
             fault = Fault("", value)
-        draw_answer(
-            problem.problem, [], self.truth(case), fault, self.message(f"pictures.{case.kind}"), ax
-        )
+        draw_answer(problem.problem, [], None, fault, self.message(f"pictures.{case.kind}"), ax)
+        ax.plot(*self.truth(case).T, "-", color=palette.TRUE, linewidth=5.0, zorder=5)
         ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
 
 
