@@ -18,13 +18,16 @@ from .drawing import (
 from .driving_steps import draw_driving_steps
 from .graphs import draw_graph
 from .headings import draw_cells_with_headings, draw_headings
+from .looks import draw_looks
 from .moving import draw_against_time, draw_moment, draw_movers
+from .panels import draw_plans, panels
 from .rrt_steps import draw_rrt_flowchart, draw_rrt_steps
 from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
 from .success import draw_spread, draw_success
+from .trees import draw_insertion, draw_regions
 from .uncertain import draw_uncertain
 from .walks import draw_distance_to_goal, draw_walk
 
@@ -44,13 +47,17 @@ __all__ = [
     "draw_graph",
     "draw_grown",
     "draw_headings",
+    "draw_insertion",
+    "draw_looks",
     "draw_medians",
     "draw_mesh",
     "draw_moment",
     "draw_movers",
     "draw_path",
     "draw_plan",
+    "draw_plans",
     "draw_problem",
+    "draw_regions",
     "draw_roadmap",
     "draw_robot",
     "draw_rrt_flowchart",
@@ -66,6 +73,7 @@ __all__ = [
     "draw_uncertain",
     "draw_walk",
     "draw_world",
+    "panels",
     "plot_configuration_space",
     "plot_environment",
     "save_panels",

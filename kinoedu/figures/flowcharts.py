@@ -41,10 +41,16 @@ def draw_flowchart(
     artists: list[Artist] = []
     for step in steps.values():
         artists += draw_step(step, ax)
-    for begin, end, text in arrows:
-        artists += draw_arrow(steps[begin], steps[end], text, ax)
+    aside = 2.4
+    for begin, end, text in sorted(arrows, key=lambda arrow: rows_up(steps, arrow)):
+        artists += draw_arrow(steps[begin], steps[end], text, ax, aside)
+        aside += 0.35 if rows_up(steps, (begin, end, text)) > 0 else 0.0
     xs, ys = zip(*(step.middle for step in steps.values()))
-    ax.set(xlim=(min(xs) - 2.5, max(xs) + 2.2), ylim=(min(ys) - 0.8, max(ys) + 0.8), aspect="equal")
+    ax.set(
+        xlim=(min(xs) - max(2.5, aside - 0.3), max(xs) + 2.2),
+        ylim=(min(ys) - 0.8, max(ys) + 0.8),
+        aspect="equal",
+    )
     ax.axis("off")
     return artists
 
@@ -58,7 +64,7 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
         shape: Artist = ax.add_patch(Polygon(corners, **look))
     else:
         style = "round,pad=0,rounding_size=0.44" if step.kind == "end" else "square,pad=0"
-        colour = palette.START if step.kind == "end" else palette.OBSTACLE
+        colour = palette.INK if step.kind == "end" else palette.OBSTACLE
         look = {"facecolor": "white", "edgecolor": colour, "linewidth": 1.8}
         box = FancyBboxPatch((x - w, y - h), WIDE, HIGH, boxstyle=style, **look)
         shape = ax.add_patch(box)
@@ -66,8 +72,13 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
     return [shape, ax.text(x, y, step.text, **palette.CENTRED, **font)]
 
 
-def draw_arrow(begin: Step, end: Step, text: str, ax: Axes) -> list[Artist]:
-    """Draw an arrow from one step to the next: across, down, or back up at the left."""
+def rows_up(steps: dict[str, Step], arrow: tuple[str, str, str]) -> float:
+    """How many rows an arrow goes back up; at most 0 for others."""
+    return steps[arrow[0]].row - steps[arrow[1]].row
+
+
+def draw_arrow(begin: Step, end: Step, text: str, ax: Axes, aside: float = 2.4) -> list[Artist]:
+    """Draw an arrow from one step to the next: across, down, or back up so far to the left."""
     (x0, y0), (x1, y1) = begin.middle, end.middle
     (w0, h0), (w1, h1) = begin.half, end.half
     if y0 == y1:
@@ -77,7 +88,7 @@ def draw_arrow(begin: Step, end: Step, text: str, ax: Axes) -> list[Artist]:
     elif y1 < y0:
         points, label = [(x0, y0 - h0), (x1, y1 + h1)], (x0 + 0.35, (y0 - h0 + y1 + h1) / 2)
     else:
-        points = [(x0 - w0, y0), (x0 - 2.4, y0), (x0 - 2.4, y1), (x1 - w1, y1)]
+        points = [(x0 - w0, y0), (x0 - aside, y0), (x0 - aside, y1), (x1 - w1, y1)]
         label = (x0 - w0, y0 + 0.28)
     properties = {"arrowstyle": "-|>", "color": palette.INK, "shrinkA": 0, "shrinkB": 0}
     style = {"fontsize": palette.TEXT_SIZE - 2, "fontweight": "bold", "color": palette.TREE}

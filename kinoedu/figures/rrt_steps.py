@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,12 @@ from .plane import dot, label, segment
 
 
 def draw_rrt_steps(
-    problem: ProblemRecord, tree: Tree, sample: Array, step_size: float, axes: Any = None
+    problem: ProblemRecord,
+    tree: Tree,
+    sample: Array,
+    step_size: float,
+    axes: Any = None,
+    steps: Sequence[int] = (1, 2, 3, 4),
 ) -> list[Artist]:
     """Draw one iteration: the sample, its nearest node, the step, and whether it is free.
 
@@ -27,7 +33,8 @@ def draw_rrt_steps(
     ----------
     problem : of a point in the plane.
     sample : (2,), q_rand.
-    axes : four; by default those of a new figure.
+    axes : one for each step; by default those of a new figure, two in a row.
+    steps : the steps to draw, from 1.
 
     Examples
     --------
@@ -40,7 +47,9 @@ def draw_rrt_steps(
     """
     panels = axes
     if panels is None:
-        _, new = plt.subplots(2, 2, figsize=(9.6, 6.4), dpi=72, layout="constrained")
+        rows = -(-len(steps) // 2)
+        size = (12.6, 4.1 * rows)
+        _, new = plt.subplots(rows, 2, figsize=size, dpi=72, layout="constrained")
         panels = new.ravel()
     q_rand = np.asarray(sample, float)
     near = int(np.argmin([problem.distance(q, q_rand) for q in tree.nodes]))
@@ -48,7 +57,7 @@ def draw_rrt_steps(
     free = problem.is_free_path(q_near, q_new)
     artists: list[Artist] = []
     titles = [get_message(f"rrt_steps.{name}") for name in ("sample", "nearest", "steer", "check")]
-    for number, (ax, title) in enumerate(zip(panels, titles)):
+    for ax, number in zip(panels, (step - 1 for step in steps)):
         artists += [*draw_problem(problem, ax), *draw_tree(tree, ax)]
         artists += ax.plot(*tree.nodes.T, "o", color=palette.TREE, markersize=5, zorder=4)
         if number < 3:
@@ -59,14 +68,14 @@ def draw_rrt_steps(
             artists += dot(q_near, "q_near" if number == 1 else "", ax, colour=palette.TREE)
         if number >= 2:
             artists += draw_new(q_near, q_new, number < 3 or free, ax)
-        artists.append(ax.set_title(title, fontsize=palette.TEXT_SIZE + 1))
+        artists.append(ax.set_title(titles[number], fontsize=palette.TEXT_SIZE + 1))
         ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
     return artists
 
 
 def draw_new(q_near: Array, q_new: Array, good: bool, ax: Axes) -> list[Artist]:
     """Draw the step from the nearest node, green if it is free."""
-    colour = palette.START if good else palette.HIT
+    colour = palette.CLEAR if good else palette.HIT
     artists = segment(q_near, q_new, "", ax, colour=colour, width=4.0)
     marker = dot(q_new, "", ax, colour=colour, marker="o" if good else "X")
     return [*artists, *marker, label(q_new, "q_new", ax, colour=colour, offset=(6, -18))]
@@ -75,16 +84,22 @@ def draw_new(q_near: Array, q_new: Array, good: bool, ax: Axes) -> list[Artist]:
 def draw_rrt_flowchart(ax: Axes | None = None) -> list[Artist]:
     """Draw the flowchart of an RRT that stops at the goal."""
     steps = {
-        "start": Step("end", get_message("rrt_flowchart.start"), 0, 0),
-        "sample": Step("do", get_message("rrt_flowchart.sample"), 0, 1),
-        "steer": Step("do", get_message("rrt_flowchart.steer"), 0, 2),
-        "free": Step("ask", get_message("rrt_flowchart.free"), 0, 3),
-        "add": Step("do", get_message("rrt_flowchart.add"), 0, 4),
-        "near": Step("ask", get_message("rrt_flowchart.near"), 0, 5),
-        "done": Step("end", get_message("rrt_flowchart.done"), 1, 5),
+        name: Step(kind, get_message(f"rrt_flowchart.{name}"), column, row)
+        for name, kind, column, row in (
+            ("start", "end", 0, 0),
+            ("near", "ask", 0, 1),
+            ("done", "end", 1, 1),
+            ("left", "ask", 0, 2),
+            ("failed", "end", 1, 2),
+            ("sample", "do", 0, 3),
+            ("steer", "do", 0, 4),
+            ("free", "ask", 0, 5),
+            ("add", "do", 0, 6),
+        )
     }
     yes, no = get_message("rrt_flowchart.yes"), get_message("rrt_flowchart.no")
-    arrows = [("start", "sample", ""), ("sample", "steer", ""), ("steer", "free", "")]
-    arrows += [("free", "add", yes), ("free", "sample", no), ("add", "near", "")]
-    arrows += [("near", "done", yes), ("near", "sample", no)]
-    return draw_flowchart(steps, arrows, palette.axes_or_new(ax, (6.6, 7)))
+    arrows = [("start", "near", ""), ("near", "done", yes), ("near", "left", no)]
+    arrows += [("left", "failed", no), ("left", "sample", yes), ("sample", "steer", "")]
+    arrows += [("steer", "free", ""), ("free", "left", no), ("free", "add", yes)]
+    arrows += [("add", "near", "")]
+    return draw_flowchart(steps, arrows, palette.axes_or_new(ax, (7.4, 7.6)))

@@ -32,7 +32,7 @@ from .shortcut import shortcut
 from .trees.rrt import rrt
 from .trees.rrt_connect import rrt_connect
 from .trees.rrt_star import informed_rrt_star, rrt_star
-from .trees.tree_roadmap import rrt_expansion, tree_roadmap
+from .trees.tree_roadmap import nodes_expansion, rrt_expansion, tree_roadmap
 
 __all__ = [
     "ComponentKClosest",
@@ -60,6 +60,7 @@ __all__ = [
     "informed_rrt_star",
     "kinodynamic_prm",
     "kinodynamic_rrt",
+    "nodes_expansion",
     "path_cost",
     "plan_by_cells_with_headings",
     "plan_by_decomposition",

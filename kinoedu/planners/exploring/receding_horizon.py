@@ -215,7 +215,7 @@ def plan_from_looks(problem: ProblemRecord | Recorder, looks: list[Look]) -> Pla
         reason = f"{len(looks) - 1:,} moves did not lead to the goal; allow more, or a longer reach"
     places = np.array([look.scan.origin for look in looks] + ([] if reason else [path[-1]]))
     walls = len(looks[-1].walls) if looks else 0
-    stats = {"looks": len(places), "walls": walls, "checks": sum(look.checks for look in looks)}
+    stats = {"looks": len(looks), "walls": walls, "checks": sum(look.checks for look in looks)}
     tree = Tree(places, np.arange(len(places)) - 1)
     numbers = None if reason else np.arange(len(path))
     return plan_along(

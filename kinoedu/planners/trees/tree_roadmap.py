@@ -126,6 +126,16 @@ def rrt_expansion(step_size: float | None = None, goal_bias: float = 0.05) -> Ex
     return expand
 
 
+def nodes_expansion(expand: Callable[[Any, Array, np.random.Generator], Any]) -> Expansion:
+    """An expansion from a function `expand(problem, nodes, rng)` of the nodes so far, (n, d).
+
+    Examples
+    --------
+    >>> newest = nodes_expansion(lambda problem, nodes, rng: (len(nodes) - 1, problem.sample(rng)))
+    """
+    return lambda problem, tree, rng: expand(problem, tree.nodes[: tree.size[0]], rng)
+
+
 def as_expansion(answer: object, tree: GrowingTree) -> tuple[int, Array]:
     """The answer of an expansion as a node's number and a configuration.
 
