@@ -6,7 +6,7 @@ An experiment that was stopped resumes where it stopped.
 from .experiment import Experiment
 from .files import read_experiment
 from .running import run
-from .seeds import describe_spread, over_seeds
+from .seeds import best_of_restarts, describe_spread, over_seeds
 from .summaries import as_text, summary
 from .table import Row, Table
 from .worlds import narrow_passage, scattered_polygons
@@ -16,6 +16,7 @@ __all__ = [
     "Row",
     "Table",
     "as_text",
+    "best_of_restarts",
     "describe_spread",
     "narrow_passage",
     "over_seeds",

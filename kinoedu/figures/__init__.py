@@ -15,6 +15,7 @@ from .drawing import (
     draw_tree,
     draw_world,
 )
+from .drives import draw_drives, draw_moves, draw_routes, draw_runs
 from .driving_steps import draw_driving_steps
 from .graphs import draw_graph
 from .headings import draw_cells_with_headings, draw_headings
@@ -42,6 +43,7 @@ __all__ = [
     "draw_decomposition",
     "draw_dispersion",
     "draw_distance_to_goal",
+    "draw_drives",
     "draw_driving_steps",
     "draw_ecdf",
     "draw_graph",
@@ -53,6 +55,7 @@ __all__ = [
     "draw_mesh",
     "draw_moment",
     "draw_movers",
+    "draw_moves",
     "draw_path",
     "draw_plan",
     "draw_plans",
@@ -60,8 +63,10 @@ __all__ = [
     "draw_regions",
     "draw_roadmap",
     "draw_robot",
+    "draw_routes",
     "draw_rrt_flowchart",
     "draw_rrt_steps",
+    "draw_runs",
     "draw_samples",
     "draw_search",
     "draw_shares",
