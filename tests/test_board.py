@@ -307,7 +307,7 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
         and blocked.when.tolist() == [1]
         and places.when.tolist() == [2]
     )
-    assert (free.colour, blocked.colour) == ("tree", "contact") and blocked.dash and not free.dash
+    assert (free.colour, blocked.colour) == ("tree", "outside") and blocked.dash and not free.dash
     assert made.canvas.drawing.total == 5
 
 

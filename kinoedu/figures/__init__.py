@@ -27,7 +27,7 @@ from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
-from .success import draw_spread, draw_success
+from .success import draw_dots, draw_spread, draw_success
 from .trees import draw_insertion, draw_regions
 from .uncertain import draw_uncertain
 from .walks import draw_distance_to_goal, draw_walk
@@ -43,6 +43,7 @@ __all__ = [
     "draw_decomposition",
     "draw_dispersion",
     "draw_distance_to_goal",
+    "draw_dots",
     "draw_drives",
     "draw_driving_steps",
     "draw_ecdf",

@@ -11,7 +11,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap
-from matplotlib.patches import Circle, PathPatch
+from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.path import Path as Outline
 from numpy.typing import ArrayLike
 
@@ -64,6 +64,18 @@ def axes_for(world: World, ax: Axes | None = None) -> Axes:
     ax.set_ylabel("y", **palette.TEXT)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     return ax
+
+
+def draw_box(low: ArrayLike, high: ArrayLike, name: str, ax: Axes) -> list[Artist]:
+    """Mark a part of a picture by a red frame, with a name above it."""
+    (x0, y0), (x1, y1) = np.asarray(low, float), np.asarray(high, float)
+    if x0 == x1 or y0 == y1:
+        return []
+    look: Style = {"fill": False, "edgecolor": palette.HIT, "linewidth": 2.8, "zorder": 6}
+    frame = Rectangle((x0, y0), x1 - x0, y1 - y0, **look)
+    style: Style = {"color": palette.HIT, "path_effects": HALO, "zorder": 8, **palette.BOLD}
+    beside: Style = {"xytext": (0, 4), "textcoords": "offset points"}
+    return [ax.add_patch(frame), ax.annotate(name, (x0, y1), **beside, **style)]
 
 
 @singledispatch

@@ -84,6 +84,31 @@ def draw_spread(
     return [*artists, ax.legend(fontsize=palette.TEXT_SIZE, loc="best")]
 
 
+def draw_dots(
+    x: ArrayLike, values: ArrayLike, along: str, up: str, ax: Axes | None = None
+) -> list[Artist]:
+    """Draw values of many seeds against x (m,): a dot for each seed, and a line through medians.
+
+    Parameters
+    ----------
+    values : (seeds, m).
+    along, up : the meanings of x and of the values, in words.
+
+    Examples
+    --------
+    >>> from matplotlib import pyplot as plt
+    >>> artists = draw_dots([1, 2], [[0.1, 0.4], [0.2, 0.6]], "joints", "share")
+    >>> plt.close()
+    """
+    ax = palette.axes_or_new(ax, (7.0, 4.6))
+    places, runs = as_array(x, "x"), np.asarray(values, float)
+    artists: list[Artist] = [*ax.plot(places, runs.T, ".", color=COLOURS[0], markersize=7)]
+    median: palette.Style = {"color": COLOURS[1], "linewidth": 2.6}
+    artists += ax.plot(places, np.median(runs, axis=0), "-", **median)
+    label_axes(along, up, ax)
+    return artists
+
+
 def draw_band(x: Array, low: Array, high: Array, i: int, ax: Axes) -> Artist:
     """Draw the band of curve i."""
     return ax.fill_between(x, low, high, color=COLOURS[i % 4], alpha=0.2, linewidth=0)

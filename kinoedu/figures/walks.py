@@ -1,6 +1,7 @@
 """Figures of a bug's walk: in the world, and as distance to the goal against distance walked."""
 
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -105,12 +106,25 @@ def mark_hits_and_leaves(
         for count, i in enumerate(numbers, start=1):
             if i < shown:
                 names.setdefault((points[i, 0], points[i, 1]), []).append(f"{letter}{count}")
-        right, up = above or letter == "L", above or letter == "H"
         look: Style = {"color": palette.CONTACT, "markersize": 8, **palette.RIM}
         for at, labels in names.items():
             artists += ax.plot(*at, marker, zorder=7, **look)
+            right, up = (True, True) if above else roomiest_side(at, points, ax)
             artists.append(name_mark(", ".join(labels), at, ax, right=right, up=up))
     return artists
+
+
+def roomiest_side(at: tuple[float, float], points: Array, ax: Axes) -> tuple[bool, bool]:
+    """Whether a name beside a mark should be to the right and above: farthest from the walk."""
+    size = 0.05 * abs(ax.get_xlim()[1] - ax.get_xlim()[0])
+    legs = [a + np.linspace(0, 1, 20)[:, None] * (b - a) for a, b in pairwise(points)]
+    even = np.concatenate([points, *legs])
+
+    def room(side: tuple[bool, bool]) -> float:
+        x, y = at[0] + (1.4 if side[0] else -1.4) * size, at[1] + (size if side[1] else -size)
+        return float(((even - (x, y)) ** 2).sum(axis=1).min())
+
+    return max(((True, True), (True, False), (False, True), (False, False)), key=room)
 
 
 def name_mark(text: str, at: tuple[float, float], ax: Axes, *, right: bool, up: bool) -> Artist:

@@ -67,6 +67,8 @@ def draw_arm(arm: ArmRobot, q: Array, hits: Sequence[int]) -> list[Layer]:
 def label_links(joints: Array, q: Array) -> Layer:
     """The links' names beside their midpoints, on the outer side of the bent elbow."""
     along = np.diff(joints, axis=0)
-    aside = np.column_stack([along[:, 1], -along[:, 0]]) * (ASIDE if q[1] >= 0.0 else -ASIDE)
+    lengths = np.sqrt((along**2).sum(axis=1, keepdims=True))
+    far = ASIDE * float(lengths.max()) * (1.0 if q[1] >= 0.0 else -1.0)
+    aside = far * np.column_stack([along[:, 1], -along[:, 0]]) / lengths
     names = [get_message("arm_board.link", number=i + 1) for i in range(2)]
     return labels(joints[:-1] + 0.5 * along + aside, names, "ink")

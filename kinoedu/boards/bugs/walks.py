@@ -203,7 +203,7 @@ def distances_to(points: Array, segments: Array) -> Array:
 def make_plot_scene() -> Scene:
     """The scene of a plot: nothing can be dragged."""
     wide, high = PLOT
-    return {**make_scene((-0.1, -0.33), (wide + 0.1, high + 0.2)), "ticks": False}
+    return {**make_scene((-0.26, -0.33), (wide + 0.1, high + 0.2)), "ticks": False}
 
 
 def draw_plot(plans: Sequence[tuple[Plan, Walk]], clock: Clock, texts: Sequence[str]) -> Drawing:
@@ -244,13 +244,13 @@ def draw_axes(longest: float, far: float) -> list[Layer]:
     upright = [((a, 0.0), (a, high)) for a in x[1:].tolist()]
     level = [((0.0, b), (wide, b)) for b in y[1:].tolist()]
     below = np.column_stack([x - 0.06, np.full(len(x), -0.17)])
-    left = np.column_stack([np.full(len(y) - 1, -0.03), y[1:]])
+    left = np.column_stack([np.full(len(y) - 1, -0.22), y[1:] - 0.06])
     return [
         edges(np.array(upright + level), "outside", width=0.7),
         edges([[(0.0, high), (0.0, 0.0)], [(0.0, 0.0), (wide, 0.0)]], "ink", width=1.5),
         labels(below, [f"{value:g}" for value in across], "ink"),
         labels(left, [f"{value:g}" for value in up[1:]], "ink"),
-        labels([(-0.03, high + 0.08)], [get_message("bug_board.distance")], "ink"),
+        labels([(-0.22, high + 0.08)], [get_message("bug_board.distance")], "ink"),
         labels([(0.62 * wide, -0.31)], [get_message("bug_board.way")], "ink"),
     ]
 

@@ -24,7 +24,7 @@ Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
 DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
 LIT = "#FFE9A8"  # behind the line that has just run
-ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
+ENOUGH = 64_000  # bytes, so that a notebook with a dozen boards stays small
 
 
 def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> bytes:

@@ -138,7 +138,8 @@ def draw_asked(questions: list[Question], asked: Sequence[int]) -> list[Layer]:
         layers.append(layer._replace(when=when))
         if layer.kind == "edges":
             few = np.isin(when, find_few(steps))
-            now = edges(layer.rows[few], layer.colour, width=4.0, dash=layer.dash, when=when[few])
+            colour = "contact" if layer.dash else layer.colour
+            now = edges(layer.rows[few], colour, width=4.0, dash=layer.dash, when=when[few])
             layers.append(now._replace(until=when[few] + 1.0))
     return layers
 

@@ -34,11 +34,11 @@ def draw_questions(questions: list[Question]) -> list[Layer]:
         if points is not None:
             kinds[len(points) == 2, bool(question.answer)].append((number, points))
     layers = []
-    for (motion, free), found in kinds.items():
+    for (motion, free), found in sorted(kinds.items()):  # what is free is drawn on top
         rows, when = [points for _, points in found], [number for number, _ in found]
-        colour = "tree" if free else "contact"
+        colour = "tree" if free else "outside" if motion else "contact"
         if motion:
-            width, dash = (1.2, ()) if free else (1.0, (4, 4))
+            width, dash = (1.4, ()) if free else (0.7, (3, 5))
             layers.append(edges(rows, colour, width=width, dash=dash, when=when))
         else:
             layers.append(dots(rows, colour, when=when))
