@@ -102,7 +102,8 @@ def draw_routes(graphs: Mapping[str, Plan], routes: Sequence[Sequence[Any]]) -> 
             places = drive.at(np.linspace(0.0, drive.duration, 300))[:, :2]
             look: palette.Style = {"linewidth": width, "color": colour, "zorder": 5}
             artists += ax.plot(*places.T, label=f"{cost:.0f}", **look)
-        legend = ax.legend(title=get_message("routes.length"), fontsize=palette.TEXT_SIZE, loc="lower right")
+        place: palette.Style = {"fontsize": palette.TEXT_SIZE, "loc": "lower right"}
+        legend = ax.legend(title=get_message("routes.length"), **place)
         artists += [legend, ax.set_title(name, fontsize=palette.TEXT_SIZE + 2)]
         ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
     return artists

@@ -71,7 +71,8 @@ class DispersionBounds(Exercise):
         elif low > truth + SLACK:
             rule = "low"
         elif high < truth - SLACK:
-            rule = "sup" if low <= sup <= high else "high"
+            by_kind = "high" if case.kind == "inside" else f"high_{case.kind}"
+            rule = "sup" if low <= sup <= high else by_kind
         elif high - low > APART + SLACK:
             rule = "apart"
         return Verdict(0.0, rule, self.describe_expected(case)) if rule else RIGHT
