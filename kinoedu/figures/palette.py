@@ -32,7 +32,7 @@ TRUE = "#007A5E"  # green and solid: the right answer in the picture of a wrong 
 YOURS = "#A84300"  # brown and dashed: the student's answer in that picture
 FLOOR, CEILING = "#009E73", "#882255"  # of a cell: the edges below and above it
 CUT = "#882255"  # a slice through a solid, and what it meets
-LEFT, RIGHT = "#0072B2", "#C44E00"  # of a line
+LEFT, RIGHT = TREE, PATH  # of a line
 # The book's blue, black and red: an arm is free, its link 1 is in contact, its link 2 is.
 LINKS = ("#2F7FD0", "#111827", "#D32F2F")
 FREE_AREA, HIT_1_AREA, HIT_2_AREA = "#CFE3F7", "#3B4250", "#E8837F"
