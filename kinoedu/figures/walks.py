@@ -116,13 +116,15 @@ def mark_hits_and_leaves(
 
 def roomiest_side(at: tuple[float, float], points: Array, ax: Axes) -> tuple[bool, bool]:
     """Whether a name beside a mark should be to the right and above: farthest from the walk."""
-    size = 0.05 * abs(ax.get_xlim()[1] - ax.get_xlim()[0])
+    low, high = zip(ax.get_xlim(), ax.get_ylim())
+    size = 0.05 * abs(high[0] - low[0])
     legs = [a + np.linspace(0, 1, 20)[:, None] * (b - a) for a, b in pairwise(points)]
     even = np.concatenate([points, *legs])
 
     def room(side: tuple[bool, bool]) -> float:
         x, y = at[0] + (1.4 if side[0] else -1.4) * size, at[1] + (size if side[1] else -size)
-        return float(((even - (x, y)) ** 2).sum(axis=1).min())
+        inside = low[0] < x < high[0] and low[1] < y < high[1]
+        return float(((even - (x, y)) ** 2).sum(axis=1).min()) if inside else 0.0
 
     return max(((True, True), (True, False), (False, True), (False, False)), key=room)
 
