@@ -169,9 +169,8 @@ def test_the_motions_that_a_function_asks_about_are_drawn():
     nodes = [np.array([1.0, 1.0]), np.array([3.0, 3.0])]
     made = code_board(extend, walled(), nodes, (8.0, 3.0), 2.0, points={"q_near": "nodes[near]"})
     assert made.drawing.text == "extend returns None"
-    thin, thick = (
-        layer for layer in made.drawing.layers if (layer.kind, layer.colour) == ("edges", "contact")
-    )
+    thin, thick = (layer for layer in made.drawing.layers if layer.kind == "edges")
+    assert (thin.colour, thick.colour) == ("outside", "contact")
     asks = 3  # the third line that runs
     assert len(shown(thin, asks - 1)) == 0 and len(shown(thin, asks)) == 1
     assert len(shown(thick, asks)) == 1 and len(shown(thick, asks + 1)) == 0
