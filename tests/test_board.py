@@ -301,7 +301,7 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
     made = board(walled(), planner=around)
     assert made.plan.length == pytest.approx(2 * np.hypot(2, 8) + 4)
     assert repr(made).startswith("Board(yours: length 20.49, 4 motions checked; ours: length ")
-    _, places, blocked, free = draw_questions(made.plan.questions)
+    blocked, free, _, places = draw_questions(made.plan.questions)
     assert (
         free.when.tolist() == [3, 4, 5]
         and blocked.when.tolist() == [1]

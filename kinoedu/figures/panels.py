@@ -50,8 +50,15 @@ def panels(
     return row[:n]
 
 
-def draw_plans(plans: Mapping[str, Plan], *, columns: int | None = None) -> list[Artist]:
+def draw_plans(
+    plans: Mapping[str, Plan], *, columns: int | None = None, width: float | None = None
+) -> list[Artist]:
     """Draw plans side by side, each under its name; an empty name stands for the plan's summary.
+
+    Parameters
+    ----------
+    columns : pictures in a row; by default all.
+    width : inches of each picture; by default as wide as a page allows.
 
     Examples
     --------
@@ -61,9 +68,9 @@ def draw_plans(plans: Mapping[str, Plan], *, columns: int | None = None) -> list
     >>> plt.close()
     """
     across = len(plans) if columns is None else columns
-    wide = min(WIDTH / across, 6.5)
-    width, height = figure_size(next(iter(plans.values())).problem.world)
-    shape = wide * (height - 0.4) / width
+    wide = min(WIDTH / across, 6.5) if width is None else width
+    x, y = figure_size(next(iter(plans.values())).problem.world)
+    shape = wide * (y - 0.4) / x
     artists: list[Artist] = []
     for ax, (name, plan) in zip(
         panels(len(plans), columns=across, width=wide, height=shape), plans.items()

@@ -34,7 +34,9 @@ def draw_questions(questions: list[Question]) -> list[Layer]:
         if points is not None:
             kinds[len(points) == 2, bool(question.answer)].append((number, points))
     layers = []
-    for (motion, free), found in sorted(kinds.items()):  # what is free is drawn on top
+    order = sorted(kinds, key=lambda kind: (not kind[0], kind[1]))  # free motions on top of others
+    for motion, free in order:
+        found = kinds[motion, free]
         rows, when = [points for _, points in found], [number for number, _ in found]
         colour = "tree" if free else "outside" if motion else "contact"
         if motion:
