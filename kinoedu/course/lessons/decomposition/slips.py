@@ -1,7 +1,5 @@
 """Answers of programs with a known misconception about cells and their neighbours."""
 
-from collections.abc import Callable, Iterable
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,26 +27,12 @@ def slabs(boundary: Array, obstacles: list[Array]) -> Array:
 
 def hollow(boundary: Array, obstacles: list[Array]) -> Array:
     """Trapezoids, also inside obstacles and bays."""
-    return sweep_sorted_anew(boundary, obstacles, lambda status: zip(status, status[1:]))
-
-
-def trapezoids_sorted_anew(boundary: Array, obstacles: list[Array]) -> Array:
-    """Trapezoids by a sweep that sorts its status anew at every event: right, and slow."""
-    return sweep_sorted_anew(boundary, obstacles, lambda status: zip(status[::2], status[1::2]))
-
-
-def sweep_sorted_anew(
-    boundary: Array,
-    obstacles: list[Array],
-    pair_up: Callable[[list[int]], Iterable[tuple[int, int]]],
-) -> Array:
-    """Trapezoids between the pairs (floor, ceiling) that `pair_up` makes of a sorted status."""
     edges = edges_round(boundary, obstacles)
     x = np.sort(edges[:, 0])
     rows, before = [], dict[tuple[int, int], float]()
     for i, left in enumerate(x):
         status = crossed_edges((left + x[i + 1]) / 2, edges).tolist() if i + 1 < len(x) else []
-        now = {pair: before.get(pair, left) for pair in pair_up(status)}
+        now = {pair: before.get(pair, left) for pair in zip(status, status[1:])}
         for pair, begun in before.items():
             if pair not in now:
                 sides = edges[list(pair)]
