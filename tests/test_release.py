@@ -1,10 +1,7 @@
-"""Exercises are made from solutions, hold no answers, and are what is committed; students get
-neither solutions nor bank.
-"""
+"""Exercises are made from solutions, hold no answers, and are what is committed."""
 
 import json
 import shutil
-import zipfile
 from pathlib import Path
 
 import nbformat
@@ -12,7 +9,7 @@ import numpy as np
 import pytest
 
 from kinoedu.course import EXERCISES
-from kinoedu.course.release import assignments, pack_course, release, remove_answers
+from kinoedu.course.release import assignments, release, remove_answers
 from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -176,26 +173,3 @@ def test_release_stores_no_check_that_was_answered(house):
     nbformat.write(book, file)
     with pytest.raises(InvalidParameter, match="must say that nothing is answered yet"):
         release("01_geometry", house)
-
-
-def test_the_students_zip_holds_no_secret(tmp_path):
-    """Lessons, exercises and the library; no solutions, no bank, no tests, nothing that running
-    left behind; the same zip twice.
-    """
-    pack_course(tmp_path / "a.zip")
-    pack_course(tmp_path / "b.zip")
-    assert (tmp_path / "a.zip").read_bytes() == (tmp_path / "b.zip").read_bytes()
-    names = zipfile.ZipFile(tmp_path / "a.zip").namelist()
-    assert "kinoedu-course/exercises/01_geometry.ipynb" in names
-    assert "kinoedu-course/notebooks/01_geometry.ipynb" in names
-    assert "kinoedu-course/start.py" in names
-    assert not any(
-        "/solutions/" in name
-        or "/tests/" in name
-        or "__pycache__" in name
-        or name.endswith(".part")
-        for name in names
-    )
-    text = b"".join(zipfile.ZipFile(tmp_path / "a.zip").read(name) for name in names)
-    assert b"BEGIN SOLUTION" not in text.replace(b'"BEGIN SOLUTION"', b"")
-    assert b"@wrong(" not in text.replace(b'`@wrong("name_of_the_exercise")`', b"")

@@ -15,7 +15,8 @@ students see are stored.
   python start.py release                     all assignments
   python start.py release 01_geometry         one of them
   python start.py release --zip course.zip    and pack the course for students: without solutions,
-                                              wrong answers and tests
+                                              wrong answers and tests, and with recorded results in
+                                              place of the answers in the lessons' code
 
 With --variants each student gets their own exercises: where several answers are right, students are
 asked for different ones. Then grade with --variants. STUDENTS is a file with an id on each line,

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from ..messages import get_message, has_message
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 from .shapes import Record, Shape, Value
 from .sizes import MOST_NUMBERS, MOST_OF_EXAMPLE, count_numbers, refuse_excess
+from .withheld import not_in_the_kit, withhold
 
 if TYPE_CHECKING:
     from ..figures.palette import Axes as Axes
@@ -59,10 +61,13 @@ CONTRACT = "contract"
 
 
 class Slip(NamedTuple):
-    """A known misconception: its key in the catalogue, and the answer of a program that has it."""
+    """A known misconception: its key in the catalogue, and the answer of a program that has it.
+
+    Students get the key alone; the answers to the cases that they see are recorded.
+    """
 
     key: str
-    answer: Callable[..., object]
+    answer: Callable[..., object] = not_in_the_kit
 
 
 class Exercise(ABC):
@@ -77,7 +82,8 @@ class Exercise(ABC):
     seconds : time limit of one call.
     slips : known misconceptions.
     shared : tables of messages to use where the exercise has no message of its own.
-    source : the library's own function, or None; the grader withholds it from students.
+    source : the library's own function, or a withheld one of the lesson, or None; the grader keeps
+        it from students' programs.
     shown : library function that students may compare with afterwards. None stands for `source`.
     variants : names of contracts; each student may be assigned one.
     trivial : programs that solve nothing, beside constants and arguments; they earn no points.
@@ -95,6 +101,15 @@ class Exercise(ABC):
     shown: ClassVar[Callable[..., object] | None] = None
     variants: ClassVar[tuple[str, ...]] = ()
     trivial: ClassVar[tuple[Callable[..., object], ...]] = ()
+
+    def __init_subclass__(cls) -> None:
+        """Withhold the programs of the misconceptions: most are nearly right."""
+        super().__init_subclass__()
+        if "slips" in vars(cls):
+            cls.slips = tuple(
+                slip._replace(answer=withhold(slip.answer, f"{cls.__name__}.slips.{i}"))
+                for i, slip in enumerate(cls.slips)
+            )
 
     def __init__(self, variant: str = "") -> None:
         self.variant = variant  # "" allows everything that the statement allows
@@ -147,6 +162,14 @@ class Exercise(ABC):
         """Description of the answer that was given to a case."""
         return format_value(value)
 
+    def ask_for_answers(self, case: Case) -> None:
+        """Ask withheld functions for all that judging and drawing a case needs.
+
+        The results are recorded: students have no others.
+        """
+        self.describe_expected(case)
+        self.size_limit(case)
+
     def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
         """The case as it is shown to a student, who copies it to repeat the call that failed."""
         return case
@@ -195,6 +218,15 @@ class ValueExercise(Exercise):
                 TRUTH_CACHE.clear()
             TRUTH_CACHE[id(self), id(case)] = kept = self, case, truth
         return kept[2]
+
+    def ask_for_answers(self, case: Case) -> None:
+        """Ask for the truth, and for what each misconception answers."""
+        super().ask_for_answers(case)
+        if isinstance(self.truth(case), ValueError):
+            return
+        for slip in self.slips:
+            with suppress(ValueError, ZeroDivisionError):
+                slip.answer(*case.given.values())
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
         """Judge an outcome; where the reference raises a ValueError, only a ValueError is right."""

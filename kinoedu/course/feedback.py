@@ -11,6 +11,7 @@ from .advice import find_advice
 from .exercise import Exercise
 from .judging import JudgedCase, Report
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
+from .withheld import IN_THE_KIT, NotInTheKit, is_withheld
 
 RULE, CASE, PICTURE, ALL = 1, 2, 3, 4  # stages; each also shows all that the earlier ones show
 LONG_LINE, SHOWN_LETTERS = 400, 60  # a line longer than the first is shortened to the second
@@ -46,11 +47,17 @@ class Feedback:
         return f"<div {style}>{entries}</div>"
 
     def picture(self) -> bytes | None:
-        """PNG of the smallest failing case; None where nothing failed or the stage hides it."""
+        """PNG of the smallest failing case; None where nothing failed or the stage hides it.
+
+        In the kit for students it is None as well where a picture needs more than they have.
+        """
         failure = self.report.failure
         if failure is None or self.report.unwritten or self.stage < PICTURE:
             return None
-        return draw_failure(self.report.exercise, failure)
+        try:
+            return draw_failure(self.report.exercise, failure)
+        except NotInTheKit:
+            return None
 
     def _ipython_display_(self) -> None:
         """Display text and picture as two outputs, so that notebook tests compare only the text."""
@@ -101,9 +108,15 @@ def right_answer_lines(report: Report) -> list[tuple[str, str]]:
     if exercise.given.fields:
         lines.append((get_message("check.survived"), survived))
     lines.append((get_message("check.wonder"), exercise.message("wonder")))
-    if exercise.source is not None:
+    if has_program_to_show(exercise):
         lines.append((get_message("check.ours"), get_message("check.show", name=exercise.name)))
     return lines
+
+
+def has_program_to_show(exercise: Exercise) -> bool:
+    """Whether `show` has a program to compare with; students do not have all of them."""
+    shown = exercise.shown or exercise.source
+    return exercise.source is not None and not (IN_THE_KIT and is_withheld(shown))
 
 
 def case_lines(exercise: Exercise, failure: JudgedCase, printed: str) -> list[tuple[str, str]]:

@@ -16,6 +16,7 @@ from .exercise import CONTRACT, Case, Exercise, Slip, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
 from .shapes import Shape, Truth
+from .withheld import NotInTheKit
 
 
 @dataclass(frozen=True)
@@ -317,12 +318,12 @@ def is_definite(value: object) -> bool:
 def value_of_slip(
     exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase
 ) -> Answer | None:
-    """The value that a misconception gives in a case; None where there is none to compare."""
+    """The value that a misconception gives in a case; None where none is there to compare."""
     if not isinstance(exercise, ValueExercise) or not isinstance(judged.outcome, Answer):
         return None
     if isinstance(exercise.truth(judged.case), ValueError):
         return None
     try:
         return Answer(mistaken(*judged.case.given.values()))
-    except (ValueError, ZeroDivisionError):
+    except (ValueError, ZeroDivisionError, NotInTheKit):
         return None

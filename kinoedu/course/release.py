@@ -14,6 +14,8 @@ from typing import Any, NamedTuple
 from ..errors import InvalidParameter
 from ..messages import get_message
 from ..support.whole_files import written_whole
+from .kit import compress_results, record_results, take_out_answers
+from .withheld import FILE
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
 FOR_STUDENTS = (
@@ -25,6 +27,8 @@ FOR_STUDENTS = (
     "environment.txt",
 )
 FOLDERS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs")
+LESSONS = "kinoedu/course/lessons/"
+RESULTS = f"kinoedu/course/{FILE.name}"
 CHECKED, UNANSWERED = "kinoedu-check", "kinoedu-unanswered"  # in the HTML of a check's feedback
 ZIP_DATE = (2020, 1, 1, 0, 0, 0)  # of every file, so that the same course makes the same zip
 
@@ -153,23 +157,34 @@ def require_unanswered(number: int, cell: Any) -> None:
 
 
 def pack_course(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
-    """Pack the files for students into a zip, without solutions, banks and tests.
+    """Pack the files for students into a zip, without solutions, banks, tests and answers.
+
+    In place of the answers in the lessons' code there are recorded results (`kit.py`).
 
     Returns
     -------
     int
         The number of files.
     """
-    files = [house / name for name in FOR_STUDENTS]
+    places = [house / name for name in FOR_STUDENTS]
     for folder in FOLDERS_FOR_STUDENTS:
         inside = sorted((house / folder).rglob("*"))
-        files += [file for file in inside if file.is_file() and not is_generated(file)]
-    packed = (
-        Packed(f"kinoedu-course/{file.relative_to(house).as_posix()}", file.read_bytes())
-        for file in files
-    )
-    write_zip(zip_file, packed)
+        places += [file for file in inside if file.is_file() and not is_generated(file)]
+    files = {file.relative_to(house).as_posix(): file.read_bytes() for file in places}
+    files |= without_answers(files)
+    files[RESULTS] = compress_results(record_results())
+    write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
     return len(files)
+
+
+def without_answers(files: dict[str, bytes]) -> dict[str, bytes]:
+    """The lessons' code, of all files, without answers."""
+    lessons = {
+        place.removeprefix(LESSONS): data.decode()
+        for place, data in files.items()
+        if place.startswith(LESSONS) and place.endswith(".py")
+    }
+    return {LESSONS + place: text.encode() for place, text in take_out_answers(lessons).items()}
 
 
 class Packed(NamedTuple):

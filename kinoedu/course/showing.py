@@ -12,6 +12,7 @@ from ..errors import InvalidParameter
 from ..messages import get_message
 from .checking import PASSED
 from .lessons import EXERCISES
+from .withheld import IN_THE_KIT, is_withheld
 
 
 class Source:
@@ -35,7 +36,16 @@ class Source:
         return f"<div style='opacity:.75'>{escape(self.place)}</div>{body}"
 
 
-def show(function: Callable[..., object] | str) -> Source:
+class Note(str):
+    """A sentence that a notebook displays as it is."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+def show(function: Callable[..., object] | str) -> Source | Note:
     """Show the source of one of kinoedu's functions.
 
     Parameters
@@ -45,7 +55,8 @@ def show(function: Callable[..., object] | str) -> Source:
 
     Returns
     -------
-    Source
+    Source or Note
+        In the kit for students, a note instead of a program that is withheld.
 
     Raises
     ------
@@ -66,4 +77,6 @@ def show(function: Callable[..., object] | str) -> Source:
         raise InvalidParameter(get_message("check.nothing_to_show", what=repr(function)[:80]))
     if exercise is not None and name not in PASSED:
         raise InvalidParameter(get_message("check.secret", name=name))
+    if IN_THE_KIT and is_withheld(ours):
+        return Note(get_message("check.with_teacher", name=name))
     return Source(lines)

@@ -9,6 +9,7 @@ from .exercise import Case, Exercise, Given
 from .judging import JudgedCase
 from .outcomes import Answer, Late, Outcome
 from .tasks import problem_of, scene_of
+from .withheld import NotInTheKit
 
 SECONDS = 2.0  # in which obstacles are left out; then what is found so far is shown
 
@@ -55,10 +56,10 @@ def without(things: list[Any], number: int) -> list[Any]:
 
 
 def is_solved(exercise: Exercise, case: Case) -> bool:
-    """Whether the course's own answer to a case is right."""
+    """Whether the course's own answer to a case is right; False where students do not have it."""
     try:
         given = exercise.given.decode(exercise.given.encode(case.given))
         answer = exercise.answer.encode(exercise.right_answer(*given.values()))
         return exercise.judge(case, Answer(exercise.answer.decode(answer))).is_right
-    except (ValueError, ArithmeticError, IndexError):
+    except (ValueError, ArithmeticError, IndexError, NotInTheKit):
         return False

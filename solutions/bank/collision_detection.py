@@ -10,7 +10,7 @@ import numpy as np
 
 from kinoedu.course.bank import Solutions, wrong
 from kinoedu.course.lessons.collision_detection.arm_pictures import bar, circle
-from kinoedu.course.lessons.collision_detection.link_in_contact import ends_of_links, touched_link
+from kinoedu.course.lessons.collision_detection.link_in_contact import ends_of_links
 from kinoedu.geometry import (
     convex_hull,
     convex_polygons_intersect,
@@ -24,7 +24,8 @@ from kinoedu.geometry import (
 )
 
 FULL = 2 * np.pi
-changed = Solutions(Path(__file__).parents[1] / "07_collision_detection.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "07_collision_detection.ipynb")
+changed, touched_link = solutions.changed, solutions.right["link_in_contact"]
 
 
 def edges(polygon):

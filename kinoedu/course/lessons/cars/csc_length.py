@@ -12,6 +12,7 @@ from ....geometry.checks import Array
 from ...exercise import Axes, Case, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
+from ...withheld import withheld
 from ..shared.car_pictures import draw_tangents
 from ..shared.driving import POSE, a_pose
 
@@ -57,6 +58,7 @@ def shortest_of(words: dict[str, Any], r: float, names: tuple[str, ...] = tuple(
     )
 
 
+@withheld
 def csc(a: Array, b: Array, r: float) -> float:
     """Length of the shortest of LSL, RSR, LSR and RSL."""
     return min(curve.length for curve in all_dubins_curves(a, b, r) if curve.word[1] == "S")
@@ -149,6 +151,7 @@ def without_root(a: Array, b: Array, r: float) -> Given:
     return {**words, **inner}
 
 
+@withheld
 def kind_of(a: Array, b: Array, r: float) -> str:
     """Kind of a pair of poses; "" near a degenerate case.
 

@@ -11,11 +11,13 @@ from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.car_pictures import draw_steps
 from ..shared.driving import POSE, PoseExercise, a_pose
 from .move import drive_case
 
 
+@withheld
 def euler_poses(pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int) -> Array:
     """Poses at n + 1 equally spaced times by Euler's rule, shape (n + 1, 3)."""
     return integrators.euler(pose, v, math.tan(phi) / wheelbase, t, int(n))

@@ -7,11 +7,11 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
+from ....robots.trajectory import replay_controls
 from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Together, Value
 from ..shared.car_pictures import draw_lost
-from ..shared.driving import pose_after
 
 WHEELBASE = 20.0
 STEEPEST, LONGEST, SMALL = math.pi / 4, 1000.0, 0.1
@@ -53,8 +53,9 @@ class ExposeSmallAngles(Exercise):
 
 def off_after(phi: float, t: float) -> float:
     """Distance between the program's position and the car's."""
-    drive = np.zeros(3), 1.0, phi, t, WHEELBASE
-    return math.dist(pose_after(*drive)[:2], move_by_angle(*drive)[:2])
+    start = np.zeros(3)
+    right = replay_controls(start, np.array([(1.0, phi)]), np.array([t]), WHEELBASE)[-1]
+    return math.dist(right[:2], move_by_angle(start, 1.0, phi, t, WHEELBASE)[:2])
 
 
 def move_by_angle(pose: Array, v: float, phi: float, t: float, L: float) -> Array:

@@ -8,9 +8,11 @@ from ....geometry.checks import Array
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
+from ...withheld import withheld
 from ..shared.car_pictures import draw_orders
 
 
+@withheld
 def orders(h: Array, errors: Array) -> Array:
     """Order of the error between neighbouring steps, shape (n - 1,).
 

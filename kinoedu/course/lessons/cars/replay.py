@@ -11,6 +11,7 @@ from ....robots.trajectory import replay_controls
 from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
+from ...withheld import withheld
 from ..shared.car_pictures import draw_drives
 from ..shared.driving import (
     POSE,
@@ -23,6 +24,7 @@ from ..shared.driving import (
 )
 
 
+@withheld
 def trajectory_poses(start: Array, controls: Array, durations: Array, wheelbase: float) -> Array:
     """Poses at the start and after each control, shape (n + 1, 3)."""
     return replay_controls(

@@ -10,6 +10,7 @@ from ....geometry.minkowski import corner_pairs
 from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Value
+from ...withheld import withheld
 from ..shared.random_shapes import convex_polygon, sizes
 from .convex import RING, edge_areas
 from .pictures import draw_grown_obstacle
@@ -18,6 +19,7 @@ BOX = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)])
 WEDGE = np.array([(0.0, 0.0), (2.0, 0.0), (0.0, 1.0)])
 
 
+@withheld
 def difference_of(robot: Array, obstacle: Array) -> Array:
     """C-obstacle of a convex robot and a convex obstacle, (k, 2)."""
     return minkowski_difference(obstacle, robot)

@@ -11,6 +11,7 @@ from ....geometry.convex import has_separating_edge
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
+from ...withheld import withheld
 from ..shared.random_shapes import convex_polygon, sizes
 from .convex import RING, TRIANGLE, edge_areas
 from .pictures import draw_pair
@@ -99,6 +100,7 @@ def moved_to_touch(rng: np.random.Generator, P: Array, Q: Array) -> Array:
     return Q + (P[i - 1] + rng.choice([0.0, 0.5]) * along - nearest)
 
 
+@withheld
 def classify_pair(P: Array, Q: Array) -> str:
     """Kind of a pair of convex polygons."""
     if not convex_polygons_intersect(P, Q):

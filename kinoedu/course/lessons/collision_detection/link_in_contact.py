@@ -12,6 +12,7 @@ from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..geometry.lines import POINT
 from .arm_pictures import draw_contact
 
@@ -37,6 +38,7 @@ def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
     return np.array(rows, float).reshape(2, len(discs))
 
 
+@withheld
 def touched_link(q: Array, lengths: Array, width: float, discs: Array) -> int:
     """First link that touches a disc, 1 or 2; 0 where none does."""
     first, second = touches(q, lengths, width, discs)
@@ -141,10 +143,7 @@ def random_case(rng: np.random.Generator, kind: str, n: int) -> Case:
             discs[-1, :2] = ends[2] + out * (discs[-1, 2] + width * rng.uniform(0.3, 0.45))
         discs = np.round(discs, 3)
         case = case_of(kind, q, lengths, width, discs)
-        if (
-            abs(gaps(q, lengths, width, discs)).min() > CLEAR
-            and kind_of(*case.given.values()) == kind
-        ):
+        if kind_of(*case.given.values()) == kind:
             return case
 
 
@@ -161,8 +160,11 @@ def touching_case(rng: np.random.Generator, n: int) -> Case:
     return case_of("touching", (0, 0), lengths, 2 * half, [*far, (x, y, radius)])
 
 
+@withheld
 def kind_of(q: Array, lengths: Array, width: float, discs: Array) -> str:
-    """Kind of a case without exact contact."""
+    """Kind of a case; "" where a link nearly touches a disc."""
+    if abs(gaps(q, lengths, width, discs)).min() <= CLEAR:
+        return ""
     first, second = touches(q, lengths, width, discs)
     if first:
         return "both" if second else "link_1"

@@ -11,12 +11,19 @@ from ....sampling import halton, sukharev_grid, uniform_random
 from ...exercise import RIGHT, Axes, Case, Given, Slip, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
+from ...withheld import withheld
 from ..geometry.lines import POINT
 from .arm_pictures import draw_samples
 from .drawn_exercise import FULL, DrawnExercise, same_dots
 from .link_in_contact import DISCS, gaps, random_case, touched_link
 
 OTHER = 9  # a colour that is none of the three
+
+
+@withheld
+def right_dots(samples: Array, *arm: Value) -> Array:
+    """The right dots for samples of the unit square: rows of both angles and the link."""
+    return colour_dots(FULL * samples, FULL * samples, *arm)
 
 
 class PlotConfigurationSpace(DrawnExercise):
@@ -47,10 +54,7 @@ class PlotConfigurationSpace(DrawnExercise):
         Slip("swapped", lambda *given: replace_colours(right_dots(*given), (0, 2, 1))),
     )
 
-    @staticmethod
-    def reference(*given: Value) -> Value:
-        """Rows of both angles and the link."""
-        return right_dots(*given)
+    reference = staticmethod(right_dots)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Few samples first, with each sampler; every sample is clearly in contact or free."""
@@ -123,11 +127,6 @@ def colour_dots(places: Array, samples: Array, lengths: Array, width: float, dis
     return np.column_stack([places, [touched_link(q, lengths, width, discs) for q in samples]])
 
 
-def right_dots(samples: Array, *arm: Value) -> Array:
-    """The right dots for samples of the unit square."""
-    return colour_dots(FULL * samples, FULL * samples, *arm)
-
-
 def describe_counts(dots: Array) -> str:
     """Number of dots of each colour."""
     blue, black, red = (int((dots[:, 2] == link).sum()) for link in range(3))
@@ -146,14 +145,17 @@ def sampled_arm(rng: np.random.Generator, kind: str, k: int) -> Given:
             "samples": unit_samples(rng, kind, k),
             **{name: arm[name] for name in ("lengths", "width", "discs")},
         }
-        margin = min(
-            np.abs(gaps(FULL * q, *list(given.values())[1:])).min() for q in given["samples"]
-        )
-        if margin <= 1e-6:
+        if not is_clear(*given.values()):
             continue
         colours = np.unique(right_dots(*given.values())[:, 2])
         if len(colours) >= (3 if k > 4 else 2):
             return given
+
+
+@withheld
+def is_clear(samples: Array, *arm: Value) -> bool:
+    """Whether every sample is clearly in contact or clearly free."""
+    return bool(min(np.abs(gaps(FULL * q, *arm)).min() for q in samples) > 1e-6)
 
 
 def unit_samples(rng: np.random.Generator, kind: str, k: int) -> Array:

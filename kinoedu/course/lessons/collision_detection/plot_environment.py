@@ -10,6 +10,7 @@ from ....messages import get_message
 from ...exercise import RIGHT, Axes, Case, Slip, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
+from ...withheld import withheld
 from ..geometry.lines import POINT
 from .arm_pictures import JOINTS, LINKS, Scene, bar, circle, draw_scene
 from .drawn_exercise import DrawnExercise, same_dots
@@ -33,6 +34,7 @@ class PlotEnvironment(DrawnExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(*given: Value) -> Value:
         """Outlines by their labels."""
         return scene_of(*given)

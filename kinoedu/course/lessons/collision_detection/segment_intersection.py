@@ -12,6 +12,7 @@ from ....geometry.segments import shared_points
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
+from ...withheld import withheld
 from ..geometry.lines import POINT
 from ..geometry.point_line_distance import cross
 from ..shared.random_shapes import points, sizes
@@ -124,6 +125,7 @@ def ends_of(rng: np.random.Generator, size: float, kind: str) -> Array:
             return ends * scale
 
 
+@withheld
 def kind_of(ends: Array) -> str:
     """Kind of a pair of segments.
 

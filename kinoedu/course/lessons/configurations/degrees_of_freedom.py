@@ -8,11 +8,13 @@ from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Record
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from .pictures import draw_mechanism
 
 Joints = list[list[int]]
 
 
+@withheld
 def freedoms(bodies: int, joints: Joints) -> int:
     """Three for each moving body, minus two for each body beyond the first of each pin."""
     return 3 * bodies - sum(2 * (len(held) - 1) for held in joints)

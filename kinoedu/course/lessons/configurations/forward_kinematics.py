@@ -12,10 +12,12 @@ from ....robots.arm import joints_at
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
+from ...withheld import withheld
 from .arm_cases import PAIR, arm_case
 from .pictures import draw_joints
 
 
+@withheld
 def arm_joints(l1: float, l2: float, q: ArrayLike) -> Array:
     """Elbow and tip of an arm at the origin, shape (2, 2)."""
     return np.array(TwoLinkArm(l1, l2, 0.0).joints(q))

@@ -12,6 +12,7 @@ from ....robots.arm import ArmRobot
 from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome, Raised
 from ...shapes import Number, Numbers, Record, Value
+from ...withheld import withheld
 from .arm_cases import PAIR, arm_case
 from .exposing_reach import inverse_by_sines
 from .pictures import draw_solutions
@@ -20,6 +21,7 @@ from .pictures import draw_solutions
 WHOLE_CORNERS = np.array([(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)])
 
 
+@withheld
 def arm_solutions(l1: float, l2: float, p: Array) -> Array:
     """Every q with the tip at p, shape (k, 2).
 

@@ -8,6 +8,7 @@ from ....geometry.checks import Array
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
+from ...withheld import withheld
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import beside_vertex, between_vertices, edges_round, general_world
 from .pictures import draw_intervals, set_title
@@ -19,6 +20,7 @@ WEDGE = np.array([(3, 2), (7, 1), (6, 5)], float)
 BAY = np.array([(0, 0), (10, -4), (6, 1), (9, 6)], float)
 
 
+@withheld
 def free_stretches(x: float, boundary: Array, obstacles: list[Array]) -> Array:
     """Free intervals of a vertical line, from bottom to top, (k, 2)."""
     edges = edges_round(boundary, obstacles)

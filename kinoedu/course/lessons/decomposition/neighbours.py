@@ -11,6 +11,7 @@ from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record
 from ...whole_shapes import Integers
+from ...withheld import withheld
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import has_room
 from .cells import CELLS, cells_of
@@ -35,6 +36,7 @@ THIN_PLATE = np.array(  # attached to the ceiling
 UPSIDE_DOWN, FLIPPED = [0, 1, 3, 2, 5, 4], np.array([1, 1, -1, -1, -1, -1])
 
 
+@withheld
 def neighbouring(trapezoids: Array) -> NDArray[np.int64]:
     """Pairs (i, j), i < j, of trapezoids that share a wall of positive length, (m, 2)."""
     return touching(trapezoids)

@@ -14,6 +14,7 @@ from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Numbers, Record, Value
 from ...whole_shapes import Integers
+from ...withheld import withheld
 from ..geometry.lines import POINT
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import general_world, round_polygon
@@ -34,6 +35,7 @@ DIAMONDS = [  # with some thirty cells on the way
 STEP = np.array([(0, 2), (5, 0), (5, 3), (9, 5), (5, 9), (5, 4)], float)
 
 
+@withheld
 def through_cells(
     start: Array, goal: Array, trapezoids: Array, pairs: NDArray[np.int64]
 ) -> Array | None:

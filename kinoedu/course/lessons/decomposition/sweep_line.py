@@ -4,8 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
+from ...withheld import withheld
 
 
+@withheld
 def crossed_edges(x: float, edges: Array) -> NDArray[np.int64]:
     """Indices of the edges that a vertical line crosses, from bottom to top, (k,)."""
     hit = np.flatnonzero((edges[:, 0] < x) != (edges[:, 2] < x))

@@ -10,6 +10,7 @@ from ....messages import get_message
 from ...exercise import Case, Slip, format_value
 from ...shapes import Listed, Number, Record, Value
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.graph_slips import (
     astar_path,
     greedy_path,
@@ -88,6 +89,7 @@ class Astar(PathExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(
         neighbours: Neighbours, weights: Weights, estimate: list[float], start: int, goal: int
     ) -> list[int] | None:

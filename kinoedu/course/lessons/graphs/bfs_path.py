@@ -5,6 +5,7 @@ from typing import ClassVar
 from .... import graphs
 from ....graphs.bfs import breadth_first
 from ...exercise import Case, Slip
+from ...withheld import withheld
 from ..shared.graph_slips import (
     followed,
     search_breadth_first,
@@ -70,6 +71,7 @@ class BfsPath(PathExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
         """Return the path that the library finds."""
         return convert_path(graphs.bfs_path(as_graph(neighbours), start, goal))

@@ -1,6 +1,6 @@
 """The exercise `bfs_tree`. Bullo & Smith, chapter 2."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ...exercise import CONTRACT, RIGHT, Axes, Case, Slip, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Value
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.graph_slips import (
     depths,
     search_breadth_first,
@@ -63,6 +64,7 @@ class BfsTree(GraphExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(neighbours: Neighbours, start: int) -> list[int]:
         """Return the parents that the library finds."""
         return [int(p) for p in graphs.bfs_tree(as_graph(neighbours), start)]
@@ -109,8 +111,7 @@ class BfsTree(GraphExercise):
         """Return one right tree: the library's, or the one that the contract names."""
         if not self.variant:
             return super().truth(case)
-        choose = min if self.variant == "smallest" else max
-        return choose_parents(case.given["neighbours"], case.given["start"], choose)
+        return choose_parents(case.given["neighbours"], case.given["start"], self.variant)
 
     def describe_expected(self, case: Case) -> str:
         """Describe one right tree."""
@@ -130,10 +131,10 @@ class BfsTree(GraphExercise):
             plane.title(self.message("pictures.contract"), ax)
 
 
-def choose_parents(
-    neighbours: Neighbours, start: int, choose: Callable[[list[int]], int]
-) -> list[int]:
-    """Build the breadth-first tree whose parents are picked among all candidates by `choose`."""
+@withheld
+def choose_parents(neighbours: Neighbours, start: int, variant: str) -> list[int]:
+    """Build the breadth-first tree whose parents are the smallest or largest of all candidates."""
+    choose = min if variant == "smallest" else max
     far = graphs.bfs(as_graph(neighbours), start).cost
     able: list[list[int]] = [[] for _ in neighbours]
     for v, row in enumerate(neighbours):

@@ -5,6 +5,7 @@ from typing import ClassVar
 from .... import graphs
 from ....graphs.dfs import depth_first
 from ...exercise import Case, Slip
+from ...withheld import withheld
 from ..shared.graph_slips import dfs_order, dfs_walk, never_back, undirected
 from ..shared.random_graphs import Neighbours, as_graph
 from .paths import PathExercise, convert_path, search_depth_first
@@ -39,6 +40,7 @@ class DfsPath(PathExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(neighbours: Neighbours, start: int, goal: int) -> list[int] | None:
         """Return the path that the library finds."""
         return convert_path(graphs.dfs_path(as_graph(neighbours), start, goal))

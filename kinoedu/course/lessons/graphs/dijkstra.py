@@ -10,6 +10,7 @@ from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.graph_slips import (
     count_last_edge,
     depths,
@@ -85,6 +86,7 @@ class Dijkstra(ValueExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
         """Return the library's costs.
 

@@ -10,6 +10,7 @@ from ...exercise import Axes, Case, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.graph_slips import followed
 from .on_graphs import NODES, GraphExercise
 from .pictures import draw_pointers
@@ -38,6 +39,7 @@ class ExtractPath(GraphExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(parent: list[int], goal: int) -> list[int] | None:
         """Return the library's path, or None where the parents lead to no root."""
         try:

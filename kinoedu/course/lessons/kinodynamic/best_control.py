@@ -17,11 +17,28 @@ from ...poses import distance_of_poses
 from ...shapes import Maybe, Number, Numbers, Record, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.small_problems import box
 from .garages import POSTS, make_garage
 
 POSE = Numbers((3,))
 Choice = tuple[int, int] | None
+
+
+@withheld
+def choose_best_control(
+    problem: DrivingProblem, q: Array, target: Array, controls: Array, t: float, n: int
+) -> Choice:
+    """Take the free control that comes closest to the target, cut at its closest step."""
+    best, least = None, math.inf
+    for i, (v, phi) in enumerate(controls):
+        away = [
+            problem.distance(problem.move(q, v, phi, k * t / n), target) for k in range(1, n + 1)
+        ]
+        k = int(np.argmin(away))
+        if away[k] < least and problem.is_free_drive(q, v, phi, (k + 1) * t / n):
+            best, least = (i, k + 1), away[k]
+    return best
 
 
 def make_chooser(
@@ -30,7 +47,7 @@ def make_chooser(
     first: int = 1,
     cut: Callable[..., Value] = np.argmin,
 ) -> Callable[..., Choice]:
-    """Return a program that takes the control whose best step is closest to the target.
+    """Return a program like `choose_best_control` that differs from it in one part.
 
     Parameters
     ----------
@@ -88,9 +105,6 @@ def accept_any(*_: object) -> bool:
     return True
 
 
-choose_best_control = make_chooser(measure_distance, is_free_to_cut)
-
-
 def compare_ends(
     problem: PlanningProblem, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
@@ -131,13 +145,14 @@ def cut_until_free(
 
 
 def demand_closer(
-    problem: StudentProblem, q: Array, target: Array, controls: Array, t: float, n: int
+    problem: DrivingProblem, q: Array, target: Array, controls: Array, t: float, n: int
 ) -> Choice:
     """Accept only controls that come closer to the target than q itself."""
     choice = choose_best_control(problem, q, target, controls, t, n)
     if choice is None:
         return None
-    end = problem.move(q, *controls[choice[0]], choice[1] * t / n)
+    v, phi = controls[choice[0]]
+    end = problem.move(q, v, phi, choice[1] * t / n)
     return (
         choice
         if measure_distance(problem, end, target) < measure_distance(problem, q, target)
@@ -272,6 +287,7 @@ def make_arguments(
     return {"problem": room, **poses, "controls": np.array(controls, float), "t": t, "n": n}
 
 
+@withheld
 def classify(arguments: Given) -> str:
     """Return the kind of a case; "" where two answers are nearly equally good."""
     room, q, target, controls, t, n = arguments.values()

@@ -12,12 +12,14 @@ from ....spaces.wrapping import weighted_distance
 from ...exercise import Axes, Case, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
+from ...withheld import withheld
 from ..shared.driving import a_pose
 
 TURN = 2.0 * math.pi
 POSE = Numbers((3,))
 
 
+@withheld
 def measure_distance(a: Array, b: Array, radian: float) -> float:
     """Return the distance between two poses, where a radian counts as `radian` units of length."""
     turn = radian * angle_difference(wrap_angle(a[2]), wrap_angle(b[2]))

@@ -16,6 +16,7 @@ from ...drivable import DrivenProblemShape, DrivingProblem
 from ...exercise import Case
 from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.planned import Fault
 from .driven_trees import (
     NOWHERE,
@@ -32,6 +33,7 @@ from .driving_planner import DrivingPlanner, with_logs
 from .garages import GARAGES, KINDS, TURNED
 
 
+@withheld
 def grow_roadmap(problem: DrivingProblem, k: int, iterations: int, rng: int) -> Value:
     """Grow the roadmap as the exercise demands, and return its arrays and path."""
     chance, nodes, arrival = np.random.default_rng(rng), [problem.start], [0.0]

@@ -13,6 +13,7 @@ from ....geometry.checks import Array
 from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
+from ...withheld import withheld
 from .pictures import draw_scenarios
 from .scenarios import Hits, find_contacts, measure_gaps
 
@@ -63,6 +64,7 @@ def add_interval(hits: float, n: int) -> Array:
     return np.array([share, *ends.clip(0.0, 1.0)])
 
 
+@withheld
 def estimate_probability(path: Array, discs: Array, offsets: Array) -> Array:
     """Return the fraction of scenarios that hit the path with its 95 percent interval, (3,)."""
     return add_interval(int(find_contacts(path, discs, offsets).any(axis=1).sum()), len(offsets))
@@ -183,6 +185,11 @@ class CollisionProbability(ValueExercise):
         )
         return verdict._replace(rule="interval") if verdict.rule and is_share else verdict
 
+    def ask_for_answers(self, case: Case) -> None:
+        """Ask also for the contacts, which the picture shows."""
+        super().ask_for_answers(case)
+        find_contacts(*case.given.values())
+
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the path, the discs at their centres and in scenarios, and both answers."""
         draw_scenarios(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
@@ -197,9 +204,17 @@ def draw_case(kind: str, rng: np.random.Generator) -> Case | None:
     sizes: Array = rng.uniform(0.3, 1.5, m)
     discs: Array = np.column_stack([rng.uniform(0, 10, (m, 2)), sizes]).round(1)
     offsets: Array = np.round(rng.normal(0, rng.uniform(0.3, 1.5, m)[:, None], (n, m, 2)), 3)
+    if kind not in list_kinds(path, discs, offsets):
+        return None
+    return Case(kind, {"path": path, "discs": discs, "offsets": offsets})
+
+
+@withheld
+def list_kinds(path: Array, discs: Array, offsets: Array) -> list[str]:
+    """Return the kinds that a case fits; none where a disc is nearly touched or a motion is 0."""
     near = measure_gaps(path, discs, offsets)
     if np.abs(near).min() < CLEAR or (np.diff(path, axis=0) == 0.0).all(axis=1).any():
-        return None
+        return []
     hits = near <= 0.0
     share = hits.any(axis=1).mean()
     fits = {
@@ -209,4 +224,4 @@ def draw_case(kind: str, rng: np.random.Generator) -> Case | None:
         "bent": 0.1 < share < 0.9,
         "several": 0.1 < share < 0.9 and (hits.sum(axis=1) > 1).any(),
     }
-    return Case(kind, {"path": path, "discs": discs, "offsets": offsets}) if fits[kind] else None
+    return [kind for kind, is_one in fits.items() if is_one]

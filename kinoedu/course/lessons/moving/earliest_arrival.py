@@ -14,6 +14,7 @@ from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Value
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from .pictures import draw_schedule
 
 LATE = 1e-6  # tolerance of times
@@ -23,6 +24,7 @@ Safe = list[list[tuple[float, float]]]
 Rows = list[tuple[float, float]]
 
 
+@withheld
 def find_schedule(safe: Value, moves: Value, start: int, goal: int) -> Rows:
     """Find a path in time with the earliest arrival at the goal.
 
@@ -169,6 +171,11 @@ class EarliestArrival(Exercise):
         rows = format_value([tuple(row) for row in best])
         return self.message("wanted", time=format_value(best[-1][1]), rows=rows)
 
+    def ask_for_answers(self, case: Case) -> None:
+        """Ask for the right schedule, and for the arrivals if a rule is misread."""
+        super().ask_for_answers(case)
+        find_misread_arrivals(*case.given.values())
+
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the safe intervals of each place, a right path and the student's."""
         value = outcome.value if isinstance(outcome, Answer) else None
@@ -180,13 +187,24 @@ def find_misread_rule(safe: Value, moves: Value, start: int, goal: int, rows: Ro
 
     It is the rule without which these rows would have the earliest arrival.
     """
-    open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
-    last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
-    for rule, other in (("closed", open_ends), ("forever", last_only)):
-        ours, theirs = find_arrival(find_schedule(other, moves, start, goal)), find_arrival(rows)
+    theirs = find_arrival(rows)
+    for rule, ours in find_misread_arrivals(safe, moves, start, goal):
         if ours == theirs or abs(ours - theirs) < 2.0 * LATE:
             return rule
     return ""
+
+
+@withheld
+def find_misread_arrivals(
+    safe: Value, moves: Value, start: int, goal: int
+) -> list[tuple[str, float]]:
+    """Return rules that can be misread, each with the earliest arrival without it."""
+    open_ends = [[(b, e - LATE) for b, e in own] for own in safe]
+    last_only = [own[-1:] if place == goal else own for place, own in enumerate(safe)]
+    return [
+        (rule, find_arrival(find_schedule(other, moves, start, goal)))
+        for rule, other in (("closed", open_ends), ("forever", last_only))
+    ]
 
 
 def is_first_from_zero(own: Value) -> bool:
@@ -199,6 +217,7 @@ def find_arrival(rows: Rows) -> float:
     return rows[-1][1] if rows else math.inf
 
 
+@withheld
 def classify(safe: Safe, moves: Value, start: int, goal: int) -> str:
     """Return the kind of a case by what a right path does; "" where the case is dull."""
     best = find_schedule(safe, moves, start, goal)

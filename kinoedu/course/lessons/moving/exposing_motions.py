@@ -9,7 +9,7 @@ from ....messages import get_message
 from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together, Value
-from .first_contact import find_contact, find_relative_motion
+from .first_contact import find_relative_motion
 from .pictures import draw_missed
 
 FARTHEST, RADIUS, MOMENTS, DEEP = 100.0, 1.0, 20, 0.1
@@ -60,8 +60,8 @@ class ExposeMoments(Exercise):
 
 def is_valid(value: Value) -> bool:
     """Whether the coordinates are in range and point and disc do not touch at the beginning."""
-    p0, p1, c0, c1 = value
-    return is_in_range(value) and find_contact(p0, p1, c0, c1, RADIUS) > 0.0
+    p0, _, c0, _ = value
+    return is_in_range(value) and float((p0 - c0) @ (p0 - c0)) > RADIUS * RADIUS
 
 
 def is_in_range(value: object) -> bool:

@@ -12,6 +12,7 @@ from ....geometry.checks import Array
 from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
+from ...withheld import withheld
 from .pictures import draw_contact
 
 PLACE = Numbers((2,))
@@ -35,6 +36,7 @@ def find_roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
     return (-b - math.sqrt(square)) / a, (-b + math.sqrt(square)) / a
 
 
+@withheld
 def find_contact(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> float:
     """Return when the point is first within r of the centre.
 
@@ -183,6 +185,7 @@ class FirstContact(ValueExercise):
         draw_contact(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
 
 
+@withheld
 def classify(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
     """Return the kind of a case; "" where rounding might decide it, or where it is dull."""
     x, v = find_relative_motion(p0, p1, c0, c1)

@@ -118,7 +118,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
 
     path, discs, offsets = case.given.values()
     some = offsets[:MOST_DRAWN]
-    centres, hit = discs[:, :2] + some, find_contacts(path, discs, some)
+    centres, hit = discs[:, :2] + some, find_contacts(path, discs, offsets)[:MOST_DRAWN]
     plane.frame(
         np.vstack([path, discs[:, :2] - discs[:, 2:], discs[:, :2] + discs[:, 2:]]), ax, margin=0.2
     )

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....geometry.segments import point_segment_distance
+from ...withheld import withheld
 
 Hits = NDArray[np.bool_]
 
@@ -20,6 +21,7 @@ def measure_gaps(path: Array, discs: Array, offsets: Array) -> Array:
     return np.asarray(far.reshape(centres.shape[:2]) - discs[:, 2])
 
 
+@withheld
 def find_contacts(path: Array, discs: Array, offsets: Array) -> Hits:
     """Return whether the path touches each disc in each scenario, (n, m)."""
     return np.asarray(measure_gaps(path, discs, offsets) <= 0.0)

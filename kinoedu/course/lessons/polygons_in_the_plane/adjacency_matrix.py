@@ -13,6 +13,7 @@ from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...tasks import ProblemShape
+from ...withheld import withheld
 from ..shared.small_problems import SQUARE, box
 from .matrices import LESSON, MATRIX, draw_case, make_problem
 from .pictures import draw_matrix
@@ -33,6 +34,7 @@ def relate_pairs(problem: PlanningProblem, nodes: Array, joined: Callable[..., b
     return matrix
 
 
+@withheld
 def find_free_motions(problem: PlanningProblem, nodes: Array) -> Matrix:
     """Return a matrix with 1 where the motion between two configurations is free."""
     return relate_pairs(problem, nodes, lambda problem, a, b: problem.is_free_path(a, b))
@@ -97,6 +99,7 @@ class AdjacencyMatrix(ValueExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(problem: PlanningProblem, nodes: Array) -> Matrix:
         """Return the matrix by the course's own collision check of motions."""
         return find_free_motions(problem, nodes)

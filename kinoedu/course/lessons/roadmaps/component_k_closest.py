@@ -9,6 +9,7 @@ from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...shapes import Record
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.planned import ProblemShape
 from .halls import WALL, draw_free_nodes, make_hall
 from .joining import (
@@ -32,6 +33,7 @@ from .rules import (
 )
 
 
+@withheld
 def join_by_components(problem: Any, nodes: Array, k: int) -> Pairs:
     """Join each node to every component of the nodes before it.
 

@@ -8,12 +8,14 @@ import numpy as np
 from ....geometry.checks import Array
 from ...exercise import Case, Slip
 from ...shapes import Number, Record
+from ...withheld import withheld
 from ..shared.planned import ProblemShape
 from .halls import WALL, draw_free_nodes, make_hall, measure_distances
 from .joining import allow_contact, check_samples, ignore_wrap, keep_free
 from .rules import NODES, ROUND, Pairs, RuleExercise, draw_worlds, make_case, make_pairs
 
 
+@withheld
 def join_by_radius(problem: Any, nodes: Array, r: float) -> Pairs:
     """Return the pairs at most r apart whose motion is free."""
     return keep_free(

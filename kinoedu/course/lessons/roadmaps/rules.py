@@ -15,6 +15,7 @@ from ...exercise import RIGHT, Axes, Case, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Value
 from ...whole_shapes import Integers
+from ...withheld import withheld
 from .halls import ASTRIDE, GRAZING, SHEET, WALL, draw_obstacles, make_arm, make_hall
 from .joining import are_pairs, find_closest, keep_free, remove_duplicates
 from .pictures import draw_joined
@@ -27,6 +28,7 @@ PAIRS = Integers(("m", 2))
 ROUND = 12  # number of random cases of each kind
 
 
+@withheld
 def join_k_closest(problem: Any, nodes: Array, k: int) -> Pairs:
     """Return the pairs that the K-closest rule joins.
 

@@ -11,12 +11,14 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....messages import get_message
+from ....planners.roadmaps.connecting import KClosest, connect_nodes
 from ....problems.protocols import PlanningProblem
 from ...exercise import Axes, Case
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.planned import Fault, PlannerExercise, ProblemShape, Run, Watched, watched_three_times
 from .halls import ASTRIDE, GRAZING, HALL, SHEET, WALL, draw_obstacles, make_hall
 from .joining import are_pairs, keep_free
@@ -31,6 +33,7 @@ NARROW = (
 )
 
 
+@withheld
 def build_roadmap(problem: PlanningProblem, n: int, k: int, rng: int) -> tuple[Array, Pairs]:
     """Return start, goal and n free samples, joined by the K-closest rule."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]
@@ -99,10 +102,8 @@ class SampledRoadmap(Watched, PlannerExercise):
     ) -> Fault | None:
         """Judge the edges: each free, each joined by the rule, none missing."""
         free = set(map(tuple, keep_free(problem.problem, nodes, pairs).tolist()))
-        found, right = (
-            set(map(tuple, rows.tolist()))
-            for rows in (pairs, join_k_closest(problem.problem, nodes, k))
-        )
+        edges, _ = connect_nodes(KClosest(k), problem.problem, nodes)
+        found, right = (set(map(tuple, rows.tolist())) for rows in (pairs, np.sort(edges, axis=1)))
         for rule, wrong in (
             ("free", found - free),
             ("extra", found - right),

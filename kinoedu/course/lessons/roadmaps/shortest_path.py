@@ -14,6 +14,7 @@ from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict, format_
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record, Together, Value
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.graph_slips import fewest_edges
 from ..shared.random_graphs import random_rows
 from .rules import set_title
@@ -23,6 +24,7 @@ PathAndLength = tuple[list[int] | None, float]
 DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
+@withheld
 def find_shortest(nodes: Array, edges: Pairs, start: int, goal: int) -> PathAndLength:
     """Return a shortest path and its length."""
     return find_lightest(nodes, edges, measure_edges(nodes, edges), start, goal)

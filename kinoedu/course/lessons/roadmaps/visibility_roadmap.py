@@ -16,6 +16,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integers
+from ...withheld import withheld
 from ..decomposition.free_intervals import RING
 from ..shared.planned import ProblemShape
 from .halls import GOAL, START, WALL, draw_obstacles, make_hall, measure_turns
@@ -33,6 +34,7 @@ CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)],
 BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)
 
 
+@withheld
 def build_visibility_roadmap(problem: StudentProblem, obstacles: list[Array]) -> Seen:
     """Return the library's roadmap with start and goal first."""
     roadmap = visibility_roadmap(problem)

@@ -11,11 +11,13 @@ from ....geometry.checks import Array
 from ....spaces.angles import angle_difference, wrap_angle
 from ...exercise import ValueExercise
 from ...shapes import Numbers, Value
+from ...withheld import withheld
 
 POSE = Numbers((3,))
 Mover = Callable[[Array, float, float, float, float], Any]
 
 
+@withheld
 def pose_after(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """Pose after a control was held for a time t, shape (3,)."""
     return np.array(drive_arc(pose[0], pose[1], pose[2], v * t, math.tan(phi) / wheelbase))

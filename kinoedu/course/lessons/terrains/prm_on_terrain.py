@@ -12,6 +12,7 @@ from ....problems.protocols import PlanningProblem, ProblemLike
 from ...exercise import Case
 from ...shapes import Maybe, Record, Together, Value
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.planned import (
     NODES,
     PATH,
@@ -30,6 +31,7 @@ CORRIDOR = make_terrain_problem(
 )
 
 
+@withheld
 def build_roadmap(problem: PlanningProblem, n: int, rng: int) -> Value:
     """Build the PRM as the exercise demands, and return nodes, edges and path."""
     chance, nodes = np.random.default_rng(rng), [problem.start, problem.goal]

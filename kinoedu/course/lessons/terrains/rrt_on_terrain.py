@@ -16,6 +16,7 @@ from ...exercise import Case, Given
 from ...shapes import Maybe, Number, Record, Together, Truth, Value
 from ...watching import call_three_times, read_attempts
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.planned import (
     NODES,
     PATH,
@@ -91,6 +92,7 @@ class TerrainPlanner(PlannerExercise):
         return find_path_fault(case.given["problem"], path)
 
 
+@withheld
 def grow_tree(
     problem: PlanningProblem, step: float, spacing: float, goal_bias: float, failures: int, rng: int
 ) -> Value:

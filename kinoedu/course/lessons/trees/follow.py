@@ -14,11 +14,13 @@ from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...tasks import StudentProblem
+from ...withheld import withheld
 from ..shared.planned import PATH, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 
 
+@withheld
 def follow_path(problem: PlanningProblem, path: Array, horizon: float) -> Array:
     """Return the first part of a path, as long as the horizon, up to the first blocked motion."""
     gone, left = [path[0]], horizon
@@ -103,6 +105,7 @@ class Follow(ValueExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(*given: Value) -> Value:
         """Return the part that is followed."""
         return follow_path(*given)

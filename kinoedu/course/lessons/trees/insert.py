@@ -18,6 +18,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integers
+from ...withheld import withheld
 from ..shared.planned import NODES, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
@@ -40,6 +41,7 @@ class WithoutObstacles(NamedTuple):
         return True
 
 
+@withheld
 def insert_node(
     problem: Any,
     nodes: Array,
@@ -321,6 +323,7 @@ def grow_case(rng: np.random.Generator, problem: StudentProblem) -> Case:
     return case
 
 
+@withheld
 def is_fair(given: Given) -> bool:
     """Whether the case is valid and no two costs that are compared are nearly equal.
 
@@ -343,6 +346,7 @@ def is_fair(given: Given) -> bool:
     return bool((np.diff(through) > 1e-3).all() and (np.abs(gains) > 1e-3).all())
 
 
+@withheld
 def classify(given: Given) -> str:
     """Return which part of the insertion the case needs."""
     truth = insert_node(*given.values())
@@ -353,6 +357,7 @@ def classify(given: Given) -> str:
     return "rewire" if is_rewired(given) else "parent"
 
 
+@withheld
 def is_rewired(given: Given) -> bool:
     """Whether a node gets another parent by the insertion."""
     return bool(insert_node(*given.values())[0][:-1] != given["parent"].tolist())

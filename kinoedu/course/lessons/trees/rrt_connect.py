@@ -13,6 +13,7 @@ from ....problems.protocols import PlanningProblem
 from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together, Value
 from ...whole_shapes import Integer
+from ...withheld import withheld
 from ..shared.planned import (
     NODES,
     PATH,
@@ -32,6 +33,7 @@ from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 FAR = in_room((0.5, 0.5), (9.5, 9.5))
 
 
+@withheld
 def grow_two_trees(problem: PlanningProblem, step: float, iterations: int, rng: int) -> Value:
     """Grow both trees as the exercise demands, and return them with the path."""
     chance, trees = np.random.default_rng(rng), [([problem.start], [-1]), ([problem.goal], [-1])]

@@ -15,6 +15,7 @@ from ...expansions import EXPANSIONS, Rule
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together, Value
 from ...whole_shapes import Integer, Integers
+from ...withheld import withheld
 from ..shared.planned import NODES, TRAPS, Fault, ProblemShape, find_tree_fault
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
@@ -50,6 +51,7 @@ def grow_by(
     return np.array(nodes), np.array(parent)
 
 
+@withheld
 def grow_free_tree(
     problem: PlanningProblem, expand: Any, iterations: int, rng: int
 ) -> tuple[Array, NDArray[np.int64]]:
@@ -99,6 +101,7 @@ class TreeRoadmap(ValueExercise):
     )
 
     @staticmethod
+    @withheld
     def reference(*given: Value) -> Value:
         """Return the tree of all free edges."""
         return grow_free_tree(*given)

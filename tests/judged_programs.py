@@ -1,0 +1,78 @@
+"""Judges right and wrong programs by `check`: python judged_programs.py HOUSE prints as JSON what
+it says about each. Solutions and banks are those of the house; the library is the one that Python
+finds, such as that of a kit for students.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from kinoedu.course import EXERCISES, check
+from kinoedu.course.bank import read_bank
+from kinoedu.course.withheld import NotInTheKit
+from kinoedu.figures.plane import plane_figure
+
+ENDLESS = {"nearer_in_x"}  # a program that computes until it is stopped
+
+
+def right_programs(house: Path):
+    """Yield the names of the exercises and of their right programs, and the programs."""
+    for notebook in sorted((house / "solutions").glob("*.ipynb")):
+        defined = {}
+        for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
+            source = "".join(cell["source"])
+            if (
+                cell["cell_type"] == "code"
+                and not source.startswith("check(")
+                and "show(" not in source
+            ):
+                exec(compile(source, notebook.name, "exec"), defined)
+        for exercise in EXERCISES.values():
+            if exercise.lesson == notebook.stem:
+                yield exercise.name, "right", defined[exercise.name]
+
+
+def wrong_programs(house: Path):
+    """Yield a wrong program for each exercise; with a known misconception, where there is one."""
+    chosen = {}
+    for bank in sorted((house / "solutions" / "bank").glob("*.py")):
+        for item in read_bank(bank):
+            if item.slip and not chosen.setdefault(item.exercise, item).slip:
+                chosen[item.exercise] = item
+            elif item.name not in ENDLESS:
+                chosen.setdefault(item.exercise, item)
+    for item in chosen.values():
+        yield item.exercise, item.name, item.function
+
+
+def judged(name: str, program) -> dict:
+    """What `check` says about a program, with the kinds of things in its picture."""
+    feedback = check(program, name)
+    failure = feedback.report.failure
+    found = {
+        "right": feedback.report.is_right,
+        "failed": list(feedback.report.failed),
+        "text": dict(feedback.list_entries()),
+    }
+    if failure is not None:
+        _, ax = plane_figure()
+        feedback.report.exercise.draw(failure.case, failure.outcome, ax)
+        picture = [type(thing).__name__ for thing in ax.get_children()]
+        found |= {"rule": failure.verdict.rule, "slip": failure.slip, "picture": picture}
+    return found
+
+
+def judge_all(programs) -> dict[str, dict]:
+    """What `check` says about each program, by exercise and name; or what the kit lacks for it."""
+    found = {}
+    for exercise, name, program in programs:
+        try:
+            found[f"{exercise}-{name}"] = judged(exercise, program)
+        except NotInTheKit as error:
+            found[f"{exercise}-{name}"] = {"right": False, "lacks": str(error)}
+    return found
+
+
+if __name__ == "__main__":
+    house = Path(sys.argv[1])
+    print(json.dumps([judge_all(right_programs(house)), judge_all(wrong_programs(house))]))
