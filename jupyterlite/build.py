@@ -47,13 +47,23 @@ def first_cell() -> dict[str, object]:
     }
 
 
-def copy_lessons(folder: Path) -> None:
+def unpack_kit(folder: Path) -> Path:
+    """What students get: the course without answers."""
+    command = "import sys; from kinoedu.course.release import pack_course as p; p(sys.argv[1])"
+    folder.mkdir()
+    packed = folder / "course.zip"
+    subprocess.run([sys.executable, "-c", command, str(packed)], cwd=HOUSE, check=True)
+    shutil.unpack_archive(packed, folder)
+    return folder / "kinoedu-course"
+
+
+def copy_lessons(kit: Path, folder: Path) -> None:
     """Lessons, exercises and maps, each notebook with the first cell and for the browser's
     kernel.
     """
     for room in ("notebooks", "exercises"):
         shutil.copytree(
-            HOUSE / room, folder / room, ignore=shutil.ignore_patterns(".*", "__pycache__")
+            kit / room, folder / room, ignore=shutil.ignore_patterns(".*", "__pycache__")
         )
         for file in (folder / room).glob("*.ipynb"):
             book = json.loads(file.read_text(encoding="utf-8"))
@@ -74,10 +84,11 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as workshop:
         work = Path(workshop)
         shutil.copy(HOUSE / "jupyterlite" / "overrides.json", work)
-        copy_lessons(work / "contents")
+        kit = unpack_kit(work / "kit")
+        copy_lessons(kit, work / "contents")
         subprocess.run(
             [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(work / "wheels")],
-            cwd=HOUSE,
+            cwd=kit,
             check=True,
         )
         (wheel,) = (work / "wheels").glob("kinoedu-*.whl")

@@ -349,7 +349,7 @@ def test_the_browsers_lessons_bring_what_they_need(tmp_path):
     assert {"numpy", "anywidget", "shapely", "trimesh"} <= set(
         wanted
     ) and not build.ELSEWHERE & set(wanted)
-    build.copy_lessons(tmp_path)
+    build.copy_lessons(HOUSE, tmp_path)
     assert (tmp_path / "notebooks" / "maps" / "Paris_1_256.map").is_file() and not (
         tmp_path / "solutions"
     ).exists()
