@@ -64,7 +64,9 @@ def draw_moves(
     reach = float(np.abs(car.outline).max())
     lo, hi = way.min(axis=0) - reach, way.max(axis=0) + reach
     artists: list[Artist] = []
-    for ax, k in zip(panels(len(shown), columns=min(columns, len(shown))), shown.tolist()):
+    across = min(columns, len(shown))
+    strip = panels(len(shown), columns=across, width=2.7, height=2.9)
+    for ax, k in zip(strip, shown.tolist()):
         back, rows = moves[k]
         line = trajectory.at(np.linspace(begins[rows[0]], begins[rows[-1] + 1], 60))
         artists.append(ax.add_patch(make_ghost(car, line[0], zorder=3)))
@@ -91,7 +93,9 @@ def draw_routes(graphs: Mapping[str, Plan], routes: Sequence[Sequence[Any]]) -> 
     routes : for each the trajectories and costs of its routes, [(trajectory, cost), ...].
     """
     artists: list[Artist] = []
-    for ax, (name, plan), rows in zip(panels(len(graphs), height=6.0), graphs.items(), routes):
+    for ax, (name, plan), rows in zip(
+        panels(len(graphs), width=3.2, height=3.3), graphs.items(), routes
+    ):
         artists += draw_problem(plan.problem, ax)
         if plan.roadmap is not None:
             faint = draw_roadmap(plan.roadmap, ax, robot=plan.problem.robot)

@@ -30,7 +30,7 @@ def draw_looks(
     """
     if axes is None:
         rows = -(-len(which) // 2)
-        size = (12.6, 4.1 * rows)
+        size = (10.6, 3.5 * rows)
         _, new = plt.subplots(*(rows, 2), figsize=size, dpi=72, layout="constrained")
         axes = new.ravel()
     artists: list[Artist] = []

@@ -48,7 +48,7 @@ def draw_rrt_steps(
     panels = axes
     if panels is None:
         rows = -(-len(steps) // 2)
-        size = (12.6, 4.1 * rows)
+        size = (10.4, 3.4 * rows)
         _, new = plt.subplots(rows, 2, figsize=size, dpi=72, layout="constrained")
         panels = new.ravel()
     q_rand = np.asarray(sample, float)

@@ -92,7 +92,7 @@ def draw_insertion(
     places = np.asarray(nodes, float)
     new = len(places) - 1
     if axes is None:
-        _, axes = plt.subplots(1, 2, figsize=(12.5, 6.4), dpi=72, layout="constrained")
+        _, axes = plt.subplots(1, 2, figsize=(9.6, 5.2), dpi=72, layout="constrained")
     old_parent, old_cost = (np.asarray(row) for row in before)
     parent, cost = (np.asarray(row) for row in after)
     moved = np.flatnonzero(old_parent != parent[:new])
