@@ -22,10 +22,10 @@ from validity import KINDS, outcome
 def test_no_path_is_invalid(planner):
     """All robots, all worlds; most are solved."""
     outcomes = [
-        one for seed in range(1_000_000, 1_000_030) if (one := outcome(seed, [planner])) is not None
+        one for seed in range(1_000_000, 1_000_016) if (one := outcome(seed, [planner])) is not None
     ]
-    assert len(outcomes) > 25 and [one for one in outcomes if not one.valid] == []
-    assert sum(one.solved for one in outcomes) > 15
+    assert len(outcomes) > 12 and [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 8
 
 
 def test_no_exact_path_is_invalid():
@@ -41,10 +41,10 @@ def test_no_exact_path_is_invalid():
 def test_no_drive_of_a_car_is_invalid(planner):
     """Cars that go both ways, and some that only go forward."""
     outcomes = [
-        one for seed in range(2_000_000, 2_000_120) if (one := outcome(seed, [planner])) is not None
+        one for seed in range(2_000_000, 2_000_060) if (one := outcome(seed, [planner])) is not None
     ]
-    assert len(outcomes) == 20 and [one for one in outcomes if not one.valid] == []
-    assert sum(one.solved for one in outcomes) > 4
+    assert len(outcomes) == 10 and [one for one in outcomes if not one.valid] == []
+    assert sum(one.solved for one in outcomes) > 2
 
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
