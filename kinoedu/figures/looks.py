@@ -37,15 +37,15 @@ def draw_looks(
     for ax, k in zip(axes, which):
         look = looks[k]
         artists += draw_problem(problem, ax)
-        artists += ax.fill(*look.seen.points.T, color=palette.ROADMAP, alpha=0.35, zorder=0.5)
+        artists += ax.fill(*look.scan.points.T, color=palette.ROADMAP, alpha=0.35, zorder=0.5)
         artists += draw_edges(look.walls[:, :2], ax, palette.HIT, width=3.5, zorder=2)
         if look.plan.path is not None:
             plan: palette.Style = {"color": palette.TREE, "linewidth": 2.5, "zorder": 4.5}
             artists += ax.plot(*look.plan.path.T, "--", **plan)
-        ways = [np.vstack([past.seen.origin, past.followed]) for past in looks[:k]]
+        ways = [np.vstack([past.scan.origin, past.followed]) for past in looks[:k]]
         if ways:
             artists += draw_path(np.concatenate(ways), ax)
-        artists += ax.plot(*look.seen.origin, "o", color=palette.ROBOT, markersize=11, zorder=9)
+        artists += ax.plot(*look.scan.origin, "o", color=palette.ROBOT, markersize=11, zorder=9)
         words = get_message("looks.title", k=k + 1, n=len(looks))
         artists.append(ax.set_title(words, fontsize=palette.TEXT_SIZE + 1))
         ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
