@@ -11,6 +11,7 @@ from test_planning_boards import shown
 
 import kinoedu as ke
 from kinoedu.boards import board, code_board
+from kinoedu.boards.code.searches import draw_search_state
 from kinoedu.boards.core.drawing import dots, encode_drawing
 from kinoedu.boards.tracing.moments import rows_over_time
 from kinoedu.boards.tracing.variables import Variable, note_variables
@@ -226,6 +227,92 @@ def test_functions_of_the_library_are_shown_too():
     made = code_board(closest_on_segment, *given, window=((0, 0), (6, 6)))
     assert made.drawing.listing.lines[0] == "def closest_on_segment(px, py, ax, ay, bx, by):"
     assert made.drawing.total > 0 and not made.drawing.warning
+
+
+def test_circles_have_their_radius_while_point_and_radius_have_values():
+    """A radius is an expression; a circle that cannot be drawn is left out."""
+
+    def grow(q):
+        d = 1.0
+        d = d + 1.0
+        return q, d
+
+    made = code_board(grow, (3.0, 4.0), circles={"q": "d"}, window=((0, 0), (9, 9)))
+    (circle,) = made.drawing.layers
+    for step, radius in ((0, None), (1, 1.0), (2, 2.0), (3, 2.0)):
+        sides = shown(circle, step)
+        far = np.hypot(*(sides[:, :2] - (3.0, 4.0)).T)
+        assert len(far) == 0 if radius is None else np.allclose(far, radius)
+    made = code_board(grow, (3.0, 4.0), circles={"q": "1 / 0"}, window=((0, 0), (9, 9)))
+    assert not made.drawing.warning and sum(len(one.rows) for one in made.drawing.layers) == 0
+
+
+ROADS = ke.Graph(nodes=[(0, 0), (4, 3), (8, 0)], edges=[(0, 1), (1, 2), (0, 2)])
+
+
+def expand(graph, k):
+    now = list(ke.graphs.dijkstra_expansions(graph, 0))[k]
+    u, cost, parent, waiting = now.node, now.cost, now.parent, set(now.frontier)
+    for v in graph.neighbours(u):
+        by_u = cost[u] + graph.weight(u, v)
+        if by_u < cost[v]:
+            cost[v], parent[v] = by_u, u
+            waiting.add(v)
+    return float(cost[2])
+
+
+def test_the_nodes_of_a_graph_are_dragged_and_lengths_follow():
+    """Each node is a handle; the state of the search is drawn at each line."""
+    made = code_board(expand, ROADS, 0, draw=draw_search_state)
+    assert [one["name"] for one in made.scene["handles"]] == ["0", "1", "2"]
+    assert made.drawing.text == "expand returns 8" and not made.drawing.warning
+    assert made.drawing.layers[0].rows.shape == (3, 4)  # the edges
+    costs = [layer for layer in made.drawing.layers if layer.kind == "labels"]
+    assert {text for layer in costs for text in layer.texts} == {"0.0", "5.0", "8.0"}
+    drawing = Page(made).moves(["handle", 2, [6.0, 0.0]])
+    assert drawing["text"] == "expand returns 6"
+
+
+def test_a_bitmap_lies_beneath_the_picture():
+    """Cells are squares of side 1, free where the array is true; a terrain is shown too."""
+
+    def look(free, q):
+        return bool(free[int(q[1]), int(q[0])])
+
+    free = np.array([[True, False, True], [True, True, True]])
+    made = code_board(look, free, (1.5, 0.5))
+    assert made.scene["hi"] == [3.0, 2.0] and made.scene["size"] == [2, 3]
+    assert made.drawing.text == "look returns False"
+    assert Page(made).moves(["handle", 0, [1.5, 1.5]])["text"] == "look returns True"
+    ground = ke.Problem(ke.Point(), ke.Terrain(free), (0.5, 0.5), (2.5, 0.5))
+    made = code_board(lambda problem: problem.is_free_path((0.5, 0.5), (2.5, 0.5)), ground)
+    assert made.scene["size"] == [2, 3] and made.drawing.text.endswith("returns False")
+
+
+def swept(problem, q_near, q_rand):
+    q_new = problem.steer(q_near, q_rand, 20.0)
+    return problem.is_free_path(q_near, q_new)
+
+
+def test_poses_of_a_robot_are_dragged_turned_and_drawn():
+    """A pose has a place and a tip that keeps its distance; the body is drawn at variables too."""
+    stick = ke.RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
+    gate = ke.PolygonWorld(
+        [(0, 0), (8, 0), (8, 4), (0, 4)],
+        [[(4, 0), (4.2, 0), (4.2, 1.5), (4, 1.5)], [(4, 2.5), (4.2, 2.5), (4.2, 4), (4, 4)]],
+    )
+    problem = ke.Problem(stick, gate, (1.5, 2, 0), (6, 2, 0))
+    made = code_board(swept, problem, (1.5, 2.0, 0.0), (6.0, 2.0, 0.0))
+    names = [one["name"] for one in made.scene["handles"]]
+    assert names == ["q_near", "heading of q_near", "q_rand", "heading of q_rand"]
+    assert len(made.scene["polygons"]) == 2 and made.drawing.text == "swept returns True"
+    found = [layer for layer in made.drawing.layers if layer.kind == "bodies"]
+    assert [len(layer.rows) for layer in found] == [1, 1, 1]  # of q_near, q_rand and q_new
+    assert len(shown(found[2], 0)) == 0 and np.allclose(shown(found[2], 1)[0, :2], (5.0, 1.8))
+    drawing = Page(made).moves(["handle", 3, [6.0, 3.9]])
+    assert drawing["text"] == "swept returns False"
+    (moved,) = [at for kind, number, at in drawing["places"] if number == 3]
+    assert np.allclose(moved, (6.0, 3.5))
 
 
 @pytest.mark.parametrize(

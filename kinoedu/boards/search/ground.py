@@ -112,16 +112,19 @@ def add_stops(ground: Ground) -> Ground:
 
 
 def move_nodes(scene: Scene, graph: Graph) -> Graph:
-    """The graph with its nodes at the stops of a scene.
+    """The graph with its nodes at the stops of a scene."""
+    stops = scene["handles"][ENDS:]
+    return place_nodes(graph, [item["at"] for item in stops]) if stops else graph
+
+
+def place_nodes(graph: Graph, places: ArrayLike) -> Graph:
+    """The graph with its nodes at other places, (n, 2).
 
     Weights that were lengths become the new lengths; others stay.
     """
-    stops = scene["handles"][ENDS:]
-    if not stops:
-        return graph
     nodes, edges, weights = graph.nodes, graph.edges, graph.weights
     were_lengths = np.isclose(weights, edge_lengths(graph.space, nodes, edges), rtol=1e-9, atol=0.0)
-    nodes[list(graph)] = [item["at"] for item in stops]
+    nodes[list(graph)] = places
     weights = np.where(were_lengths, edge_lengths(graph.space, nodes, edges), weights)
     moved = Graph(
         edges=edges, weights=weights, nodes=nodes, space=graph.space, directed=graph.directed

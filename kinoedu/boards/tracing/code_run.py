@@ -9,14 +9,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...figures.robots import Outlined
 from ...messages import get_message
 from ...problems import Question
 from ...support.line_trace import RAISED, LineTrace
 from ..core.drawing import Drawing, Layer, edges
 from ..core.listing import Listing, read_code
-from .moments import Noted, draw_lines, draw_moments, draw_variables, draw_vectors
+from .moments import (
+    Noted,
+    draw_bodies,
+    draw_circles,
+    draw_lines,
+    draw_moments,
+    draw_variables,
+    draw_vectors,
+)
 from .questions import FirstQuestions, draw_questions
-from .variables import compile_expressions, evaluate, format_short, note_variables
+from .variables import (
+    compile_expressions,
+    compute_radii,
+    evaluate,
+    format_short,
+    note_variables,
+)
 
 Draw = Callable[[dict[str, Any]], Iterable[Layer]]
 FEW = 3
@@ -25,14 +40,19 @@ COLOURS = ("tree", "path", "hit", "robot", "roadmap")  # of variables, in the or
 
 @dataclass(frozen=True)
 class Look:
-    """What the picture shows of a function's variables, as `code_board` takes it."""
+    """What the picture shows of a function's variables, as `code_board` takes it.
+
+    The body of `robot` is drawn at each variable that is a pose.
+    """
 
     points: Mapping[str, str] = field(default_factory=dict)
     vectors: Mapping[str, str] = field(default_factory=dict)
     lines: Sequence[tuple[str, str]] = ()
+    circles: Mapping[str, str] = field(default_factory=dict)
     draw: Draw | None = None
     first: int | None = None
     most: int = 1000
+    robot: Outlined | None = None
 
 
 class CodeRun:
@@ -46,6 +66,8 @@ class CodeRun:
     def __init__(self, function: Callable[..., object], look: Look) -> None:
         self.name, self.look = getattr(function, "__name__", "?"), look
         self.points = compile_expressions(look.points)
+        self.circles = compile_expressions(look.circles)
+        self.radii: list[dict[str, float]] = []
         self.log = FirstQuestions()
         self.asked: list[int] = []  # the number of questions after each line
         self.drawn: list[list[Layer]] = []
@@ -55,7 +77,9 @@ class CodeRun:
         """What is kept of the variables after a line."""
         self.asked.append(len(self.log))
         self.drawn.append([] if self.look.draw is None else list(self.look.draw(dict(local))))
-        return note_variables({**local, **evaluate(self.points, local, names)})
+        values = {**local, **evaluate(self.points, local, names)}
+        self.radii.append(compute_radii(self.circles, values, names))
+        return note_variables(values)
 
     def draw(self, *, fault: str = "", dragged: Collection[str] = ()) -> Drawing:
         """The code, the variables and the questions, step by step.
@@ -69,13 +93,16 @@ class CodeRun:
         kept = [k for k, moment in enumerate(self.trace.moments) if moment.line in code]
         moments = [self.trace.moments[k] for k in kept]
         notes = [moment.note or {} for moment in moments]
-        colours = choose_colours(notes, dragged)
+        robot = self.look.robot
+        colours = choose_colours(notes, dragged, with_poses=robot is not None)
         layers = [
             *draw_asked(self.log[:], [self.asked[k] for k in kept if k < len(self.asked)]),
             *draw_moments([self.drawn[k] for k in kept if k < len(self.drawn)]),
+            *draw_circles(notes, [self.radii[k] for k in kept if k < len(self.radii)]),
             *draw_lines(notes, self.look.lines),
             *draw_vectors(notes, self.look.vectors, colours),
             *draw_variables(notes, without(colours, self.look.vectors)),
+            *([] if robot is None else draw_bodies(notes, robot, colours)),
         ]
         listing = Listing(
             [*code.values()],
@@ -104,12 +131,15 @@ class CodeRun:
         return get_message("board.code.returned", name=self.name, value=format_short(last.result))
 
 
-def choose_colours(notes: Sequence[Noted], dragged: Collection[str]) -> dict[str, str]:
+def choose_colours(
+    notes: Sequence[Noted], dragged: Collection[str], *, with_poses: bool = False
+) -> dict[str, str]:
     """A colour for each variable that is drawn, in the order in which they appear."""
     names = [
         name
         for name in dict.fromkeys(name for note in notes for name in note)
-        if name not in dragged and any(has_points(note, name) for note in notes)
+        if name not in dragged
+        and any(has_points(note, name) or (with_poses and has_pose(note, name)) for note in notes)
     ]
     return {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
 
@@ -117,6 +147,11 @@ def choose_colours(notes: Sequence[Noted], dragged: Collection[str]) -> dict[str
 def has_points(note: Noted, name: str) -> bool:
     """Whether a variable has points to draw after a line."""
     return name in note and note[name].points is not None
+
+
+def has_pose(note: Noted, name: str) -> bool:
+    """Whether a variable is a pose after a line."""
+    return name in note and note[name].pose is not None
 
 
 def without(colours: Mapping[str, str], names: Collection[str]) -> dict[str, str]:

@@ -4,11 +4,13 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from ...figures.robots import Outlined, outline_at
 from ...geometry.checks import Array
-from ..core.drawing import Layer, arrows, dots, edges, labels
+from ..core.drawing import Layer, arrows, bodies, dots, edges, labels, sides_of
 from .variables import Variable
 
 Noted = dict[str, Variable]
+SIDES = 120  # of a circle
 
 
 def draw_variables(notes: Sequence[Noted], colours: dict[str, str]) -> list[Layer]:
@@ -16,6 +18,8 @@ def draw_variables(notes: Sequence[Noted], colours: dict[str, str]) -> list[Laye
     layers = []
     for name, colour in colours.items():
         rows, when, until = rows_over_time([note.get(name) for note in notes])
+        if not len(rows):
+            continue
         many = any(name in note and not note[name].is_point for note in notes)
         layers.append(dots(rows, colour, radius=4.0 if many else 6.0, when=when, until=until))
         if not many:
@@ -51,6 +55,50 @@ def draw_vectors(
     return layers
 
 
+def draw_circles(notes: Sequence[Noted], radii: Sequence[Mapping[str, float]]) -> list[Layer]:
+    """Circles round points, at the steps at which point and radius have a value."""
+    layers = []
+    for name in dict.fromkeys(name for radius in radii for name in radius):
+        found = [
+            join_radius(note.get(name), radius.get(name))
+            for note, radius in zip(notes, radii, strict=True)
+        ]
+        rows, when, until = rows_over_time(found)
+        circles = [sides_of(make_circle(row[:2], row[2])) for row in rows]
+        sides = np.array(circles).reshape(-1, 4)
+        times = np.repeat(when, SIDES), np.repeat(until, SIDES)
+        layers.append(edges(sides, "roadmap", width=1.6, when=times[0], until=times[1]))
+    return layers
+
+
+def make_circle(middle: Array, radius: float) -> Array:
+    """Points of a circle, (SIDES, 2)."""
+    angles = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)
+    return middle + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def join_radius(point: Variable | None, radius: float | None) -> Variable | None:
+    """A point and a radius as one row (1, 3), or None."""
+    if point is None or point.points is None or radius is None or not np.isfinite(radius):
+        return None
+    return Variable("", np.array([[*point.points[-1], radius]]))
+
+
+def draw_bodies(notes: Sequence[Noted], robot: Outlined, colours: Mapping[str, str]) -> list[Layer]:
+    """The robot's body and the name at each variable that is a pose."""
+    layers = list[Layer]()
+    for name, colour in colours.items():
+        poses = [note[name].pose if name in note else None for note in notes]
+        values = [None if pose is None else Variable("", pose[None]) for pose in poses]
+        rows, when, until = rows_over_time(values)
+        if not len(rows):
+            continue
+        shapes = [outline_at(robot, pose) for pose in rows]
+        layers.append(bodies(shapes, colour, when=when, until=until))
+        layers.append(labels(rows[:, :2], [name] * len(rows), colour, when=when, until=until))
+    return layers
+
+
 def join_points(a: Variable | None, b: Variable | None) -> Variable | None:
     """Two points as one row (1, 4), or None."""
     if a is None or b is None or a.points is None or b.points is None:
@@ -80,7 +128,7 @@ def rows_over_time(values: Sequence[Variable | None]) -> tuple[Array, list[int],
             rows.append(row)
             when.append(step)
             until.append(len(values) + 1)
-    return np.array(rows).reshape(len(rows), -1), when, until
+    return np.array(rows).reshape(len(rows), len(rows[0]) if rows else 2), when, until
 
 
 def count_same(before: Sequence[Array], now: Array) -> int:

@@ -15,20 +15,30 @@ ENDS = 3  # items of a long list that are written
 
 
 class Variable(NamedTuple):
-    """A variable after a line: its text, and its points (n, 2), or None where it has none."""
+    """A variable after a line: its text, and its points (n, 2), or None where it has none.
+
+    `pose` is (3,) where it has three coordinates, as a robot's configuration has.
+    """
 
     text: str
     points: Array | None = None
     is_point: bool = False
+    pose: Array | None = None
 
 
 def note_variables(values: Mapping[str, Any]) -> dict[str, Variable]:
     """The variables that a reader wants to see: no functions, modules, problems or generators."""
     return {
-        name: Variable(format_short(value), *find_points(value))
+        name: Variable(format_short(value), *find_points(value), find_pose(value))
         for name, value in values.items()
         if not name.startswith(("_", ".")) and not is_hidden(value)
     }
+
+
+def find_pose(value: object) -> Array | None:
+    """A value as a pose (x, y, theta), or None: an array of three floats."""
+    fits = isinstance(value, np.ndarray) and value.shape == (3,) and value.dtype.kind == "f"
+    return np.array(value, float) if fits else None
 
 
 def is_hidden(value: object) -> bool:
@@ -112,6 +122,15 @@ def compile_expressions(expressions: Mapping[str, str]) -> dict[str, CodeType]:
         return {name: compile(text, name, "eval") for name, text in expressions.items()}
     except (SyntaxError, TypeError, ValueError) as error:
         raise InvalidParameter(f"points must be expressions of Python: {error}") from error
+
+
+def compute_radii(
+    expressions: Mapping[str, CodeType], local: dict[str, Any], names: dict[str, Any]
+) -> dict[str, float]:
+    """The values of expressions that are numbers where a function is now."""
+    found = evaluate(expressions, local, names)
+    numbers = (int, float, np.integer, np.floating)
+    return {name: float(value) for name, value in found.items() if isinstance(value, numbers)}
 
 
 def evaluate(
