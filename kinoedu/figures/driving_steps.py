@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array
 from ..messages import get_message
@@ -51,15 +52,15 @@ def draw_driving_steps(
     >>> artists = draw_driving_steps(problem, tree, q_rand, controls, 2.0)
     >>> plt.close()
     """
-    space = SE2(problem.world.lo, problem.world.hi, turn_weight=0.25 * problem.robot.wheelbase)
+    radian = 0.25 * problem.robot.wheelbase
+    space = SE2(problem.world.lo, problem.world.hi, turn_weight=radian)
     q_near = tree.nodes[int(np.argmin([distance(space, q, q_rand) for q in tree.nodes]))]
-    times = np.linspace(0.0, duration, MOMENTS + 1)
-    length, lasts = problem.robot.wheelbase, np.array([duration])
-    drives = [TrajectoryRecord(q_near, u[None], lasts, length).at(times) for u in controls]
-    off = np.array([[distance(space, q, q_rand) for q in drive[1:]] for drive in drives])
-    cuts, best = 1 + off.argmin(axis=1), int(off.min(axis=1).argmin())
+    cuts = [cut_drive(problem, q_near, q_rand, u, duration, radian) for u in controls]
+    drives = [drive_along(problem, q_near, u, duration) for u in controls]
+    best = int(np.argmin([apart for *_, apart in cuts]))
+    way, lasts, _ = cuts[best]
     v, phi = controls[best]
-    free = problem.is_free_drive(q_near, v, phi, times[cuts[best]])
+    free = problem.is_free_drive(q_near, v, phi, lasts)
     panels = axes
     if panels is None:
         _, panels = plt.subplots(1, 3, figsize=(13.5, 5.0), dpi=72, layout="constrained")
@@ -72,13 +73,58 @@ def draw_driving_steps(
         near = "q_near" if number < 2 else ""
         artists += draw_pose(q_near, size, near, ax, colour=palette.TREE, below=True)
         if number == 1:
-            for drive, cut in zip(drives, cuts):
-                artists += draw_cut(drive, int(cut), ax)
+            for drive, (before, *_) in zip(drives, cuts):
+                artists += draw_cut(drive, len(before) - 1, ax)
         if number == 2:
-            driven, colour = drives[best][: cuts[best] + 1], palette.CLEAR if free else palette.HIT
-            artists += ax.plot(*driven[:, :2].T, color=colour, linewidth=4.0, zorder=5)
-            artists += draw_pose(driven[-1], size, "q_new", ax, colour=colour)
+            colour = palette.CLEAR if free else palette.HIT
+            artists += ax.plot(*way[:, :2].T, color=colour, linewidth=4.0, zorder=5)
+            artists += draw_pose(way[-1], size, "q_new", ax, colour=colour)
     return artists
+
+
+def cut_drive(
+    problem: ProblemRecord,
+    q: Array,
+    q_rand: Array,
+    control: ArrayLike,
+    duration: float,
+    radian: float,
+) -> tuple[Array, float, float]:
+    """The drive by a control from a pose, cut where it is closest to another pose.
+
+    Parameters
+    ----------
+    problem : of a car.
+    q, q_rand : (3,), where the drive begins, and its target.
+    control : (v, phi), held at most for the `duration`.
+    radian : the units of length that a radian counts.
+
+    Returns
+    -------
+    The poses of the drive up to the cut, (k, 3); how long it lasts; its distance from the target.
+
+    Examples
+    --------
+    >>> from kinoedu import Car, PolygonWorld, Problem
+    >>> world = PolygonWorld([(0, 0), (20, 0), (20, 20), (0, 20)])
+    >>> problem = Problem(Car(3, 1, 2), world, (4, 4, 0), (16, 4, 0))
+    >>> q, q_rand = np.array([4.0, 4.0, 0.0]), np.array([9.0, 4.0, 0.0])
+    >>> drive, lasts, apart = cut_drive(problem, q, q_rand, (1, 0), 6.0, 0.5)
+    >>> drive[-1].round(2).tolist(), round(lasts, 2), round(apart, 2)
+    ([9.0, 4.0, 0.0], 5.0, 0.0)
+    """
+    space = SE2(problem.world.lo, problem.world.hi, turn_weight=radian)
+    drive = drive_along(problem, q, control, duration)
+    off = [distance(space, pose, q_rand) for pose in drive[1:]]
+    cut = 1 + int(np.argmin(off))
+    return drive[: cut + 1], duration * cut / MOMENTS, float(off[cut - 1])
+
+
+def drive_along(problem: ProblemRecord, q: Array, control: ArrayLike, duration: float) -> Array:
+    """The poses of a drive by one control at even moments, (MOMENTS + 1, 3)."""
+    held, lasts = np.array([control], float), np.array([duration])
+    times = np.linspace(0.0, duration, MOMENTS + 1)
+    return TrajectoryRecord(q, held, lasts, problem.robot.wheelbase).at(times)
 
 
 def draw_panel(
