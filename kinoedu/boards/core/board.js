@@ -55,9 +55,11 @@ export default {
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+const SPOTS = [[10, -12], [10, 14], [-10, -12], [-10, 14]];  // of a label beside its point
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
 function floats(view) {
   const end = view.byteOffset + view.byteLength;
@@ -405,7 +407,7 @@ class Board {
     const { lines } = this.drawing.listing, { values, changed } = this.variables();
     const news = changed.filter((name) => values.has(name));
     const texts = news.map((name) => `${name} = ${values.get(name)}`);
-    return [lines[this.line()]?.trim(), ...texts].filter(Boolean).join("; ");
+    return [lines[this.line()]?.trim().replace(/:$/, ""), ...texts].filter(Boolean).join("; ");
   }
 
   text() {
@@ -780,6 +782,8 @@ class View {
       wanted.forEach((layer) => this[`paint_${layer.kind}`]?.(layer));
       pen.globalAlpha = 1;
     };
+    const named = board.scene.handles.filter(({ stop, drawn }) => !stop && !drawn);
+    this.taken = named.map(({ name, at }) => this.boxOf(name, ...this.nameSpot(at), "bold"));
     this.paintGround();
     paint(layers.filter((layer) => layer.kind === "cells"));
     this.paintSolids();
@@ -861,7 +865,7 @@ class View {
 
   paintHandle({ name, at, colour, marker, radius, stop, drawn }) {
     if (stop || drawn) return;
-    const { pen } = this, { palette, scene } = this.board, { lo, hi } = scene;
+    const { pen } = this, { palette } = this.board;
     const [px, py] = this.toPixels(at), paint = palette[colour];
     if (radius) {
       pen.globalAlpha = TINT;
@@ -872,11 +876,22 @@ class View {
       pen.globalAlpha = 1;
     }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
+    const [x, y, align] = this.nameSpot(at);
+    this.write(name, x, y, paint, align, "bold");
+  }
+
+  nameSpot(at) {                         // where the name of a handle is written, and its alignment
+    const { lo, hi, handles } = this.board.scene, [px, py] = this.toPixels(at);
     const right = at[0] < lo[0] + 0.75 * (hi[0] - lo[0]);
     const room = at[1] < lo[1] + 0.85 * (hi[1] - lo[1]);
-    const up = room && !scene.handles.some((handle) => handle.stop);       // stops' names are above
-    const [x, y] = [px + (right ? 11 : -11), py + (up ? -15 : 15)];
-    this.write(name, x, y, paint, right ? "left" : "right", "bold");
+    const up = room && !handles.some((handle) => handle.stop);             // stops' names are above
+    return [px + (right ? 11 : -11), py + (up ? -15 : 15), right ? "left" : "right"];
+  }
+
+  boxOf(text, x, y, align, weight = "normal") {  // the box of a text that is written
+    this.pen.font = `${weight} 14px system-ui, sans-serif`;
+    const wide = this.pen.measureText(text).width, left = align === "left" ? x : x - wide;
+    return [left, y - 8, left + wide, y + 8];
   }
 
   dot(at, size, inner, rim) {
@@ -1020,13 +1035,19 @@ class View {
     this.stroke(layer);
   }
 
-  paint_labels(layer) {
-    this.pen.font = "14px system-ui, sans-serif";
+  paint_labels(layer) {                  // each beside its point, where no other text is if it can
     this.eachRow(layer, 2, (px, py, _dx, _dy, k) => {
       const text = layer.texts[k], colour = this.board.palette[layer.colour];
-      const right = px + 12 + this.pen.measureText(text).width < this.width;
-      const [x, y] = [px + (right ? 10 : -10), clamp(py - 12, 12, this.height - 12)];
-      this.write(text, x, y, colour, right ? "left" : "right");
+      const spots = SPOTS.map(([dx, dy]) => {
+        const align = dx > 0 ? "left" : "right";
+        const [x, y] = [px + dx, clamp(py + dy, 12, this.height - 12)];
+        return { x, y, align, box: this.boxOf(text, x, y, align) };
+      });
+      const inside = spots.filter(({ box }) => box[0] > 0 && box[2] < this.width);
+      const best = inside.find(({ box }) => !this.taken.some((other) => overlap(box, other)));
+      const { x, y, align, box } = best ?? inside[0] ?? spots[0];
+      this.taken.push(box);
+      this.write(text, x, y, colour, align);
     });
   }
 

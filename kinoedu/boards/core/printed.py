@@ -70,12 +70,18 @@ def print_listing(listing: Listing, step: int, page: Axes) -> None:
     page.set_axis_off()
     lit = listing.ran[step - 1] if 0 < step <= len(listing.ran) else -1
     values = listing.values[step - 1] if 0 < step <= len(listing.values) else {}
-    texts = [*listing.lines, "", *(f"{name} = {text}" for name, text in values.items())]
+    room = max(map(len, listing.lines))
+    texts = [*listing.lines, "", *(clip(f"{n} = {text}", room) for n, text in values.items())]
     font: palette.Style = {"fontfamily": "monospace", "fontsize": palette.TEXT_SIZE - 1}
     page.set(xlim=(0.0, 1.0), ylim=(max(len(texts), 16), -1.0))
     for number, text in enumerate(texts):
         box = {"facecolor": LIT, "edgecolor": "none", "pad": 2.0} if number == lit else None
         page.text(0.0, number, text, bbox=box, va="center", **font)
+
+
+def clip(text: str, room: int) -> str:
+    """A text without what does not fit."""
+    return text if len(text) <= room else text[: room - 3] + "..."
 
 
 def save_with_few_colours(figure: Figure, dpi: int) -> bytes:
