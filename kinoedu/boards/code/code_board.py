@@ -137,9 +137,9 @@ class Steerable:
             number += "handles" in parts
         return scene
 
-    def answer(self, scene: Scene) -> Drawing:
-        """Run the function on the arguments of a scene, and draw how it ran."""
-        run, fault = CodeRun(self.function, self.look), ""
+    def run(self, scene: Scene) -> tuple[CodeRun, str]:
+        """A run of the function on the arguments of a scene, and what was wrong with it."""
+        run = CodeRun(self.function, self.look)
         for one in self.arguments:
             if isinstance(one, ProblemArgument):
                 one.log = run.log
@@ -152,9 +152,18 @@ class Steerable:
         try:
             run_within_processor_time(SECONDS, work)
         except TimeUp as over:
-            fault = describe_timeout(over, run.name)
+            return run, describe_timeout(over, run.name)
         except Exception as error:  # the function's own
-            fault = describe_exception(error, run.name)
+            return run, describe_exception(error, run.name)
+        return run, ""
+
+    def answer(self, scene: Scene) -> Drawing:
+        """Run the function on the arguments of a scene, and draw how it ran."""
+        run, fault = self.run(scene)
+        if (
+            fault and not run.trace.moments
+        ):  # Python 3.11 may hang before a traced call's first line
+            run, fault = self.run(scene)
         names = [item["name"] for item in scene["handles"]]
         drawing = run.draw(fault=fault, dragged=names)
         moved = [place for one in self.arguments for place in one.list_places(scene).items()]
