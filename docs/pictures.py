@@ -65,11 +65,10 @@ def entries(page: str) -> Iterator[Entry]:
 
 
 def cell_of(book: dict[str, Any], name: str) -> int:
-    """The first cell that ends by opening the board."""
-    ends = ["".join(cell["source"]).strip().rpartition("\n")[2] for cell in book["cells"]]
-    return next(
-        number for number, line in enumerate(ends) if re.match(rf"(ke\.)?(boards\.)?{name}\(", line)
-    )
+    """The first cell with a statement that opens the board."""
+    opens = re.compile(rf"(?m)^(ke\.)?(boards\.)?{name}\(")
+    sources = ["".join(cell["source"]) for cell in book["cells"]]
+    return next(number for number, source in enumerate(sources) if opens.search(source))
 
 
 def cropped(shot: bytes) -> Image.Image:
