@@ -28,8 +28,9 @@ include_patterns += [
 exclude_patterns = ["docs/contents.md"]  # the entrance has it
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas", "rendering"]
 
-# Notebooks are shown as they were stored. A board's still picture stands for the board, which needs
-# a kernel.
+# Notebooks are shown as they were stored. A board's picture gives place to the board as it was
+# recorded; rendering.py reads the record, which myst_nb does not know.
+suppress_warnings = ["mystnb.unknown_mime_type"]
 nb_execution_mode = "off"
 nb_ipywidgets_js = {}
 nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]
