@@ -191,7 +191,7 @@ def test_a_way_begins_and_ends_at_one_place():
     assert way.at(0.5)[0].tolist() == [3.0, 2.0]
     assert slide((0, 0), [(0, 0), (1, 0)]).kind.tolist() == ["VE", "VE"]
     for wrong in (-0.1, 1.1, np.nan, [0.5]):
-        with pytest.raises(ValueError, match="share"):
+        with pytest.raises(ValueError, match="fraction"):
             way.at(wrong)
     with pytest.raises(InvalidParameter, match="second vertex"):
         slide((0, 0), (1, 1))
