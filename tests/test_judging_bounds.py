@@ -1,5 +1,6 @@
 """Judging takes bounded time: answers that are too large are refused, and judges are stopped."""
 
+import threading
 import time
 
 import numpy as np
@@ -14,8 +15,10 @@ from kinoedu.course.sizes import MOST_NUMBERS
 from kinoedu.grading.assignments.questions import AssignmentQuestion, Cases
 from kinoedu.grading.judge import submission
 from kinoedu.grading.judge.running import is_settled
+from kinoedu.support.memory import bounded_memory
 from kinoedu.support.time_limit import TimeUp, run_within_thread_time
 
+NO_LIMITS = "this system has no limits of memory"
 SECONDS = 5.0  # for the largest answer to a case that is looked at, where the computer is busy
 
 
@@ -136,8 +139,32 @@ def judge_with(monkeypatch, judge):
 
 def test_a_judge_that_takes_too_much_memory_is_stopped(monkeypatch):
     """The question has no points and the reason; the memory is there again afterwards."""
+    pytest.importorskip("resource", reason=NO_LIMITS)
     monkeypatch.setattr(submission, "MEMORY", 2**28)
     record = judge_with(monkeypatch, lambda *_: np.ones(2**27))  # a gigabyte
     assert (record["status"], record["score"]) == (submission.STOPPED, 0.0)
     assert "MemoryError" in record["message"]
     assert np.ones(2**26).sum() == 2**26  # half a gigabyte
+
+
+def test_memory_is_unbounded_after_blocks_of_several_threads():
+    """However they overlap."""
+    resource = pytest.importorskip("resource", reason=NO_LIMITS)
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    first, second = threading.Event(), threading.Event()
+
+    def hold(mine, other):
+        with bounded_memory(2**30):
+            mine.set()
+            other.wait(10)
+
+    threads = [
+        threading.Thread(target=hold, args=pair) for pair in ((first, second), (second, first))
+    ]
+    threads[0].start()
+    first.wait(10)
+    assert resource.getrlimit(resource.RLIMIT_AS) != before
+    threads[1].start()
+    for thread in threads:
+        thread.join()
+    assert resource.getrlimit(resource.RLIMIT_AS) == before
