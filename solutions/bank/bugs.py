@@ -8,7 +8,7 @@ from kinoedu.course.bank import Solutions, wrong
 from kinoedu.course.lessons.bugs.exposing_problem import mended_bug0
 from kinoedu.geometry import point_polygon_distance, polygon_tangent
 from kinoedu.geometry.leash import densify_path
-from kinoedu.planners.bugs import bug0, bug1, bug2, bug2_prelim, bug_base
+from kinoedu.planners import bug0, bug1, bug2, bug2_prelim, bug_base
 
 changed = Solutions(Path(__file__).parents[1] / "02_bug_algorithms.ipynb").changed
 
