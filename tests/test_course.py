@@ -535,7 +535,7 @@ def complaint(code):
         ("return point_line_distance(q, p1, p2)", "calls itself without end"),
         ("return ValueError('no line')", "raised, not returned"),
         ("return None + 1", "A value is None"),
-        ("return 1 / 0", "Which length is zero"),
+        ("return 1 / 0", "Which number is zero"),
         ("if q[0] > 1e9: d = 1\n    return d", "before it has a value"),
     ],
 )
