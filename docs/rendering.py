@@ -15,7 +15,7 @@ from sphinx import addnodes
 
 import kinoedu
 from kinoedu.boards.core.canvas import front_messages
-from kinoedu.boards.core.recorded import RECORD
+from kinoedu.boards.core.recorded import RECORD, VERSION
 from kinoedu.figures import palette
 from kinoedu.messages import get_message
 
@@ -157,6 +157,7 @@ def script_of_boards():
     player = (CORE / "recorded.js").read_text(encoding="utf-8")
     words = {**front_messages(), "recorded": get_message("site.recorded")}
     values = f"const WORDS = {json.dumps(words)}, PALETTE = {json.dumps(palette.NAMED)};"
+    values += f"\nconst VERSION = {VERSION};"
     board = board.replace("export default", "const widget =")
     return f"(() => {{\n{values}\n{board}\n{player}}})();\n"
 

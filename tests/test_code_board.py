@@ -204,6 +204,26 @@ def test_a_function_that_never_ends_is_stopped(monkeypatch):
     assert made.drawing.total == 50 and made.drawing.warning.startswith("no answer after")
 
 
+def test_what_is_drawn_belongs_to_its_line_where_a_function_calls_itself():
+    """A line that calls its own function ends after the lines of that call."""
+
+    def halve(problem, q):
+        if q[0] < 4.0:
+            return problem.is_free_path(problem.start, q)
+        half = q / 2.0
+        return halve(problem, half)
+
+    made = code_board(halve, walled(), (6.0, 9.0), circles={"q": "q[0]"})
+    lines = [made.drawing.listing.lines[k].strip() for k in made.drawing.listing.ran]
+    asks = lines.index("return problem.is_free_path(problem.start, q)") + 1
+    motions = [layer for layer in made.drawing.layers if layer.kind == "edges"]
+    asked = min(motions, key=lambda layer: len(layer.rows))
+    assert len(shown(asked, asks - 1)) == 0 and len(shown(asked, asks)) == 1
+    circle = max(motions, key=lambda layer: len(layer.rows))
+    sizes = [np.ptp(shown(circle, step)[:, 0]) for step in (1, asks)]
+    assert sizes == pytest.approx([12.0, 6.0], rel=1e-3)
+
+
 def test_own_layers_are_shown_at_their_moment():
     """`draw` gets the variables after each line; its layers stay for that step."""
 

@@ -160,9 +160,8 @@ class Steerable:
     def answer(self, scene: Scene) -> Drawing:
         """Run the function on the arguments of a scene, and draw how it ran."""
         run, fault = self.run(scene)
-        if (
-            fault and not run.trace.moments
-        ):  # Python 3.11 may hang before a traced call's first line
+        if fault and not run.trace.moments:
+            # Python 3.11 was seen to hang once before the first line of a traced call
             run, fault = self.run(scene)
         names = [item["name"] for item in scene["handles"]]
         drawing = run.draw(fault=fault, dragged=names)

@@ -2,7 +2,8 @@
 // a board, and a picture of it. The picture gives place to the board, which can be played and
 // scrubbed, but not dragged, since there is nobody who would answer.
 //
-// The page's script begins with `WORDS`, `PALETTE` and `widget`, what board.js exports.
+// The page's script begins with `WORDS`, `PALETTE`, `VERSION` (of records) and `widget`, what
+// board.js exports. A record of another version keeps its picture.
 
 // A model as anywidget gives it. It answers "hello" with the recorded drawing, and nothing else.
 function recordedModel(record, key, team) {
@@ -32,7 +33,9 @@ async function unpacked({ boards }) {
 }
 
 async function play(element, number) {
-  const records = await unpacked(JSON.parse(element.querySelector("script").textContent));
+  const stored = JSON.parse(element.querySelector("script").textContent);
+  if (stored.version !== VERSION) return;
+  const records = await unpacked(stored);
   const row = document.createElement("div");
   row.className = "kinoedu-row";
   element.append(row);

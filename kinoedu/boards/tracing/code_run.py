@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +34,7 @@ from .variables import (
 )
 
 Draw = Callable[[dict[str, Any]], Iterable[Layer]]
-FEW = 3
+FEW = 3  # questions of a line that are drawn thick
 COLOURS = ("tree", "path", "hit", "robot", "roadmap")  # of variables, in the order they appear
 
 
@@ -55,6 +55,23 @@ class Look:
     robot: Outlined | None = None
 
 
+class Note(NamedTuple):
+    """What is kept after a line.
+
+    Attributes
+    ----------
+    variables : those that a reader wants to see, by name.
+    radii : of the circles that have one now, by the names of their points.
+    drawn : the layers of the reader's own `draw`.
+    asked : the number of questions so far.
+    """
+
+    variables: Noted
+    radii: Mapping[str, float]
+    drawn: Sequence[Layer]
+    asked: int
+
+
 class CodeRun:
     """One run of a function; `trace` is the context in which it is to be called.
 
@@ -67,19 +84,18 @@ class CodeRun:
         self.name, self.look = getattr(function, "__name__", "?"), look
         self.points = compile_expressions(look.points)
         self.circles = compile_expressions(look.circles)
-        self.radii: list[dict[str, float]] = []
         self.log = FirstQuestions()
-        self.asked: list[int] = []  # the number of questions after each line
-        self.drawn: list[list[Layer]] = []
         self.trace = LineTrace(function, self.note, most=look.most)
 
-    def note(self, local: dict[str, Any], names: dict[str, Any]) -> Noted:
-        """What is kept of the variables after a line."""
-        self.asked.append(len(self.log))
-        self.drawn.append([] if self.look.draw is None else list(self.look.draw(dict(local))))
+    def note(self, local: dict[str, Any], names: dict[str, Any]) -> Note:
+        """What is kept after a line."""
         values = {**local, **evaluate(self.points, local, names)}
-        self.radii.append(compute_radii(self.circles, values, names))
-        return note_variables(values)
+        return Note(
+            note_variables(values),
+            compute_radii(self.circles, values, names),
+            [] if self.look.draw is None else list(self.look.draw(dict(local))),
+            len(self.log),
+        )
 
     def draw(self, *, fault: str = "", dragged: Collection[str] = ()) -> Drawing:
         """The code, the variables and the questions, step by step.
@@ -90,15 +106,16 @@ class CodeRun:
         dragged : the names of variables that the scene shows.
         """
         code = read_code(self.trace.source)
-        kept = [k for k, moment in enumerate(self.trace.moments) if moment.line in code]
-        moments = [self.trace.moments[k] for k in kept]
-        notes = [moment.note or {} for moment in moments]
+        moments = [moment for moment in self.trace.moments if moment.line in code]
+        last = Note({}, {}, [], len(self.log))  # of a line that did not end
+        kept = [moment.note or last for moment in moments]
+        notes = [one.variables for one in kept]
         robot = self.look.robot
         colours = choose_colours(notes, dragged, with_poses=robot is not None)
         layers = [
-            *draw_asked(self.log[:], [self.asked[k] for k in kept if k < len(self.asked)]),
-            *draw_moments([self.drawn[k] for k in kept if k < len(self.drawn)]),
-            *draw_circles(notes, [self.radii[k] for k in kept if k < len(self.radii)]),
+            *draw_asked(self.log[:], [one.asked for one in kept]),
+            *draw_moments([one.drawn for one in kept]),
+            *draw_circles(notes, [one.radii for one in kept]),
             *draw_lines(notes, self.look.lines),
             *draw_vectors(notes, self.look.vectors, colours),
             *draw_variables(notes, without(colours, self.look.vectors)),
@@ -162,9 +179,13 @@ def without(colours: Mapping[str, str], names: Collection[str]) -> dict[str, str
 def draw_asked(questions: list[Question], asked: Sequence[int]) -> list[Layer]:
     """The questions to a problem, each from the step at which it was asked.
 
-    At that step it is drawn thick, unless one line has asked many.
+    At that step it is drawn thick, unless one line has asked many. A line that calls its own
+    function ends after the lines of that call, whose questions are theirs.
+
+    asked : how many had been asked after each step.
     """
-    steps = np.searchsorted(asked, np.arange(1, len(questions) + 1)) + 1.0
+    in_order = np.minimum.accumulate(np.array(asked, int)[::-1])[::-1]
+    steps = np.searchsorted(in_order, np.arange(1, len(questions) + 1)) + 1.0
     layers = list[Layer]()
     for layer in draw_questions(questions):
         if layer.when is None or not len(layer.rows):

@@ -121,7 +121,9 @@ def compile_expressions(expressions: Mapping[str, str]) -> dict[str, CodeType]:
     try:
         return {name: compile(text, name, "eval") for name, text in expressions.items()}
     except (SyntaxError, TypeError, ValueError) as error:
-        raise InvalidParameter(f"points must be expressions of Python: {error}") from error
+        raise InvalidParameter(
+            f"points and radii must be expressions of Python: {error}"
+        ) from error
 
 
 def compute_radii(
