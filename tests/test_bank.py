@@ -12,7 +12,7 @@ from kinoedu.course import EXERCISES
 from kinoedu.course.bank import Solutions, read_bank
 from kinoedu.course.feedback import Feedback, draw_failure, rule_message
 from kinoedu.course.judging import judge_until_failure, run_encoded_case
-from kinoedu.course.outcomes import decode_outcome, encode_outcome
+from kinoedu.course.outcomes import Raised, decode_outcome, encode_outcome
 from kinoedu.support.time_limit import run_within_processor_time
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -53,6 +53,7 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
         exercise, cases, lambda case: travelled(exercise, item.function, given[id(case)])
     )
     assert not report.is_right
+    assert not is_accident(report.failure.outcome)
     assert report.score < 1.0
     assert report.failure.slip == item.slip
     assert rule_message(exercise, report.failure)
@@ -60,6 +61,14 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     if item in FIRST_OF_ITS_SLIP:  # a page is drawn in a third of the time that a case is judged
         assert messages.get_message("check.hint") in Feedback(report)._repr_html_()
         assert draw_failure(exercise, report.failure).startswith(b"\x89PNG")
+
+
+def is_accident(outcome):
+    """Whether a program failed because the bank names what is not there, and not by its mistake."""
+    if not isinstance(outcome, Raised) or not outcome.kinds:
+        return False
+    missing = ("NameError", "ImportError", "ModuleNotFoundError")
+    return outcome.kinds[0] in missing or "'module' object is not callable" in outcome.message
 
 
 @pytest.mark.parametrize("exercise", EXERCISES.values(), ids=list(EXERCISES))
