@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled, inlined
 from ..errors import InvalidPolygon
 from .checks import Array, as_points, one_or_many
+from .ear_clipping import cut_into_convex_parts
 from .exact import orientation_sign
-from .rings import as_convex_ring, find_reflex_vertex, ring_orientation
+from .rings import as_convex_ring, ring_orientation
 
 Corner = tuple[float, float]
 
@@ -106,10 +108,29 @@ def convex_hull(points: ArrayLike) -> Array:
            [2., 2.],
            [0., 2.]])
     """
-    ordered = np.unique(as_points(points), axis=0)
+    return hull_of(as_points(points))
+
+
+@compiled
+def hull_of(points: Array) -> Array:
+    """The convex hull of points, shape (k, 2)."""
+    ordered = sorted_without_repeats(points)
     if len(ordered) < 3:
         return ordered
-    return np.concatenate([half_hull(ordered)[:-1], half_hull(ordered[::-1].copy())[:-1]])
+    below, above = half_hull(ordered)[:-1], half_hull(ordered[::-1].copy())[:-1]
+    return np.concatenate((below, above))
+
+
+@compiled
+def sorted_without_repeats(points: Array) -> Array:
+    """The points from left to right, of those below each other from below, each once."""
+    by_height = points[np.argsort(points[:, 1], kind="mergesort")]
+    ordered, size = by_height[np.argsort(by_height[:, 0], kind="mergesort")], 0
+    for p in ordered:
+        if size == 0 or p[0] != ordered[size - 1, 0] or p[1] != ordered[size - 1, 1]:
+            ordered[size] = p
+            size += 1
+    return ordered[:size].copy()
 
 
 @compiled
@@ -135,6 +156,16 @@ def in_convex(x: float, y: float, ring: Array) -> bool:
         if orientation_sign(ring[i - 1, 0], ring[i - 1, 1], ring[i, 0], ring[i, 1], x, y) < 0:
             return False
     return True
+
+
+@compiled
+def is_on_convex(p: Array, ring: Array) -> bool:
+    """Whether a point of a convex ring lies on its boundary."""
+    for i in range(len(ring)):
+        a, b = ring[i - 1], ring[i]
+        if orientation_sign(a[0], a[1], b[0], b[1], p[0], p[1]) == 0:
+            return True
+    return False
 
 
 @compiled
@@ -167,13 +198,15 @@ def has_separating_edge(P: Array, Q: Array) -> bool:
 def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
     """Convex polygons whose union is exactly the ring without its holes.
 
-    The parts use the vertices of the ring and the holes only. A constrained Delaunay triangulation
-    is merged pairwise as long as the union stays convex (after Hertel and Mehlhorn, 1983: at most
-    four times as many parts as needed). The ring and each hole are as `as_ring` returns them.
+    The parts use the vertices of the ring and the holes only. A triangulation, by ears or, where
+    there are holes, a constrained Delaunay triangulation, is merged pairwise as long as the union
+    stays convex (after Hertel and Mehlhorn, 1983: at most four times as many parts as needed). The
+    ring and each hole are as `as_ring` returns them.
     """
-    if not holes and find_reflex_vertex(ring) < 0:
-        return [ring]
-    return merge_convex_parts(triangulate_ring(ring, holes))
+    if holes:
+        return merge_convex_parts(triangulate_ring(ring, holes))
+    parts = cut_into_convex_parts(ring)
+    return [parts.points[i:j] for i, j in pairwise(parts.first)]
 
 
 def triangulate_ring(ring: Array, holes: Sequence[Array]) -> list[Array]:

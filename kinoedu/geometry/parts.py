@@ -37,7 +37,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import inlined
+from ..compiled import compiled, inlined
 from .checks import Array
 from .exact import orientation_sign
 from .segments import is_between, segment_distance
@@ -63,12 +63,36 @@ def make_parts(pieces: Sequence[Array], radius: Sequence[float]) -> Parts:
     return Parts(np.concatenate([np.empty((0, 2)), *pieces]), first, np.array(radius, np.float64))
 
 
+@compiled
+def join_parts(one: Parts, other: Parts) -> Parts:
+    """The parts of both, one after the other."""
+    return Parts(
+        np.concatenate((one.points, other.points)),
+        np.concatenate((one.first, other.first[1:] + one.first[-1])),
+        np.concatenate((one.radius, other.radius)),
+    )
+
+
+@compiled
 def part_boxes(parts: Parts) -> Array:
     """The bounding box (x0, y0, x1, y1) of each part with its radius, shape (k, 4)."""
-    lo, hi = (
-        ufunc.reduceat(parts.points, parts.first[:-1], axis=0) for ufunc in (np.minimum, np.maximum)
-    )
-    return np.hstack([lo - parts.radius[:, None], hi + parts.radius[:, None]])
+    boxes = np.empty((len(parts.radius), 4))
+    for i in range(len(boxes)):
+        lo, hi = box_of(parts.points[parts.first[i] : parts.first[i + 1]])
+        for axis in range(2):
+            boxes[i, axis] = lo[axis] - parts.radius[i]
+            boxes[i, 2 + axis] = hi[axis] + parts.radius[i]
+    return boxes
+
+
+@compiled
+def box_of(points: Array) -> tuple[Array, Array]:
+    """The corners of the bounding box of points (n, d): the lowest and the highest, (d,) each."""
+    lo, hi = points[0].copy(), points[0].copy()
+    for p in points:
+        for axis in range(len(p)):
+            lo[axis], hi[axis] = min(lo[axis], p[axis]), max(hi[axis], p[axis])
+    return lo, hi
 
 
 @inlined

@@ -1,13 +1,31 @@
 """Checks of polygons: simple counter-clockwise rings of vertices, or a named error."""
 
-import numpy as np
+from __future__ import annotations
+
+from typing import NamedTuple
+
 from numpy.typing import ArrayLike
 
 from ..compiled import compiled
 from ..errors import InvalidPolygon
+from ..messages import get_message
 from .checks import Array, as_array
 from .exact import dot_sign, orientation_sign
 from .segments import segments_meet
+
+SIMPLE, REPEATS, NO_AREA, CROSSES = 0, 1, 2, 3
+FAULTS = ("simple", "repeats", "no_area", "crosses")  # the messages of the kinds
+
+
+class RingFault(NamedTuple):
+    """Why vertices are not a simple polygon: vertex j repeats vertex i, or edges i and j meet.
+
+    Edge i starts at vertex i. The kind is SIMPLE where nothing is wrong.
+    """
+
+    kind: int
+    i: int
+    j: int
 
 
 def as_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
@@ -41,23 +59,38 @@ def as_ring(vertices: ArrayLike, name: str = "polygon") -> Array:
         raise InvalidPolygon(f"{name} must be vertices of shape (n, 2), got shape {ring.shape}")
     if len(ring) < 3:
         raise InvalidPolygon(f"{name} must have at least three vertices, got {len(ring)}")
-    for i in np.flatnonzero((ring == np.roll(ring, -1, axis=0)).all(axis=1)):
-        is_last = i == len(ring) - 1
-        advice = "; leave out the last vertex, the ring closes itself" if is_last else ""
-        raise InvalidPolygon(f"{name} repeats vertex {i} {tuple(ring[i].tolist())}{advice}")
-    if not ring_orientation(ring):
-        raise InvalidPolygon(f"{name} has no area or folds back on itself")
+    fault = find_ring_fault(ring)
+    if fault.kind != SIMPLE:
+        raise InvalidPolygon(describe_ring_fault(ring, fault, name))
+    return counter_clockwise(ring)
+
+
+@compiled
+def find_ring_fault(ring: Array) -> RingFault:
+    """The first reason why three or more vertices are not a simple polygon."""
+    n = len(ring)
+    for i in range(n):
+        j = (i + 1) % n
+        if ring[i, 0] == ring[j, 0] and ring[i, 1] == ring[j, 1]:
+            return RingFault(REPEATS, i, j)
+    if ring_orientation(ring) == 0:
+        return RingFault(NO_AREA, -1, -1)
     i, j = find_crossing(ring)
-    if i >= 0:
-        edges = f"{describe_edge(ring, i)} meets {describe_edge(ring, j)}"
-        raise InvalidPolygon(f"{name} crosses or touches itself: {edges}")
+    return RingFault(CROSSES if i >= 0 else SIMPLE, i, j)
+
+
+def describe_ring_fault(ring: Array, fault: RingFault, name: str) -> str:
+    """What is wrong with a polygon, in words."""
+    kind, i, j = fault
+    a, b, c, d = (tuple(ring[k % len(ring)].tolist()) for k in (i, i + 1, j, j + 1))
+    key = "repeats_first" if kind == REPEATS and j == 0 else FAULTS[kind]
+    return get_message(f"ring.{key}", name=name, i=i, j=j, a=a, b=b, c=c, d=d)
+
+
+@compiled
+def counter_clockwise(ring: Array) -> Array:
+    """A simple polygon with its vertices counter-clockwise."""
     return ring if ring_orientation(ring) > 0 else ring[::-1].copy()
-
-
-def describe_edge(ring: Array, i: int) -> str:
-    """The number and the ends of an edge, for an error message."""
-    a, b = ring[i].tolist(), ring[(i + 1) % len(ring)].tolist()
-    return f"edge {i} from {tuple(a)} to {tuple(b)}"
 
 
 def as_convex_ring(vertices: ArrayLike, name: str = "polygon") -> Array:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import algorithm, compiled, inlined
+from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.exact import length, orientation_sign
 from ..geometry.parts import Parts
@@ -44,6 +44,7 @@ class Occupancy(NamedTuple):
     reach: NDArray[np.int8]
 
 
+@compiled
 def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> Occupancy:
     """Build the occupancy cells of a world by subdividing the cells of its index.
 
@@ -62,12 +63,13 @@ def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: 
     return grid
 
 
+@compiled
 def no_occupancy() -> Occupancy:
     """Occupancy cells of a world about which nothing is known: none."""
     return Occupancy(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
-@algorithm
+@compiled
 def fill_occupancy(
     grid: Occupancy, fine: int, hull: Array, parts: Parts, cells: PartsIndex
 ) -> None:
@@ -111,6 +113,7 @@ def classify_block(
     return found
 
 
+@compiled
 def measure_reach(reach: NDArray[np.int8]) -> None:
     """Count for each FREE cell how many erosions by one layer it survives, up to MOST.
 

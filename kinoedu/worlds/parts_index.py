@@ -34,34 +34,45 @@ class PartsIndex(NamedTuple):
     boxes: Array
 
 
+@compiled
 def has_margins(lo: Array, hi: Array) -> bool:
     """Whether the box lo..hi can be divided into cells with margins larger than rounding errors."""
-    size = (hi - lo).max()
-    return bool(size >= SMALL and np.abs([lo, hi]).max() <= FAR * size)
+    size = max(hi[0] - lo[0], hi[1] - lo[1])
+    farthest = max(max(-lo[0], -lo[1]), max(hi[0], hi[1]))
+    return size >= SMALL and farthest <= FAR * size
 
 
+@compiled
 def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
     """Build the index of parts over the box lo..hi: about four cells for each part.
 
-    One cell where a margin would be lost in rounding.
+    One cell where a margin would be lost in rounding. A counting sort by cells: the parts of a cell
+    are in increasing order.
     """
     boxes = part_boxes(parts)
+    width, height = hi[0] - lo[0], hi[1] - lo[1]
     divisions = max(1, int(np.ceil(2.0 * np.sqrt(len(boxes))))) if has_margins(lo, hi) else 1
-    cell = float((hi - lo).max() / divisions)
-    columns, rows = np.maximum(np.ceil((hi - lo) / cell - ROUNDING), 1).astype(int).tolist()
-    last = [columns - 1, rows - 1]
-    low = np.clip(np.floor((boxes[:, :2] - lo) / cell - MARGIN), 0, last).astype(int)
-    high = np.clip(np.floor((boxes[:, 2:] - lo) / cell + MARGIN), 0, last).astype(int)
-    width, height = (high - low + 1).T
-    count = width * height
-    # one entry for each cell of each part: its part, and its number among the cells of that part
-    part = np.repeat(np.arange(len(boxes)), count)
-    k = np.arange(len(part)) - np.repeat(np.cumsum(count) - count, count)
-    held = (low[part, 1] + k // width[part]) * columns + low[part, 0] + k % width[part]
-    first = np.append(0, np.cumsum(np.bincount(held, minlength=columns * rows)))
-    parts_by_cell = part[np.argsort(held, kind="stable")]
+    cell = max(width, height) / divisions
+    columns = max(int(np.ceil(width / cell - ROUNDING)), 1)
+    rows = max(int(np.ceil(height / cell - ROUNDING)), 1)
+    low, high = np.empty((len(boxes), 2), np.int64), np.empty((len(boxes), 2), np.int64)
+    at = np.zeros(columns * rows + 2, np.int64)
+    for i in range(len(boxes)):
+        for axis, last in ((0, columns - 1), (1, rows - 1)):
+            low[i, axis] = clip((boxes[i, axis] - lo[axis]) / cell - MARGIN, last)
+            high[i, axis] = clip((boxes[i, 2 + axis] - lo[axis]) / cell + MARGIN, last)
+        for j in range(low[i, 1], high[i, 1] + 1):
+            at[j * columns + low[i, 0] + 2 : j * columns + high[i, 0] + 3] += 1
+    for k in range(1, len(at)):
+        at[k] += at[k - 1]
+    parts_by_cell = np.empty(at[-1], np.int64)
+    for i in range(len(boxes)):
+        for j in range(low[i, 1], high[i, 1] + 1):
+            for k in range(j * columns + low[i, 0], j * columns + high[i, 0] + 1):
+                parts_by_cell[at[k + 1]] = i
+                at[k + 1] += 1
     x, y = float(lo[0]), float(lo[1])
-    return PartsIndex(x, y, cell, columns, rows, first, parts_by_cell, boxes)
+    return PartsIndex(x, y, float(cell), columns, rows, at[:-1].copy(), parts_by_cell, boxes)
 
 
 @compiled

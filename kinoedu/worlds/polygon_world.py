@@ -6,13 +6,14 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from ..compiled import compiled
 from ..errors import InvalidPolygon, InvalidWorld
 from ..geometry.checks import Array, as_array, as_list, as_point
-from ..geometry.convex import convex_hull, convex_parts
-from ..geometry.parts import Parts, make_parts
-from ..geometry.polygons import locate_points
+from ..geometry.convex import convex_parts, hull_of, is_on_convex
+from ..geometry.ear_clipping import cut_into_convex_parts
+from ..geometry.parts import Parts, box_of, join_parts, make_parts
 from ..geometry.rings import as_ring
 from ..support.constructors import Constructor, with_type_names
 from .occupancy import Occupancy, make_occupancy, no_occupancy
@@ -73,29 +74,104 @@ class PolygonWorld(PolygonWorldRecord, metaclass=Constructor):
     """
 
     def __new__(cls, boundary: ArrayLike, obstacles: Iterable[Any] = ()) -> PolygonWorldRecord:  # type: ignore[misc]  # returns the record
-        outline = as_ring(boundary, "boundary")
-        hull = convex_hull(outline)
-        solids, pieces, discs = [[outline[::-1]]], pockets(outline, hull), []
+        rings, solids, discs = [as_ring(boundary, "boundary")[::-1]], [0], np.empty((0, 3))
+        pieces: list[Array] = []
         for number, obstacle in enumerate(as_list(obstacles, "obstacles")):
             name = f"obstacle {number}"
             if is_pair_with_radius(obstacle):
-                discs.append(as_disc(obstacle[0], obstacle[1], name))
-            else:
-                ring, rooms = as_polygon_with_rooms(obstacle, name)
-                try:
-                    pieces += convex_parts(ring, rooms)
-                except InvalidPolygon as error:
-                    raise InvalidPolygon(f"{name}: {error}") from error
-                solids.append([ring, *(room[::-1] for room in rooms)])
-        centres, radii = [disc[None, :2] for disc in discs], [float(disc[2]) for disc in discs]
-        edges = np.concatenate(
-            [edges_of(ring, solid) for solid, rings in enumerate(solids) for ring in rings]
+                discs = np.vstack([discs, as_disc(obstacle[0], obstacle[1], name)])
+                continue
+            ring, rooms = as_polygon_with_rooms(obstacle, name)
+            try:
+                pieces += convex_parts(ring, rooms) if rooms else []
+            except InvalidPolygon as error:
+                raise InvalidPolygon(f"{name}: {error}") from error
+            solids += [solids[-1] + 1] * (1 + len(rooms))
+            rings += [ring, *(room[::-1] for room in rooms)]
+        first = np.cumsum([0, *map(len, rings)])
+        return world_of_rings(
+            Rings(np.concatenate(rings), first, np.array(solids)),
+            make_parts(pieces, [0.0] * len(pieces)),
+            discs,
         )
-        parts = make_parts(pieces + centres, [0.0] * len(pieces) + radii)
-        lo, hi = hull.min(axis=0), hull.max(axis=0)
-        cells = index_parts(parts, lo, hi)
-        occupancy = make_occupancy(hull, parts, cells, lo, hi)
-        return PolygonWorldRecord(edges, hull, parts, cells, occupancy, lo, hi)
+
+
+class Rings(NamedTuple):
+    """The rings of a world: ring k is points[first[k]:first[k + 1]] and bounds solid[k].
+
+    Solid 0 is the outside of ring 0, which is clockwise. The solids come in order; the outline of
+    each is counter-clockwise and followed by its rooms, clockwise.
+    """
+
+    points: Array
+    first: NDArray[np.int64]
+    solid: NDArray[np.int64]
+
+
+@compiled
+def world_of_rings(rings: Rings, more: Parts, discs: Array) -> PolygonWorldRecord:
+    """The record of a world whose rings are valid.
+
+    more : the convex parts of the solids that have rooms.
+    discs : (k, 3), rows x, y, radius.
+    """
+    outline = rings.points[: rings.first[1]][::-1].copy()
+    hull = hull_of(outline)
+    parts = cut_pockets(outline, hull)
+    for k in range(1, len(rings.solid)):
+        if is_alone(rings.solid, k):
+            ring = rings.points[rings.first[k] : rings.first[k + 1]]
+            parts = join_parts(parts, cut_into_convex_parts(ring))
+    round_parts = Parts(discs[:, :2].copy(), np.arange(len(discs) + 1), discs[:, 2].copy())
+    parts = join_parts(join_parts(parts, more), round_parts)
+    lo, hi = box_of(hull)
+    cells = index_parts(parts, lo, hi)
+    occupancy = make_occupancy(hull, parts, cells, lo, hi)
+    return PolygonWorldRecord(edges_of_rings(rings), hull, parts, cells, occupancy, lo, hi)
+
+
+@compiled
+def is_alone(solid: NDArray[np.int64], k: int) -> bool:
+    """Whether ring k is the only one of its solid."""
+    after = solid[k + 1] if k + 1 < len(solid) else -1
+    return solid[k - 1] != solid[k] and solid[k] != after
+
+
+@compiled
+def edges_of_rings(rings: Rings) -> Array:
+    """The edges of all rings as rows of `PolygonWorldRecord.edges`."""
+    edges = np.empty((len(rings.points), 5))
+    for k in range(len(rings.solid)):
+        begin, end = rings.first[k], rings.first[k + 1]
+        for i in range(begin, end):
+            j = i + 1 if i + 1 < end else begin
+            for axis in range(2):
+                edges[i, axis], edges[i, 2 + axis] = rings.points[i, axis], rings.points[j, axis]
+            edges[i, 4] = rings.solid[k]
+    return edges
+
+
+@compiled
+def cut_pockets(outline: Array, hull: Array) -> Parts:
+    """The convex parts of the region between a boundary, counter-clockwise, and its convex hull.
+
+    A pocket begins and ends at corners of the boundary that lie on the hull.
+    """
+    n, parts = len(outline), Parts(np.empty((0, 2)), np.zeros(1, np.int64), np.empty(0))
+    begin = 0
+    while not is_on_convex(outline[begin], hull):
+        begin += 1
+    corner = begin
+    for step in range(1, n + 1):
+        end = begin + step
+        if is_on_convex(outline[end % n], hull):
+            if end > corner + 1:
+                pocket = np.empty((end - corner + 1, 2))
+                for i in range(len(pocket)):
+                    pocket[i] = outline[(end - i) % n]
+                parts = join_parts(parts, cut_into_convex_parts(pocket))
+            corner = end
+    return parts
 
 
 def world_of_triangles(lo: Array, hi: Array, triangles: Array) -> PolygonWorldRecord:
@@ -171,13 +247,3 @@ def as_polygon_with_rooms(obstacle: Any, name: str) -> tuple[Array, list[Array]]
         return as_ring(obstacle, name), []
     found = enumerate(as_list(rooms, f"{name}: its rooms"))
     return as_ring(polygon, name), [as_ring(room, f"{name}, room {i}") for i, room in found]
-
-
-def pockets(outline: Array, hull: Array) -> list[Array]:
-    """The convex parts of the region between a boundary and its convex hull."""
-    on_hull = np.flatnonzero(locate_points(outline, hull) == 0)
-    parts: list[Array] = []
-    for i, j in zip(on_hull, [*on_hull[1:], on_hull[0] + len(outline)], strict=True):
-        if j > i + 1:
-            parts += convex_parts(as_ring(outline[np.arange(i, j + 1) % len(outline)]))
-    return parts
