@@ -3,6 +3,7 @@ that say what they are.
 """
 
 import ast
+import importlib.util
 import inspect
 import json
 import re
@@ -16,10 +17,13 @@ from sphinx import addnodes
 import kinoedu
 from kinoedu.boards.core.canvas import front_messages
 from kinoedu.boards.core.recorded import RECORD, VERSION
+from kinoedu.browser.bodies import describe_bodies
+from kinoedu.browser.wasm import write_scripts
 from kinoedu.figures import palette
-from kinoedu.messages import get_message
+from kinoedu.messages import get_message, get_template
 
 CORE = Path(kinoedu.__file__).parent / "boards" / "core"
+BROWSER = Path(kinoedu.__file__).parent / "browser"
 
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 HEADING = re.compile(r"(\w+)\n-+\n")
@@ -144,22 +148,37 @@ def write_boards(app):
     """The script and the style of recorded boards, among the site's own files."""
     folder = Path(app.outdir, ".boards")
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / "boards.js").write_text(script_of_boards(), encoding="utf-8")
+    live = write_live(folder / "live")
+    (folder / "boards.js").write_text(script_of_boards(live), encoding="utf-8")
     shutil.copy(CORE / "board.css", folder / "board.css")
     app.config.html_static_path.append(str(folder))
     app.add_js_file("boards.js", loading_method="defer")
     app.add_css_file("board.css")
 
 
-def script_of_boards():
+def write_live(folder):
+    """Write the planners as WebAssembly, and return what the page needs to know of them.
+
+    Where the compiler for it is not installed there are none, and boards are only played.
+    """
+    if importlib.util.find_spec("ziglang") is None:
+        print("ziglang is not installed, so the boards of this site play but do not answer")
+        return {"bodies": {}}
+    write_scripts(folder)
+    return describe_bodies()
+
+
+def script_of_boards(live):
     """One script, which works from a disk too: modules do not."""
-    board = (CORE / "board.js").read_text(encoding="utf-8")
-    player = (CORE / "recorded.js").read_text(encoding="utf-8")
-    words = {**front_messages(), "recorded": get_message("site.recorded")}
+    files = CORE / "board.js", CORE / "recorded.js", BROWSER / "live.js", BROWSER / "worker.js"
+    board, player, answers, worker = (file.read_text(encoding="utf-8") for file in files)
+    words = {name: get_template(f"site.{name}", "en") for name in ("recorded", "live", "seed")}
+    words |= front_messages()
     values = f"const WORDS = {json.dumps(words)}, PALETTE = {json.dumps(palette.NAMED)};"
-    values += f"\nconst VERSION = {VERSION};"
+    values += f"\nconst VERSION = {VERSION}, LIVE = {json.dumps(live)};"
+    values += f"\nconst WORKER = {json.dumps(worker)};"
     board = board.replace("export default", "const widget =")
-    return f"(() => {{\n{values}\n{board}\n{player}}})();\n"
+    return f"(() => {{\n{values}\n{board}\n{player}\n{answers}}})();\n"
 
 
 def describe_pictures(app, doctree):

@@ -125,12 +125,12 @@ def as_step_size(problem: PlanningProblem, value: object, name: str) -> float:
     return positive(world_size(problem) / 20.0 if value is None else value, name)
 
 
-def new_tree(problem: PlanningProblem, capacity: int) -> GrowingTree:
-    """An empty tree for configurations of the problem."""
-    space = getattr(problem, "space", None)
+def new_tree(problem: PlanningProblem, capacity: int, expected: int | None = None) -> GrowingTree:
+    """An empty tree for configurations of the problem; `expected` as in `empty_tree`."""
+    space, nodes = getattr(problem, "space", None), capacity if expected is None else expected
     if space is None:
-        return empty_tree(capacity, problem.start, problem.start)
-    return empty_tree(capacity, space.lo, space.hi)
+        return empty_tree(capacity, nodes, problem.start, problem.start)
+    return empty_tree(capacity, nodes, space.lo, space.hi)
 
 
 def check_exact(problem: PlanningProblem, planner: str) -> None:

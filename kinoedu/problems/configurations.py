@@ -12,6 +12,7 @@ from ..curves.space import CurveSpace
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..geometry.polygons import point_polygon_distance
+from ..messages import get_message
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
 from ..robots.kinds import Robot
@@ -96,19 +97,14 @@ def as_configuration(value: ArrayLike, space: Space, name: str) -> Array:
 @singledispatch
 def explain_not_free(robot: Robot, world: World, q: Array, clearance: float) -> str:
     """Explain why a configuration is not free, and say what to change."""
-    return (
-        f"the robot{margin_text(clearance)} is outside the world or touches an obstacle there; "
-        "move it into the free space"
-    )
+    return get_message("not_free.touches", margin=margin_text(clearance))
 
 
 @explain_not_free.register
 def _(robot: RoundRobot, world: World, q: Array, clearance: float) -> str:
     if (q <= world.lo).any() or (q >= world.hi).any():
-        return (
-            f"it must lie inside the world, between {tuple(world.lo.tolist())} and "
-            f"{tuple(world.hi.tolist())}, and not on its boundary"
-        )
+        lo, hi = tuple(world.lo.tolist()), tuple(world.hi.tolist())
+        return get_message("not_free.outside", lo=lo, hi=hi)
     return explain_not_free.dispatch(object)(robot, world, q, clearance)
 
 
@@ -127,4 +123,4 @@ def _(robot: ArmRobot, world: World, q: Array, clearance: float) -> str:
 
 def margin_text(clearance: float) -> str:
     """The clearance as text for a message; empty where the clearance is 0."""
-    return f" with a clearance of {clearance:g}" if clearance else ""
+    return get_message("not_free.margin", clearance=f"{clearance:g}") if clearance else ""

@@ -26,6 +26,7 @@ from ..collision import (
 from ..compiled import record
 from ..errors import InvalidGoal, InvalidStart
 from ..geometry.checks import Array, nonnegative
+from ..messages import get_message
 from ..robots.controls import control, curvature, drive
 from ..robots.kinds import Robot
 from ..spaces import distance, interpolate, nearest, sample
@@ -168,9 +169,7 @@ class Problem(ProblemRecord, metaclass=Constructor):
         problem = ProblemRecord(robot, world, space, q_start, q_goal, margin, np.zeros(2, np.int64))
         for q, name, error in ((q_start, "start", InvalidStart), (q_goal, "goal", InvalidGoal)):
             if not problem.is_free(q):
-                raise error(
-                    f"the {name} {tuple(q.tolist())} is not free: "
-                    f"{explain_not_free(robot, world, q, margin)}"
-                )
+                why = explain_not_free(robot, world, q, margin)
+                raise error(get_message(f"not_free.{name}", q=tuple(q.tolist()), why=why))
         problem.query_counts[:] = 0
         return problem

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import inlined
+from ..compiled import callable_from_compiled, inlined
 from ..geometry.checks import Array
 
 NODES_PER_BUCKET = 1.0
@@ -37,10 +37,14 @@ class GrowingTree(NamedTuple):
     used: NDArray[np.int64]
 
 
-def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
-    """A tree without nodes, for configurations between lo and hi, shapes (d,)."""
-    width, height = [*(hi - lo).tolist(), 0.0][:2]
-    buckets = max(capacity / NODES_PER_BUCKET, 1.0)
+@callable_from_compiled
+def empty_tree(capacity: int, expected: int, lo: Array, hi: Array) -> GrowingTree:
+    """A tree without nodes, for configurations between lo and hi, shapes (d,).
+
+    The buckets are made for the expected number of nodes; it has room for `capacity`.
+    """
+    width, height = hi[0] - lo[0], hi[1] - lo[1] if len(lo) > 1 else 0.0
+    buckets = max(expected / NODES_PER_BUCKET, 1.0)
     cell = max(math.sqrt(width * height / buckets), max(width, height) / buckets) or 1.0
     columns, rows = max(math.ceil(width / cell), 1), max(math.ceil(height / cell), 1)
     return GrowingTree(

@@ -1,30 +1,38 @@
 // Boards on a page without a kernel. Each element `.kinoedu-record` holds what a notebook stored of
 // a board, and a picture of it. The picture gives place to the board, which can be played and
-// scrubbed, but not dragged, since there is nobody who would answer.
+// scrubbed. It can be dragged where the page has the body that answers it: see live.js.
 //
-// The page's script begins with `WORDS`, `PALETTE`, `VERSION` (of records) and `widget`, what
-// board.js exports. A record of another version keeps its picture.
+// The page's script begins with `WORDS`, `PALETTE`, `VERSION` (of records), `widget`, what board.js
+// exports, and `LIVE`, the bodies that the page has. A record of another version keeps its picture.
 
-// A model as anywidget gives it. It answers "hello" with the recorded drawing, and nothing else.
+// A model as anywidget gives it. It answers "hello" with the recorded drawing, and a scene that was
+// moved only where the board is live.
 function recordedModel(record, key, team) {
   const heard = [];
   const values = {
     key, partner: team, scene: record.scene, home: record.scene, palette: PALETTE, words: WORDS,
-    bitmap: new DataView(bytesOf(record.bitmap).buffer), recorded: true,
+    bitmap: new DataView(bytesOf(record.bitmap).buffer), recorded: !isLive(record),
   };
-  const answer = () => heard.forEach((hear) => {
+  const tell = (message, buffers) => heard.forEach((hear) => hear(message, buffers));
+  const answers = isLive(record) ? new Answers(record.live, values.scene, tell) : null;
+  const show = () => {
     const buffers = record.buffers.map((text) => new DataView(bytesOf(text).buffer));
-    hear({ kind: "drawing", to: null, seq: null, ...record.drawing }, buffers);
-  });
+    tell({ kind: "drawing", to: null, seq: null, ...record.drawing }, buffers);
+  };
   return {
+    answers,
     get: (name) => values[name],
     set: () => {},
     save_changes: () => {},
     on: (event, hear) => { if (event === "msg:custom") heard.push(hear); },
-    send: ({ kind }) => { if (kind === "hello") queueMicrotask(answer); },
+    send: (message) => {
+      if (message.kind === "hello") queueMicrotask(show);
+      if (message.kind === "scene") answers?.take(message);
+    },
   };
 }
 
+const isLive = ({ live }) => Boolean(live && LIVE.bodies[live.body]);
 const bytesOf = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
 
 async function unpacked({ boards }) {
@@ -43,12 +51,14 @@ async function play(element, number) {
     const place = document.createElement("div");
     row.append(place);
     const model = recordedModel(record, `${number}-${k}`, `${number}-${record.team}`);
+    if (model.answers) place.append(controlsOf(model.answers));
     widget.initialize({ model });
     widget.render({ model, el: place });
   });
   element.classList.add("kinoedu-plays");
-  const said = element.querySelector(".still"), grows = ({ drawing }) => drawing.total > 0;
-  if (said && records.some(grows)) said.textContent = WORDS.recorded;
+  const about = element.querySelector(".still"), grows = ({ drawing }) => drawing.total > 0;
+  if (about && records.some(isLive)) about.textContent = WORDS.live;
+  else if (about && records.some(grows)) about.textContent = WORDS.recorded;
 }
 
 // A board is unpacked when it comes near the screen.

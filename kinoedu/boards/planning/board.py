@@ -16,11 +16,13 @@ from ...planners.registry import PLANNERS
 from ...planners.trees.rrt import grow
 from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
+from ...support.json_fields import JsonObject
 from ...support.text import shortened
 from ..core.drawing import Drawing
 from ..core.framed import Framed, control_style, make_length_slider, make_menu, title_of
 from ..core.scene import Scene
 from ..tracing.code_run import CodeRun, Look
+from .live import describe_live
 from .own import Attempt, draw_attempt, try_planner
 from .plans import check_in_plane, draw_plan, make_problem_canvas, problem_in
 
@@ -128,9 +130,9 @@ class Board(Framed):
             self._stuck = tried if tried.still_running else None
             self.plan = tried
             return draw_attempt(tried, ours, run)
-        given = {name: getattr(self, control).value for control, name in SETTINGS.items()}
         planner = ON_BOARD[self.planner.value]
-        settings = {n: given[n] for n in planner.board or ()}
+        given = self._settings()
+        settings = {name: given[name] for name in planner.board or ()}
         if self.code.value and planner.name in CODE:
             run = CodeRun(*CODE[planner.name])
             own = partial(planner.plan, seed=seed, **settings)
@@ -138,6 +140,18 @@ class Board(Framed):
             return draw_attempt(self.plan, None, run)
         self.plan = planner.plan(problem, seed=seed, **settings)
         return draw_plan(self.plan)
+
+    def record(self) -> list[JsonObject]:
+        """The board as it is now; a page with the planner's body answers it, others play it."""
+        (record,) = super().record()
+        if self.code.value:
+            return [record]
+        live = describe_live(self.problem, self.planner.value, self.seed.value, self._settings())
+        return [record if live is None else {**record, "live": live}]
+
+    def _settings(self) -> dict[str, Any]:
+        """The values of the controls, by the names of the planners' settings."""
+        return {name: getattr(self, control).value for control, name in SETTINGS.items()}
 
     def _changed(self, change: object) -> None:
         self._dress()

@@ -28,7 +28,7 @@ def k_closest(problem: PlanningProblem, nodes: Array, k: int) -> NDArray[np.int6
         np.fill_diagonal(apart, np.inf)
         return np.argsort(apart, axis=1, kind="stable")[:, :k]
     if nodes.shape[1] <= 2 or isinstance(space, WrappingSpace):
-        tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+        tree = empty_tree(len(nodes), len(nodes), nodes.min(axis=0), nodes.max(axis=0))
         add_nodes(tree, nodes)
         return k_closest_in_buckets(space, tree, k)
     from scipy.spatial import cKDTree

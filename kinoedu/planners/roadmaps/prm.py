@@ -25,6 +25,7 @@ from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_array, as_generator
 from ...graphs import GraphRecord, astar, flat_graph
+from ...messages import get_message
 from ...problems import Plan, Roadmap
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...support.text import shortened
@@ -215,10 +216,6 @@ def plan_by_astar(
 
 def explain_no_path(graph: GraphRecord) -> str:
     """Why a roadmap has no path from node 0 to node 1."""
-    for node, name in ((0, "start"), (1, "goal")):
-        if graph.degree(node) == 0:
-            return f"no node of {graph.size:,} can be reached from the {name}; sample more nodes"
-    return (
-        f"start and goal lie in different parts of the roadmap of {graph.size:,} nodes; sample "
-        "more nodes, or join more neighbours"
-    )
+    alone = [node for node in (0, 1) if graph.degree(node) == 0]
+    key = ("start_alone", "goal_alone")[alone[0]] if alone else "parts_apart"
+    return get_message(f"plan.{key}", nodes=f"{graph.size:,}")

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiled import inlined
+from ...compiled import callable_from_compiled, inlined
 from ...geometry.checks import Array
 from ...spaces.buckets import GrowingTree, add
 
@@ -30,13 +30,18 @@ class CostTree(NamedTuple):
     attached: NDArray[np.int64]
 
 
+@callable_from_compiled
 def empty_costs(tree: GrowingTree, rows: int = 0) -> CostTree:
     """Room for the costs of an empty tree, and for a log of `rows` edges."""
     room = len(tree.nodes)
-    cost, length = np.empty((2, room))
-    child, sibling = np.empty((2, room), np.int64)
     return CostTree(
-        tree, cost, length, child, sibling, np.empty((rows, 2), np.int64), np.zeros(1, np.int64)
+        tree,
+        np.empty(room),
+        np.empty(room),
+        np.empty(room, np.int64),
+        np.empty(room, np.int64),
+        np.empty((rows, 2), np.int64),
+        np.zeros(1, np.int64),
     )
 
 

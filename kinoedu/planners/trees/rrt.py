@@ -22,6 +22,7 @@ import numpy as np
 from ...compiled import algorithm
 from ...errors import InvalidParameter
 from ...geometry.checks import as_generator
+from ...messages import get_message
 from ...problems import Plan
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
@@ -128,9 +129,8 @@ def rrt(
         at_goal, iterations = grow_spaced(
             problem, tree, delta, bias, apart, limit, failures, generator
         )
-    reason = (
-        f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
-        "more nodes, or another step size"
+    reason = get_message(
+        "plan.tree_failed", iterations=f"{iterations:,}", nodes=f"{tree.size[0]:,}"
     )
     stats = {"iterations": int(iterations), "checks": count_checks(problem) - before}
     return plan_from_tree("RRT", problem, tree, at_goal, reason, **stats)

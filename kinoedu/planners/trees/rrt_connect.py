@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from ...compiled import algorithm, callable_from_compiled, compiled
 from ...geometry.checks import Array, as_generator
 from ...graphs import extract_path
+from ...messages import get_message
 from ...problems import Plan, Tree
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
@@ -173,9 +174,8 @@ def rrt_connect(
     tree, path = Tree(nodes, parent), None
     if at_start != TRAPPED:
         path = join_paths(parent, number[0, at_start], number[1, at_goal])
-    reason = (
-        f"after {iterations:,} iterations the trees, {len(tree.nodes):,} nodes, have not met; "
-        "allow more, or another step size"
+    reason = get_message(
+        "plan.trees_failed", iterations=f"{iterations:,}", nodes=f"{len(tree.nodes):,}"
     )
     stats = {
         "nodes": len(tree.nodes),
@@ -188,19 +188,17 @@ def rrt_connect(
 
 
 def roomy_tree(problem: PlanningProblem, capacity: int) -> GrowingTree:
-    """An empty tree whose buckets are made for fewer nodes than it has room for.
+    """An empty tree whose buckets are made for fewer nodes than it has room for."""
+    return new_tree(problem, capacity, roomy_size(capacity))
+
+
+@callable_from_compiled
+def roomy_size(capacity: int) -> int:
+    """The number of nodes for which the buckets of a tree are made.
 
     Trees that meet early would leave most buckets empty, and a search among empty buckets is slow.
     """
-    tree, d = (
-        new_tree(problem, min(capacity, max(TYPICAL_NODES, capacity // 20))),
-        len(problem.start),
-    )
-    return tree._replace(
-        nodes=np.empty((capacity, d)),
-        parent=np.empty(capacity, np.int64),
-        next=np.empty(capacity, np.int64),
-    )
+    return min(capacity, max(TYPICAL_NODES, capacity // 20))
 
 
 @compiled

@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 
 from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
+from ...messages import get_message
 from ...problems import Plan
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...support.constructors import with_type_names
@@ -224,9 +225,7 @@ def grow_rrt_star(
     most = integer(max_nodes, "max_nodes", least=1)
     limit = iteration_limit(max_iterations, most)
     widest = sufficient_gamma(problem) if gamma is None else positive(gamma, "gamma")
-    n = np.arange(most + 2, dtype=np.float64)
-    radii = np.full(most + 2, eta)
-    radii[2:] = np.minimum(widest * (np.log(n[2:]) / n[2:]) ** (1.0 / len(problem.start)), eta)
+    radii = neighbour_radii(widest, len(problem.start), most + 2, eta)
     costs = empty_costs(new_tree(problem, most + 1), rows)
     before = count_checks(problem)
     at_goal, iterations = grow_shortest(
@@ -236,12 +235,20 @@ def grow_rrt_star(
     return Growth(problem, costs, radii, int(at_goal), int(iterations), checks)
 
 
+@callable_from_compiled
+def neighbour_radii(gamma: float, d: int, size: int, most: float) -> Array:
+    """For each n below `size` gamma (log n / n)^(1/d), at most `most`: a tree's radius."""
+    radii = np.full(size, most)
+    for n in range(2, size):
+        radii[n] = min(gamma * (math.log(n) / n) ** (1.0 / d), most)
+    return radii
+
+
 def plan_from_growth(planner: str, growth: Growth) -> Plan:
     """The plan along a tree that has grown."""
     tree, iterations = growth.costs.tree, growth.iterations
-    reason = (
-        f"after {iterations:,} iterations none of {tree.size[0]:,} nodes reaches the goal; allow "
-        "more nodes, or another step size"
+    reason = get_message(
+        "plan.tree_failed", iterations=f"{iterations:,}", nodes=f"{tree.size[0]:,}"
     )
     return plan_from_tree(
         planner,

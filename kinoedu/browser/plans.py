@@ -1,0 +1,219 @@
+"""The bodies of the planners' board: a scene, settings and a generator make a plan as it is shown.
+
+Each does what the board of a lesson does with the same planner. The settings of each are named in
+`bodies.py`.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..compiled import algorithm, compiled, inlined
+from ..geometry.checks import Array
+from ..geometry.parts import box_of
+from ..graphs.flat import GraphRecord, compress_rows
+from ..graphs.search import search
+from ..planners.answers import cost_along
+from ..planners.roadmaps.connecting import join_pairs
+from ..planners.roadmaps.prm import distances_to, sample_free
+from ..planners.trees.cost_tree import empty_costs
+from ..planners.trees.informed import Everywhere
+from ..planners.trees.rrt import grow
+from ..planners.trees.rrt_connect import TRAPPED, grow_both, merge_trees, roomy_size
+from ..planners.trees.rrt_star import grow_shortest, neighbour_radii
+from ..problems import ProblemRecord
+from ..robots.round import RoundRobot
+from ..spaces import RealSpace
+from ..spaces.buckets import GrowingTree, empty_tree
+from ..spaces.closest import add_nodes, k_closest_in_buckets
+from .scenes import (
+    FOUND,
+    GOAL_NOT_FREE,
+    NOT_FOUND,
+    RING_FAULT,
+    START_NOT_FREE,
+    SceneArrays,
+    Shown,
+    find_fault,
+    show_nothing,
+    world_of_scene,
+)
+
+REASON = 5
+Numbers = NDArray[np.int64]
+
+
+@algorithm
+def show_rrt(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+    """A tree of RRT."""
+    ring, fault = find_fault(scene)
+    if ring >= 0:
+        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
+    problem = problem_of(scene, settings[0])
+    status = find_end_in_contact(problem)
+    if status != FOUND:
+        return show_nothing(status, 0, 0, 0)
+    room = int(settings[3]) + 1
+    tree = empty_tree(room, room, problem.space.lo, problem.space.hi)
+    at_goal, iterations = grow(problem, tree, settings[1], settings[2], int(settings[4]), rng)
+    return show_tree(problem, tree, at_goal, iterations)
+
+
+@algorithm
+def show_rrt_star(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+    """A tree of RRT*."""
+    ring, fault = find_fault(scene)
+    if ring >= 0:
+        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
+    problem = problem_of(scene, settings[0])
+    status = find_end_in_contact(problem)
+    if status != FOUND:
+        return show_nothing(status, 0, 0, 0)
+    eta, most = settings[1], int(settings[3])
+    space, radii = problem.space, neighbour_radii(settings[5], 2, most + 2, eta)
+    costs = empty_costs(empty_tree(most + 1, most + 1, space.lo, space.hi), 0)
+    sampler = Everywhere(settings[2])
+    at_goal, iterations = grow_shortest(problem, costs, sampler, eta, radii, int(settings[4]), rng)
+    return show_tree(problem, costs.tree, at_goal, iterations)
+
+
+@algorithm
+def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+    """The two trees of RRT-Connect."""
+    ring, fault = find_fault(scene)
+    if ring >= 0:
+        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
+    problem = problem_of(scene, settings[0])
+    status = find_end_in_contact(problem)
+    if status != FOUND:
+        return show_nothing(status, 0, 0, 0)
+    room, space = int(settings[2]), problem.space
+    owner = np.empty(room, np.int64)
+    one = empty_tree(room, roomy_size(room), space.lo, space.hi)
+    other = empty_tree(room, roomy_size(room), space.lo, space.hi)
+    at_start, at_goal, iterations = grow_both(
+        problem, one, other, owner, settings[1], int(settings[3]), rng
+    )
+    grown = one.size[0] + other.size[0]
+    nodes, parent, number = merge_trees(
+        (one.nodes, other.nodes), (one.parent, other.parent), owner[:grown]
+    )
+    path = np.empty((0, 2))
+    if at_start != TRAPPED:
+        first = branch_to(nodes, parent, number[0, at_start])
+        path = np.concatenate((first, branch_to(nodes, parent, number[1, at_goal])[-2::-1]))
+    edges = tree_edges(nodes, parent, len(nodes))
+    from_start = np.empty(len(edges), np.bool_)
+    for k in range(len(edges)):
+        from_start[k] = owner[int(edges[k, 4]) - 1] == 0
+    shown = show_plan(problem, path, edges[from_start], nodes[:0], grown, grown, iterations)
+    return Shown(shown.facts, shown.edges, edges[~from_start], shown.dots, shown.path)
+
+
+@algorithm
+def show_prm(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+    """A roadmap of PRM, and the shortest path in it."""
+    ring, fault = find_fault(scene)
+    if ring >= 0:
+        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
+    problem = problem_of(scene, settings[0])
+    status = find_end_in_contact(problem)
+    if status != FOUND:
+        return show_nothing(status, 0, 0, 0)
+    n = int(settings[1])
+    sampled = sample_free(problem, n, 100 * n, rng)
+    nodes = np.concatenate((np.stack((problem.start, problem.goal)), sampled))
+    pairs, costs = join_closest(problem, nodes, min(int(settings[2]), len(nodes) - 1))
+    first, to, weight = compress_rows(len(nodes), pairs, costs, 2)
+    graph = GraphRecord(len(nodes), pairs, costs, first, to, weight)
+    cost, parent, _, _ = search(graph, 0, 1, distances_to(problem, nodes, problem.goal))
+    path = branch_to(nodes, parent, 1) if cost[1] < np.inf else nodes[:0]
+    edges = np.empty((len(pairs), 5))
+    for k in range(len(pairs)):
+        write_edge(edges, k, nodes[pairs[k, 0]], nodes[pairs[k, 1]], k + 1)
+    shown = show_plan(problem, path, edges, nodes, len(edges), len(nodes), 0)
+    shown.facts[REASON] = 0 if first[1] == 0 else 1 if first[2] == first[1] else 2
+    return shown
+
+
+@compiled
+def join_closest(problem: ProblemRecord, nodes: Array, k: int) -> tuple[Numbers, Array]:
+    """The edges of a roadmap that joins each node to its k closest nodes, and their costs."""
+    lo, hi = box_of(nodes)
+    tree = empty_tree(len(nodes), len(nodes), lo, hi)
+    add_nodes(tree, nodes)
+    to = k_closest_in_buckets(problem.space, tree, k)
+    return join_pairs(problem, nodes, k * np.arange(len(nodes) + 1), to.ravel())
+
+
+@compiled
+def problem_of(scene: SceneArrays, clearance: float) -> ProblemRecord:
+    """The problem of a scene whose first two handles are start and goal; they are not checked."""
+    world, robot = world_of_scene(scene), RoundRobot(scene.handles[0, 2])
+    start, goal = scene.handles[0, :2].copy(), scene.handles[1, :2].copy()
+    space = RealSpace(world.lo, world.hi)
+    return ProblemRecord(robot, world, space, start, goal, clearance, np.zeros(2, np.int64))
+
+
+@compiled
+def find_end_in_contact(problem: ProblemRecord) -> int:
+    """START_NOT_FREE or GOAL_NOT_FREE, or FOUND where both are free."""
+    if not problem.is_free(problem.start):
+        return START_NOT_FREE
+    return FOUND if problem.is_free(problem.goal) else GOAL_NOT_FREE
+
+
+@compiled
+def show_tree(problem: ProblemRecord, tree: GrowingTree, at_goal: int, iterations: int) -> Shown:
+    """A tree and the path to its node at the goal."""
+    edges = tree_edges(tree.nodes, tree.parent, tree.size[0])
+    path = branch_to(tree.nodes, tree.parent, at_goal) if at_goal >= 0 else tree.nodes[:0].copy()
+    return show_plan(problem, path, edges, path[:0], tree.size[0], tree.size[0], iterations)
+
+
+@compiled
+def show_plan(
+    problem: ProblemRecord,
+    path: Array,
+    edges: Array,
+    dots: Array,
+    steps: int,
+    nodes: int,
+    iterations: int,
+) -> Shown:
+    """A plan as it is shown."""
+    found = len(path) > 0
+    cost = cost_along(problem, path) if found else np.inf
+    status = FOUND if found else NOT_FOUND
+    facts = np.array([status, cost, steps, iterations, nodes, 0.0])
+    return Shown(facts, edges.copy(), np.empty((0, 5)), dots.copy(), path.copy())
+
+
+@compiled
+def tree_edges(nodes: Array, parent: Numbers, size: int) -> Array:
+    """The edges of a tree as rows x, y, next x, next y, step: node k has appeared at step k + 1."""
+    edges, m = np.empty((size, 5)), 0
+    for node in range(size):
+        if parent[node] >= 0:
+            write_edge(edges, m, nodes[parent[node]], nodes[node], node + 1)
+            m += 1
+    return edges[:m].copy()
+
+
+@inlined
+def write_edge(edges: Array, row: int, a: Array, b: Array, step: int) -> None:
+    """Write the edge from a to b, which appears at a step."""
+    edges[row, 0], edges[row, 1], edges[row, 2], edges[row, 3] = a[0], a[1], b[0], b[1]
+    edges[row, 4] = step
+
+
+@compiled
+def branch_to(nodes: Array, parent: Numbers, node: int) -> Array:
+    """The places of the nodes from the root to a node, (k, 2)."""
+    size, above = 1, parent[node]
+    while above >= 0:
+        size, above = size + 1, parent[above]
+    branch = np.empty((size, 2))
+    for k in range(size - 1, -1, -1):
+        branch[k, 0], branch[k, 1] = nodes[node, 0], nodes[node, 1]
+        node = parent[node]
+    return branch

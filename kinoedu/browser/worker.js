@@ -1,0 +1,92 @@
+// Answers scenes beside the page, so that dragging never waits for a plan.
+//
+// The page sends {name, module} once for each body, with the bytes of its WebAssembly, and then
+// {name, ask, scene, settings, seed}. The worker answers {ask, took, facts, layers}, or {ask, error}.
+//
+// A body is a function that numba compiled: its arguments are the fields of `SceneArrays`, each array
+// with its shape and strides, then the settings and the generator. See kinoedu/browser/scenes.py.
+
+const instances = new Map();
+const FIELDS = [["facts", 1], ["edges", 2], ["others", 2], ["dots", 2], ["path", 2]];  // of `Shown`
+
+onmessage = ({ data }) => {
+  if (data.module) {
+    const module = new WebAssembly.Module(data.module);
+    const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: NO_SYSTEM });
+    exports._initialize?.();
+    instances.set(data.name, exports);
+    return;
+  }
+  try {
+    const began = performance.now(), shown = answer(instances.get(data.name), data);
+    const layers = FIELDS.slice(1).map(([name]) => [name, shown[name]]);
+    const memory = layers.map(([, { numbers }]) => numbers.buffer);
+    postMessage({
+      ask: data.ask, took: performance.now() - began, facts: [...shown.facts.numbers],
+      layers: Object.fromEntries(layers),
+    }, memory);
+  } catch (error) {
+    instances.delete(data.name);     // its memory may be in disorder
+    postMessage({ ask: data.ask, name: data.name, error: String(error) });
+  }
+};
+
+// The C library would ask a system for its arguments and for where to print; there is none.
+const NO_SYSTEM = new Proxy({}, { get: () => () => 52 });
+
+// The arrays of a scene, in the order of `SceneArrays`, each [numbers, shape].
+function arraysOf(scene, free) {
+  const rings = [scene.boundary ?? [], ...scene.polygons.map(({ rings: [outer] }) => outer)];
+  const first = [0];
+  for (const ring of rings) first.push(first.at(-1) + ring.length);
+  const rows = (values, columns) => [Float64Array.from(values.flat()), [values.length, columns]];
+  return [
+    rows(rings.flat(), 2),
+    [BigInt64Array.from(first, BigInt), [first.length]],
+    rows(scene.discs.map(({ at, radius }) => [...at, radius]), 3),
+    rows(scene.handles.map(({ at, radius }) => [...at, radius ?? 0]), 3),
+    free,
+    [Float64Array.from(scene.lo), [2]],
+    [Float64Array.from(scene.hi), [2]],
+  ];
+}
+
+function answer(body, { scene, free, settings, seed }) {
+  const held = [];                   // memory to give back
+  const hold = (size) => { held.push(body.allocate(size)); return held.at(-1); };
+  const given = arraysOf(scene, free ?? [new Uint8Array(0), [0, 0]]);
+  given.push([Float64Array.from(settings), [settings.length]]);
+  const args = given.flatMap(([numbers, shape]) => {
+    const at = hold(Math.max(numbers.byteLength, 8));
+    new Uint8Array(body.memory.buffer).set(new Uint8Array(numbers.buffer), at);
+    const size = numbers.BYTES_PER_ELEMENT;
+    const strides = shape.map((_, k) => size * shape.slice(k + 1).reduce((a, b) => a * b, 1));
+    return [0, 0, BigInt(numbers.length), BigInt(size), at, ...[...shape, ...strides].map(BigInt)];
+  });
+  const generator = body.seeded(seed), draws = [body.draw64(), body.draw32(), body.draw_double()];
+  held.push(generator);
+  args.push(0, ...[generator, generator, ...draws, 0].map(BigInt), 0, 0);
+  const result = hold(512), failure = hold(8);
+  try {
+    const status = body.answer(result, failure, ...args);
+    if (status !== 0) throw new Error(`the body ended with status ${status}`);
+    return read(body, result);
+  } finally {
+    held.forEach((memory) => body.release(memory));
+  }
+}
+
+// The arrays of a `Shown` at a place in memory; each is given back when it has been copied.
+function read(body, at) {
+  const view = new DataView(body.memory.buffer), shown = {};
+  for (const [name, dimensions] of FIELDS) {
+    const length = Number(view.getBigInt64(at + 8, true)), data = view.getUint32(at + 24, true);
+    const shape = Array.from({ length: dimensions },
+      (_, k) => Number(view.getBigInt64(at + 32 + 8 * k, true)));
+    const numbers = new Float64Array(body.memory.buffer.slice(data, data + 8 * length));
+    shown[name] = { numbers, shape };
+    body.release(view.getUint32(at, true));
+    at += 32 + 16 * dimensions;
+  }
+  return shown;
+}
