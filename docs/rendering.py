@@ -25,6 +25,7 @@ from kinoedu.messages import get_message, get_template
 CORE = Path(kinoedu.__file__).parent / "boards" / "core"
 BROWSER = Path(kinoedu.__file__).parent / "browser"
 
+SITE_WORDS = ("recorded", "live", "seed", "share", "shared")
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 HEADING = re.compile(r"(\w+)\n-+\n")
 ENTRY = re.compile(r"(?m)^(\S.*)((?:\n +.*)*)")
@@ -172,7 +173,7 @@ def script_of_boards(live):
     """One script, which works from a disk too: modules do not."""
     files = CORE / "board.js", CORE / "recorded.js", BROWSER / "live.js", BROWSER / "worker.js"
     board, player, answers, worker = (file.read_text(encoding="utf-8") for file in files)
-    words = {name: get_template(f"site.{name}", "en") for name in ("recorded", "live", "seed")}
+    words = {name: get_template(f"site.{name}", "en") for name in SITE_WORDS}
     words |= front_messages()
     values = f"const WORDS = {json.dumps(words)}, PALETTE = {json.dumps(palette.NAMED)};"
     values += f"\nconst VERSION = {VERSION}, LIVE = {json.dumps(live)};"

@@ -18,6 +18,7 @@ from kinoedu.boards.planning.plans import draw_plan, make_problem_scene
 from kinoedu.browser.bodies import BODIES
 from kinoedu.browser.scenes import pack_scene
 from kinoedu.errors import KinoeduError
+from kinoedu.messages import get_message
 from kinoedu.planners.registry import PLANNERS
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -249,3 +250,23 @@ def test_boards_are_dragged_in_the_page(page):
     crossed = [(4, 0), (6, 0), (6, 8), (7, 2)]
     page.wait_for_function(SAYS, arg=[1, lab_text("prm", (2, 6), (9, 1), crossed, 0)])
     keep(page, "live_boards")
+
+
+def test_a_link_brings_the_same_world(page, folder):
+    """A planner, a seed and what was moved are in the address; nonsense there is said."""
+    drag(page, 1, (9, 1), (9, 8.5))
+    page.locator(".kinoedu-live select").nth(1).select_option("rrt_connect")
+    page.locator(".kinoedu-live button").nth(2).click()
+    page.wait_for_function(
+        "document.querySelectorAll('.kinoedu-board')[1].querySelector('[role=status]').textContent"
+        ".startsWith('RRT-Connect')"
+    )
+    text = page.locator(".kinoedu-board [role=status]").nth(1).inner_text()
+    page.locator(".kinoedu-live button").nth(3).click()
+    address = page.evaluate("location.href")
+    page.goto("about:blank")
+    page.goto(address)
+    page.wait_for_function(SAYS, arg=[1, text])
+    page.goto("about:blank")
+    page.goto((folder / "index.html").as_uri() + "#kinoedu=nonsense")
+    page.wait_for_function(SAYS, arg=[0, get_message("live.bad_link")])

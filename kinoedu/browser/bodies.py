@@ -69,7 +69,14 @@ BODIES = {
     "prm": Body(show_prm, "PRM", ("clearance", "n", "k"), EDGES, ROADMAP_REASONS, ROADMAP),
 }
 WORDS = (
-    *("figure.path", "figure.no_path", "live.failed", "board.planner", "ring.repeats_first"),
+    *(
+        "figure.path",
+        "figure.no_path",
+        "live.failed",
+        "live.bad_link",
+        "board.planner",
+        "ring.repeats_first",
+    ),
     *(f"not_free.{name}" for name in ("start", "goal", "outside", "touches", "margin")),
     *(f"ring.{fault}" for fault in FAULTS[1:]),
 )

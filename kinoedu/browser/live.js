@@ -57,22 +57,19 @@ function script(file) {
 
 // The answers to a board: each from the scene as it is when a page asks.
 class Answers {
-  constructor({ body, seed, settings }, scene, tell) {
-    this.scene = JSON.parse(JSON.stringify(scene));
-    Object.assign(this, { body, seed, settings, tell });
+  constructor({ body, seed, settings }, scene, key, tell) {
+    this.scene = copy(scene);
+    Object.assign(this, { body, seed, settings, key, tell });
   }
 
   take({ from, seq, moved }) {            // things were moved: answer the page that asks
-    for (const [kind, i, where] of moved) {
-      if (kind === "polygon") this.scene.polygons[i].rings = where;
-      else this.scene[`${kind}s`][i].at = where;
-    }
+    move(this.scene, moved);
     return this.answer(from, seq);
   }
 
   async answer(to = null, seq = null) {
     const { body: name, seed } = this, settings = this.settings[name];
-    const scene = JSON.parse(JSON.stringify(this.scene));
+    const scene = copy(this.scene);
     let drawing;
     try {
       await load(name);
@@ -85,7 +82,62 @@ class Answers {
   }
 }
 
-// A choice of planners, and a button for another seed.
+const LISTS = { handle: "handles", disc: "discs", polygon: "polygons" };
+
+// The places of all things, each [kind, number, coordinates].
+function placesOf(scene) {
+  return Object.entries(LISTS).flatMap(([kind, list]) => scene[list].map(
+    (item, i) => [kind, i, kind === "polygon" ? item.rings : item.at],
+  ));
+}
+
+function move(scene, places) {
+  for (const [kind, i, where] of places) {
+    scene[LISTS[kind]][i][kind === "polygon" ? "rings" : "at"] = where;
+  }
+}
+
+// ---- a board in the address of its page, so that a teacher can send a world
+
+const MARK = "#kinoedu=";
+
+function linkTo({ key, body, seed, scene }) {
+  const board = { version: VERSION, key, body, seed, places: placesOf(scene) };
+  return MARK + btoa(JSON.stringify(board)).replaceAll("+", "-").replaceAll("/", "_");
+}
+
+// The board of the page's address; null without one, {} for nonsense.
+function linked() {
+  if (!location.hash.startsWith(MARK)) return null;
+  try {
+    const text = location.hash.slice(MARK.length).replaceAll("-", "+").replaceAll("_", "/");
+    return JSON.parse(atob(text)) ?? {};
+  } catch {
+    return {};
+  }
+}
+
+// Whether a link has the things of a scene, and a planner and a seed of this page.
+function fits({ version, body, seed, places }, scene) {
+  const form = (value) => JSON.stringify(value, (_, v) => (Number.isFinite(v) ? "number" : v));
+  const formOf = (parts) => parts.map(([kind, i, where]) => `${kind} ${i} ${form(where)}`).join();
+  return version === VERSION && body in LIVE.bodies && Number.isInteger(seed) && seed >= 0
+    && seed < 2 ** 32 && Array.isArray(places) && places.every(Array.isArray)
+    && formOf(places) === formOf(placesOf(scene));
+}
+
+// Arrange a record as the page's address says, if that names it. A link that does not fit leaves
+// the record as it was, and says so.
+function arranged(record, key) {
+  const link = linked();
+  if (!isLive(record) || !link || (link.key ?? key) !== key) return record;
+  if (!fits(link, record.scene)) return { ...record, warning: said("live.bad_link", {}) };
+  const scene = copy(record.scene), { body, seed } = link;
+  move(scene, link.places);
+  return { ...record, scene, live: { ...record.live, body, seed }, moved: true };
+}
+
+// A choice of planners, a button for another seed, and one that puts the board into the address.
 function controlsOf(answers) {
   const row = document.createElement("div"), menu = document.createElement("select");
   for (const [name, { planner }] of Object.entries(LIVE.bodies)) menu.add(new Option(planner, name));
@@ -95,8 +147,15 @@ function controlsOf(answers) {
   const again = document.createElement("button");
   again.textContent = WORDS.seed;
   again.addEventListener("click", () => { answers.seed += 1; answers.answer(); });
+  const share = document.createElement("button");
+  share.textContent = WORDS.share;
+  share.addEventListener("click", () => {
+    history.replaceState(null, "", linkTo(answers));
+    navigator.clipboard?.writeText(location.href).catch(() => {});
+    share.textContent = WORDS.shared;
+  });
   row.className = "kinoedu-live";
-  row.append(menu, again);
+  row.append(menu, again, share);
   return row;
 }
 

@@ -7,17 +7,19 @@
 
 // A model as anywidget gives it. It answers "hello" with the recorded drawing, and a scene that was
 // moved only where the board is live.
-function recordedModel(record, key, team) {
-  const heard = [];
+function recordedModel(stored, key, team) {
+  const heard = [], record = arranged(stored, key);
   const values = {
-    key, partner: team, scene: record.scene, home: record.scene, palette: PALETTE, words: WORDS,
+    key, partner: team, scene: record.scene, home: stored.scene, palette: PALETTE, words: WORDS,
     bitmap: new DataView(bytesOf(record.bitmap).buffer), recorded: !isLive(record),
   };
   const tell = (message, buffers) => heard.forEach((hear) => hear(message, buffers));
-  const answers = isLive(record) ? new Answers(record.live, values.scene, tell) : null;
+  const answers = isLive(record) ? new Answers(record.live, record.scene, key, tell) : null;
   const show = () => {
+    if (record.moved) { answers.answer(); return; }
     const buffers = record.buffers.map((text) => new DataView(bytesOf(text).buffer));
-    tell({ kind: "drawing", to: null, seq: null, ...record.drawing }, buffers);
+    const { warning = "" } = record;
+    tell({ kind: "drawing", to: null, seq: null, ...record.drawing, warning }, buffers);
   };
   return {
     answers,
@@ -71,6 +73,7 @@ function begin() {
     }
   }, { rootMargin: "600px" });
   elements.forEach((element) => seen.observe(element));
+  elements[parseInt(linked()?.key, 10)]?.scrollIntoView();
 }
 
 if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
