@@ -24,8 +24,11 @@ examples:
   python start.py experiment notebooks/experiments/trees.toml --out results --workers 2
   python start.py experiment trees.toml --dask tcp://10.0.0.1:8786
 
-exit status: 0 everything was run, 1 some runs were not, with the reason in the table, 2 the input
-was wrong
+A planner, a robot or a world in the file can be code of yours (module.function). It is run with all
+your rights on this computer: run only files that you trust.
+
+exit status: 0 everything was run, 1 some runs were not, or a planner of yours returned a wrong
+path, with the reason in the table, 2 the input was wrong
 """
 
 
@@ -86,9 +89,15 @@ def run_experiment(arguments: argparse.Namespace) -> int:
 
             save_plots(table, folder)
     print(f"{text}\n{repr(table)[8:-1]}; in {folder}")
-    reasons = sorted({f"{row.label}: {row.reason}" for row in table if row.status == "not run"})
+    reasons = sorted(
+        {
+            f"{row.status}: {row.label}: {row.reason}"
+            for row in table
+            if row.status in ("not run", "wrong")
+        }
+    )
     print(
-        *(f"not run: {' '.join(reason.split())}" for reason in reasons),
+        *(" ".join(reason.split()) for reason in reasons),
         sep="\n",
         end="\n" if reasons else "",
     )

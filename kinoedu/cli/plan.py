@@ -1,17 +1,20 @@
 """kinoedu plan: plan a path in a scene, a map or a picture."""
 
 import argparse
+import inspect
 import re
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import Future, wait
+from copy import deepcopy
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ..errors import InvalidParameter
+from ..errors import InvalidParameter, KinoeduError
 from ..planners.registry import PLANNERS
-from ..problems.protocols import ProblemLike
 from ..support.progress import show_stage
 from .commands import Commands
 
@@ -32,6 +35,9 @@ SCENE is one of
 PLANNER is one of
 {chr(10).join(f"  {name:<20} {planner.about}" for name, planner in CHOICES.items())}
   * only among polygons: not in a map or a picture, nor with discs, a radius or a clearance
+  mine.py:potential    the function potential of your own file mine.py: f(problem) or
+                       f(problem, rng), which returns a path, a Plan or None. The file is run with
+                       all your rights on this computer. Its path is checked
 
 x points right and y up, from the lower left corner. The side of a pixel or map cell is one unit; a
 ROS map is in metres.
@@ -43,8 +49,10 @@ examples:
   python start.py plan notebooks/maps/maze-128-128-10.map --start 5,5 --goal 120,120 --planner astar
   python start.py plan scene.json --step-size 0.5 --seed 3 --save plan.json
   python start.py plan scene.json --planner decomposition --out plan.svg
+  python start.py plan scene.json --planner mine.py:potential --out plan.png
 
-exit status: 0 a path was found, 1 there is none (with the reason), 2 the input was wrong
+exit status: 0 a path was found, 1 there is none, or yours is not free (with the reason), 2 the
+input was wrong
 """
 
 
@@ -66,7 +74,7 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
     plan.add_argument("scene", metavar="SCENE", type=Path, help="the file to plan in")
     plan.add_argument(
         "--planner",
-        choices=tuple(CHOICES),
+        type=parse_planner,
         metavar="PLANNER",
         default="rrt",
         help="default: %(default)s",
@@ -178,6 +186,17 @@ def parse_numbers(text: str) -> list[float]:
         raise argparse.ArgumentTypeError(f"expected X,Y such as 10,20, got {text!r}") from None
 
 
+def parse_planner(text: str) -> str:
+    """The name of a planner, or of a function of a reader's own file."""
+    from ..support.own_code import names_code
+
+    if text not in CHOICES and not names_code(text):
+        raise argparse.ArgumentTypeError(
+            f"expected one of {', '.join(CHOICES)}, or file.py:function of your own, got {text!r}"
+        )
+    return text
+
+
 def run_plan(arguments: argparse.Namespace) -> int:
     """Read the scene, plan, draw and save, and print the result in one line."""
     check_writable("--out", arguments.out, arguments.scene, "a picture ends in .png, .svg or .pdf")
@@ -197,7 +216,7 @@ def run_plan(arguments: argparse.Namespace) -> int:
         )
     with show_stage(f"planning with {arguments.planner}"):
         started = time.perf_counter()
-        plan = run_interruptibly(lambda: make_plan(problem, arguments))
+        plan, faults = run_interruptibly(lambda: make_plan(problem, arguments))
         seconds = time.perf_counter() - started
     if arguments.out is not None:
         with show_stage(f"drawing {arguments.out.name}"):
@@ -209,17 +228,23 @@ def run_plan(arguments: argparse.Namespace) -> int:
             from ..files.plans import write_plan
 
             write_plan(plan, arguments.save)
-    counts = ", ".join(f"{count:,} {name}" for name, count in plan.stats.items())
-    answer = (
-        f"found: length {plan.cost:.8g}" if plan.path is not None else f"no path: {plan.reason}"
-    )
+    counts = [f"{count:,} {name}" for name, count in plan.stats.items()]
     files = "".join(
         f"; {done} in {file}"
         for done, file in (("drawn", arguments.out), ("saved", arguments.save))
         if file
     )
-    print(f"{answer}; {seconds:.3f} s, {counts}{files}")
-    return 0 if plan.path is not None else 1
+    print(f"{describe(plan, faults)}; {', '.join([f'{seconds:.3f} s', *counts])}{files}")
+    return 0 if plan.path is not None and not faults.is_wrong else 1
+
+
+def describe(plan: Any, faults: Any) -> str:
+    """The result in words."""
+    if plan.path is None:
+        return f"no path: {plan.reason}"
+    if faults.is_wrong:
+        return f"wrong path: {faults.text}"
+    return f"found: length {plan.cost:.8g}" + (f"; {faults.text}" if faults.text else "")
 
 
 def make_robot(radius: float | None) -> Any:
@@ -245,21 +270,56 @@ def run_interruptibly(work: Callable[[], Any]) -> Any:
     return answer.result()
 
 
-def make_plan(problem: ProblemLike, arguments: argparse.Namespace) -> Any:
+def make_plan(problem: Any, arguments: argparse.Namespace) -> tuple[Any, Any]:
     """Plan with the planner and the settings of the command line.
 
-    Raises InvalidParameter for a setting that this planner does not have.
+    Returns
+    -------
+    The plan, and what is wrong with it where the planner is a reader's own.
+
+    Raises
+    ------
+    InvalidParameter
+        For a setting that this planner does not have, or where a reader's planner raises an error.
     """
-    planner = CHOICES[arguments.planner]
     given = {name: getattr(arguments, name) for name in SETTINGS}
     given = {name: value for name, value in given.items() if value is not None}
+    if arguments.planner not in CHOICES:
+        return plan_with_own(problem, arguments.planner, arguments.seed, given)
+    from ..planners.own import Faults
+
+    planner = CHOICES[arguments.planner]
+    check_settings(arguments.planner, given, planner.options)
+    return planner.plan(problem, seed=arguments.seed, **given), Faults()
+
+
+def plan_with_own(problem: Any, name: str, seed: int, settings: dict[str, Any]) -> tuple[Any, Any]:
+    """Plan with a function of a reader's own file, and check its path."""
+    from ..planners.own import as_plan, call_planner, find_faults
+    from ..support.faults import describe_exception
+    from ..support.own_code import load_function
+
+    function = load_function(name, Path())
+    check_settings(name, settings, inspect.signature(function).parameters)
+    asked = deepcopy(problem)  # it cannot change the problem that its path is checked in
+    try:
+        answer = call_planner(partial(function, **settings), asked, seed)
+    except KinoeduError:
+        raise
+    except Exception as error:
+        raise InvalidParameter(describe_exception(error, name)) from error
+    plan = as_plan(answer, problem)
+    stats = plan.stats or {"checks": int(asked.query_counts[0])}
+    return replace(plan, stats=stats, planner=plan.planner or name), find_faults(plan, problem)
+
+
+def check_settings(planner: str, given: Iterable[str], options: Iterable[str]) -> None:
+    """Raise InvalidParameter for a setting that a planner does not have."""
+    known = [name for name in options if name in SETTINGS]
     for name in given:
-        if name not in planner.options:
-            has = ", ".join(map(option_of, planner.options)) or "no such options"
-            raise InvalidParameter(
-                f"--planner {arguments.planner} has no {option_of(name)}; it has {has}"
-            )
-    return planner.plan(problem, seed=arguments.seed, **given)
+        if name not in known:
+            has = ", ".join(map(option_of, known)) or "no such options"
+            raise InvalidParameter(f"--planner {planner} has no {option_of(name)}; it has {has}")
 
 
 def option_of(setting: str) -> str:

@@ -5,17 +5,20 @@ import math
 import statistics
 import time
 from collections.abc import Callable
+from copy import deepcopy
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..compiled import COMPILED_FIRST, running
-from ..errors import InvalidParameter
 from ..geometry.checks import Array
+from ..planners.own import Faults, as_plan, call_planner, find_faults, is_own
 from ..problems import MOTIONS, PLACES, Plan, ProblemRecord
-from ..support.text import shortened
+from .digests import digest, version
 
-FOUND, NO_PATH, OUT_OF_TIME, NOT_RUN = "found", "no path", "out of time", "not run"
+FOUND, NO_PATH, WRONG, OUT_OF_TIME, NOT_RUN = (
+    *("found", "no path", "wrong", "out of time", "not run"),
+)
 
 
 class Cell(NamedTuple):
@@ -48,7 +51,7 @@ class Outcome(NamedTuple):
 
     Attributes
     ----------
-    status : "found", "no path", "out of time" or "not run".
+    status : "found", "no path", "wrong" (a path that is not free), "out of time" or "not run".
     motions, places, nodes, iterations : None where the planner does not count them.
     """
 
@@ -63,45 +66,52 @@ class Outcome(NamedTuple):
     path: str = ""
 
 
+def kind_of(problem: ProblemRecord, planner: Callable[..., Any], repeat: int) -> str:
+    """A digest of all that a cell's outcome depends on, but for its seed.
+
+    Raises
+    ------
+    InvalidParameter
+        Where something has no digest, or a reader's file has changed since it was imported.
+    """
+    return digest((version(), problem, planner, repeat))
+
+
 @running(COMPILED_FIRST)
 def run_cell(cell: Cell) -> Outcome:
     """Run the planner as often as the cell says, and return the outcome with the median time.
 
     An exception of the planner becomes an outcome of status "not run".
     """
-    random = {} if cell.seed is None else {"rng": cell.seed}
-    seconds = []
+    own, seconds = is_own(cell.planner), []
     try:
         for _ in range(cell.repeat):
-            cell.problem.query_counts[:] = 0
+            # a reader's planner gets a copy, so that it cannot change the judge's problem
+            problem = deepcopy(cell.problem) if own else cell.problem
+            problem.query_counts[:] = 0
             began = time.perf_counter()
-            plan = cell.planner(cell.problem, **random)
+            answer = call_planner(cell.planner, problem, cell.seed)
             seconds.append(time.perf_counter() - began)
-        return outcome_of(plan, cell.problem.query_counts, statistics.median(seconds))
-    except Exception as error:
+        counts = problem.query_counts.copy()
+        plan = as_plan(answer, cell.problem) if own else answer
+        faults = find_faults(plan, cell.problem) if own else Faults()
+        return outcome_of(plan, faults, counts, statistics.median(seconds))
+    except (Exception, SystemExit) as error:
         return Outcome(NOT_RUN, reason=f"{type(error).__name__}: {error}")
 
 
-def outcome_of(plan: object, query_counts: Any, seconds: float) -> Outcome:
-    """Outcome of a plan.
-
-    Raises
-    ------
-    InvalidParameter
-        Where the planner has not returned a Plan.
-    """
-    if not isinstance(plan, Plan):
-        raise InvalidParameter(f"a planner must return a Plan, got {shortened(plan)}")
+def outcome_of(plan: Plan, faults: Faults, query_counts: Any, seconds: float) -> Outcome:
+    """Outcome of a plan. A path that is not free has no cost; one that only touches has."""
     found = plan.path is not None
     return Outcome(
-        FOUND if found else NO_PATH,
-        float(plan.cost) if found else math.inf,
+        WRONG if faults.is_wrong else FOUND if found else NO_PATH,
+        float(plan.cost) if found and not faults.is_wrong else math.inf,
         seconds,
         int(query_counts[MOTIONS]),
         int(query_counts[PLACES]),
         plan.stats.get("nodes"),
         plan.stats.get("iterations"),
-        plan.reason,
+        faults.text or plan.reason,
         digest_of(plan.path) if found else "",
     )
 

@@ -19,11 +19,13 @@ import threading
 from typing import Any, BinaryIO
 
 from ..compiled.tiers import BEGUN, DONE
-from .cells import NOT_RUN, Cell, Outcome, out_of_time, run_cell
+from ..errors import InvalidParameter
+from .cells import NOT_RUN, Cell, Outcome, kind_of, out_of_time, run_cell
 from .digests import version
 
 START = (
-    "import sys; sys.path[:] = {path!r}; from kinoedu.experiments.children import serve; serve()"
+    "import sys; sys.path[:] = {path!r}; sys.dont_write_bytecode = True; "
+    "from kinoedu.experiments.children import serve; serve()"
 )
 LENGTH = struct.Struct("<Q")
 LOADING, COMPILING = 10.0, 300.0  # extra seconds for the first run, and for a compilation
@@ -203,6 +205,8 @@ def run_next_cell(tasks: BinaryIO, warmed_up: set[str]) -> Outcome:
     if theirs != version():
         return Outcome(NOT_RUN, reason="the worker has another version of kinoedu")
     if cell.kind not in warmed_up:
+        if difference := find_difference(cell):
+            return Outcome(NOT_RUN, reason=difference)
         with Watch(cell.time_limit + LOADING):
             first = run_cell(cell)
         if first.status == NOT_RUN:
@@ -210,6 +214,15 @@ def run_next_cell(tasks: BinaryIO, warmed_up: set[str]) -> Outcome:
         warmed_up.add(cell.kind)
     with Watch(cell.time_limit * cell.repeat):
         return run_cell(cell)
+
+
+def find_difference(cell: Cell) -> str:
+    """Why this process would not run what the cell means, or ""."""
+    try:
+        same = kind_of(cell.problem, cell.planner, cell.repeat) == cell.kind
+    except InvalidParameter as error:
+        return str(error)
+    return "" if same else "the worker has another version of your planner, robot or world"
 
 
 class Watch(logging.Handler):

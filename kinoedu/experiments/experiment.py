@@ -11,12 +11,12 @@ from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
 from ..geometry.checks import integer, is_real, positive
+from ..planners.own import name_of, rng_argument
 from ..problems import ProblemRecord
 from ..support.constructors import with_type_names
 from ..support.json_fields import JsonObject
 from ..support.text import shortened
-from .cells import Cell
-from .digests import digest, version
+from .cells import Cell, kind_of
 
 Planner = Callable[..., Any]
 
@@ -29,7 +29,7 @@ class Contestant(NamedTuple):
     ----------
     name : the planner's name.
     tuning : the arguments that distinguish it from others of the same name.
-    seeded : whether it has an argument `rng`.
+    seeded : whether it takes a random generator.
     """
 
     name: str
@@ -66,7 +66,9 @@ def Experiment(
     problems : dict of Problems by name.
     planners : dict of planners by name. A planner is a function of a problem, such as `rrt` or
         `functools.partial(rrt, step_size=2.0)`, or a list of such functions that differ in an
-        argument. Planners with an argument `rng` run once for each seed, the others once.
+        argument. It can be yours, as on a board: `f(problem)` or `f(problem, rng)`, which returns a
+        path, a Plan or None; its path is checked. Planners with an argument `rng` run once for
+        each seed, the others once.
     seeds : the number of seeds, counted from 0, or the seeds themselves.
     name : the name of the experiment.
     repeat : the number of times each run is repeated for its median time; its path is always the
@@ -147,7 +149,7 @@ def contestants_of(name: str, given: Planner | Sequence[Planner]) -> list[Contes
     """Planners with one name. Raises InvalidParameter."""
     functions: list[Any] = list(given) if isinstance(given, list | tuple) else [given]
     for function in functions:
-        check_planner(name, function)
+        check_contestant(name, function)
     tunings = describe_differences([getattr(function, "keywords", {}) for function in functions])
     if not functions or len(set(tunings)) < len(tunings):
         raise InvalidParameter(
@@ -155,34 +157,32 @@ def contestants_of(name: str, given: Planner | Sequence[Planner]) -> list[Contes
             f"{shortened(given)}"
         )
     return [
-        Contestant(name, tuning, function, is_seeded(function))
+        Contestant(name, tuning, function, bool(rng_argument(function)))
         for tuning, function in zip(tunings, functions)
     ]
 
 
-def check_planner(name: str, planner: object) -> None:
+def check_contestant(name: str, planner: object) -> None:
     """Raise InvalidParameter unless a planner is a function that has the given arguments."""
     function = getattr(planner, "func", planner)
-    if not inspect.isfunction(function):
+    if not callable(function) or isinstance(function, type):
         raise InvalidParameter(
             f"planner {name!r} must be a function such as rrt, or partial(rrt, step_size=2.0), got "
             f"{shortened(planner)}"
         )
-    parameters = inspect.signature(function).parameters
-    for argument in getattr(planner, "keywords", {}):
+    keywords = getattr(planner, "keywords", {})
+    parameters = inspect.signature(function).parameters if keywords else {}
+    if any(p.kind is inspect.Parameter.VAR_KEYWORD for p in parameters.values()):
+        return
+    for argument in keywords:
         if argument not in parameters:
             close = difflib.get_close_matches(argument, parameters, 1)
             hint = f"its arguments are {', '.join(list(parameters)[1:]) or 'none'}"
             if close:
                 hint = f"did you mean {close[0]!r}?"
             raise InvalidParameter(
-                f"planner {name!r}: {function.__name__} has no argument {argument!r}; {hint}"
+                f"planner {name!r}: {name_of(function)} has no argument {argument!r}; {hint}"
             )
-
-
-def is_seeded(planner: Planner) -> bool:
-    """Whether a planner uses random numbers."""
-    return "rng" in inspect.signature(getattr(planner, "func", planner)).parameters
 
 
 def describe_differences(arguments: list[dict[str, Any]]) -> list[str]:
@@ -217,7 +217,7 @@ def cells_of(experiment: ExperimentRecord) -> list[Cell]:
     for problem_name, problem in experiment.problems.items():
         fresh = problem._replace(query_counts=problem.query_counts * 0)
         for name, tuning, function, seeded in experiment.contestants:
-            kind = digest((version(), fresh, function, experiment.repeat))
+            kind = kind_of(fresh, function, experiment.repeat)
             for seed in experiment.seeds if seeded else (None,):
                 about = (problem_name, name, tuning, seed)
                 cells.append(

@@ -27,7 +27,18 @@
     drives.trials = [8, 20]
     drives.duration = 0.5
 
-Unknown keys are rejected by name.
+    [planners.mine]           # a function of yours in mine.py beside this file, with its arguments
+    planner = "mine.potential"
+    gain = [1.0, 2.0]
+
+    [problems.garden]         # a function of yours that returns a Problem, or a world
+    world = "mine.garden"
+    trees = 12                # its argument
+    robot = {kind = "mine.Hovercraft", length = 2.0}   # what a function or class of yours returns
+    start = [1, 1]
+    goal = [9, 9]
+
+Unknown keys are rejected by name. A file that names code runs it: run only what you trust.
 """
 
 import inspect
@@ -35,21 +46,25 @@ import itertools
 import os
 import tomllib
 from collections.abc import Callable
-from dataclasses import is_dataclass
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
-from ..errors import KinoeduError, UnreadableScene
+import numpy as np
+
+from ..errors import InvalidParameter, KinoeduError, UnreadableScene
 from ..files.scene_robots import ROBOTS
 from ..files.scenes import read_problem
+from ..planners.own import rng_argument
 from ..planners.registry import PLANNERS
-from ..problems import ProblemRecord
+from ..problems import Problem, ProblemRecord
+from ..robots import Point
+from ..support.faults import describe_exception
 from ..support.json_fields import Field
+from ..support.own_code import load_function, names_code
 from ..support.reading import read_text
+from .arguments import arguments_from
 from .experiment import Experiment, ExperimentRecord, Planner, bind_arguments
 from .worlds import GENERATORS
-
-PLAIN = (bool, int, float, str)  # types of values in a file
 
 
 def read_experiment(path: str | os.PathLike[str]) -> ExperimentRecord:
@@ -112,42 +127,121 @@ def problem_from(field: Field) -> ProblemRecord:
     """Problem from a file, or with a generated world."""
     if isinstance(field.value, dict) and "world" in field.value:
         kind = field.value["world"]
+        if names_code(kind):
+            return problem_in_own_world(field, kind)
         if not isinstance(kind, str) or kind not in GENERATORS:
             raise field._replace(name=f"{field.name}.world", value=kind).wrong(
-                f"one of {', '.join(map(repr, GENERATORS))}"
+                f"one of {', '.join(map(repr, GENERATORS))}, or module.function of your own"
             )
         makes = GENERATORS[kind]
-        seed = {"seed": "rng"} if "rng" in inspect.signature(makes).parameters else {}
-        return makes(**arguments_from(field, makes, ("world",), seed))
-    fields = field.members(("file",), ("query", "start", "goal", "robot", "clearance"))
+        return makes(**arguments_from(field, makes, ("world",), seed_of(makes)))
+    fields = field.members(("file",), ("query", *ENDS))
     query = fields.get("query")
     if query is not None and (isinstance(query.value, bool) or not isinstance(query.value, int)):
         raise query.wrong("a whole number")
     return read_problem(
         field.folder / fields["file"].text(),
-        robot=fields["robot"].kind(ROBOTS) if "robot" in fields else None,
-        start=fields["start"].numbers() if "start" in fields else None,
-        goal=fields["goal"].numbers() if "goal" in fields else None,
         query=None if query is None else query.value,
-        clearance=fields["clearance"].number() if "clearance" in fields else 0.0,
+        **ends_from(fields),
     )
+
+
+ENDS = ("robot", "start", "goal", "clearance")
+
+
+def ends_from(fields: dict[str, Field]) -> dict[str, Any]:
+    """The robot, start, goal and clearance of a problem, as far as they are given."""
+    readers: dict[str, Callable[[Field], Any]] = {
+        "robot": robot_from,
+        "start": Field.numbers,
+        "goal": Field.numbers,
+        "clearance": Field.number,
+    }
+    return {name: readers[name](fields[name]) for name in ENDS if name in fields}
+
+
+def robot_from(field: Field) -> Any:
+    """A robot as in a scene, or what a reader's own function or class returns."""
+    kind = field.value.get("kind") if isinstance(field.value, dict) else None
+    if not names_code(kind):
+        return field.kind(ROBOTS)
+    makes = own_function(field, "kind", str(kind))
+    return call_own(field, makes, arguments_from(field, makes, ("kind",), seed_of(makes)))
+
+
+def problem_in_own_world(field: Field, name: str) -> ProblemRecord:
+    """What a reader's own function returns: a problem, or a world for a start and a goal."""
+    makes = own_function(field, "world", name)
+    takes = inspect.signature(makes).parameters
+    ends = tuple(key for key in ENDS if key in field.value and key not in takes)
+    given = arguments_from(field, makes, ("world", *ends), seed_of(makes))
+    made = call_own(field, makes, given)
+    if isinstance(made, ProblemRecord):
+        if ends:
+            raise UnreadableScene(
+                f"{field.name}: {name} returns a whole problem; do not give {', '.join(ends)} too"
+            )
+        return made
+    fields = field.members(("world", "start", "goal"), tuple(field.value))
+    with_robot = {"robot": Point(), **ends_from({key: fields[key] for key in ends})}
+    return Problem(world=made, **with_robot)
+
+
+def own_function(field: Field, key: str, name: str) -> Callable[..., Any]:
+    """A reader's own function that a key of a table names; its file is run."""
+    try:
+        return load_function(name, field.folder)
+    except InvalidParameter as error:
+        raise UnreadableScene(f"{field.name}.{key}: {error}") from error
+
+
+def call_own(field: Field, function: Callable[..., Any], arguments: dict[str, Any]) -> Any:
+    """The result of a reader's own function; what it raises becomes an error with its line.
+
+    A seed becomes a generator.
+    """
+    random = {"rng": np.random.default_rng(arguments["rng"])} if "rng" in arguments else {}
+    try:
+        return function(**{**arguments, **random})
+    except KinoeduError:
+        raise
+    except Exception as error:
+        message = describe_exception(error, function.__name__)
+        raise UnreadableScene(f"{field.name}: {message}") from error
+
+
+def seed_of(function: Callable[..., object]) -> dict[str, str]:
+    """The key for a function's random numbers: seed stands for rng."""
+    return {"seed": "rng"} if "rng" in inspect.signature(function).parameters else {}
 
 
 def planners_from(field: Field) -> list[Planner]:
     """Planners of a table: one, or one for each value of its lists."""
     name = field.value.get("planner") if isinstance(field.value, dict) else None
     planners = planners_by_name()
-    if not isinstance(name, str) or name not in planners:
+    if names_code(name):
+        planner = own_function(field, "planner", str(name))
+    elif isinstance(name, str) and name in planners:
+        planner = planners[name]
+    else:
         raise field._replace(name=f"{field.name}.planner", value=name).wrong(
-            f"one of {', '.join(planners)}"
+            f"one of {', '.join(planners)}, or module.function of your own"
         )
     return [
         bind_arguments(
-            planners[name],
-            arguments_from(field._replace(value=variant), planners[name], ("planner",), {}),
+            planner,
+            arguments_from(
+                field._replace(value=variant), planner, ("planner",), {}, first_arguments(planner)
+            ),
         )
         for variant in variants_of(field)
     ]
+
+
+def first_arguments(planner: Callable[..., object]) -> set[str]:
+    """The names of the arguments that a planner is called with: its problem and its generator."""
+    names = list(inspect.signature(planner).parameters)
+    return {*names[: 2 if rng_argument(planner) == "second" else 1], "rng"}
 
 
 def variants_of(table: Field) -> list[Any]:
@@ -171,46 +265,3 @@ def choices_of(field: Field) -> list[Any]:
 def planners_by_name() -> dict[str, Callable[..., Any]]:
     """The planners' functions by their own names, as `kinoedu.planners` has them."""
     return {planner.function.__name__: planner.function for planner in PLANNERS.values()}
-
-
-def arguments_from(
-    field: Field,
-    function: Callable[..., object],
-    already_read: tuple[str, ...],
-    renamed: dict[str, str],
-) -> dict[str, Any]:
-    """Arguments of a function from a table, checked against its signature.
-
-    `already_read` names the keys that do not count; `renamed` maps keys to other parameters.
-    """
-    parameters = inspect.signature(function, eval_str=True).parameters
-    accepted = {
-        name: parameter.annotation
-        for name, parameter in parameters.items()
-        if name not in ("problem", "rng")
-        and (is_dataclass(parameter.annotation) or kinds_of(parameter.annotation))
-    }
-    fields = field.members((*already_read, *renamed), tuple(accepted))
-    return {
-        renamed.get(name, name): argument_from(argument, accepted.get(name, int))
-        for name, argument in fields.items()
-        if name not in already_read
-    }
-
-
-def argument_from(field: Field, annotation: Any) -> Any:
-    """A value of the type that a parameter has: a plain value, or a record from a table."""
-    if is_dataclass(annotation) and isinstance(annotation, type):
-        return annotation(**arguments_from(field, annotation, (), {}))
-    kinds, given = kinds_of(annotation), type(field.value)
-    if given not in kinds and not (given is int and float in kinds):
-        raise field.wrong(" or ".join(TYPE_NAMES[kind] for kind in kinds))
-    return field.value
-
-
-TYPE_NAMES = {bool: "true or false", int: "a whole number", float: "a number", str: "a string"}
-
-
-def kinds_of(annotation: object) -> list[type]:
-    """Plain types that an argument may have."""
-    return [kind for kind in PLAIN if kind in (get_args(annotation) or (annotation,))]

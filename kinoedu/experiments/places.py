@@ -95,15 +95,18 @@ def run_in_this_process(cell: Cell) -> Outcome:
 
 
 def check_portable(cells: list[Cell]) -> None:
-    """Raise InvalidParameter for a planner that another process cannot import."""
-    for planner_name, planner in {cell.planner_name: cell.planner for cell in cells}.items():
+    """Raise InvalidParameter for a planner or a problem that another process cannot import."""
+    things: dict[str, object] = {}
+    for cell in cells:
+        things[f"planner {cell.planner_name!r}"] = cell.planner
+        things[f"problem {cell.problem_name!r}"] = cell.problem
+    for name, thing in things.items():
         try:
-            pickle.dumps(planner)
-            portable = getattr(planner, "func", planner).__module__ != "__main__"
+            portable = b"__main__" not in pickle.dumps(thing)
         except Exception:  # pickling can raise anything
             portable = False
         if not portable:
             raise InvalidParameter(
-                f"planner {planner_name!r} exists only in this process; define it in a module "
-                'that you import, not in a notebook, or run with where="here"'
+                f"{name} exists only in this process; define it in a module that you import, not "
+                'in a notebook, or run with where="here"'
             )

@@ -13,7 +13,7 @@ from ..errors import InvalidParameter, UnknownFormat
 from ..geometry.checks import Array
 from ..support.text import shortened
 from ..support.whole_files import written_whole
-from .cells import FOUND, NOT_RUN, OUT_OF_TIME
+from .cells import FOUND, NOT_RUN, OUT_OF_TIME, WRONG
 
 
 class Row(NamedTuple):
@@ -24,7 +24,8 @@ class Row(NamedTuple):
     problem, planner, tuning : names; `tuning` distinguishes planners of the same name, such as
         "max_nodes=500", and is often empty.
     seed : None for a deterministic planner.
-    found, status : whether there is a path; "found", "no path", "out of time" or "not run".
+    found, status : whether there is a correct path; "found", "no path", "wrong" (a path that is not
+        free, of a planner of yours), "out of time" or "not run".
     cost : length of the path, infinite without a path.
     seconds : median time of the repeated runs.
     motions, places : number of calls of `is_free_path` and `is_free`.
@@ -76,7 +77,7 @@ class Table:
     def __repr__(self) -> str:
         counts = {
             status: sum(row.status == status for row in self)
-            for status in (FOUND, OUT_OF_TIME, NOT_RUN)
+            for status in (FOUND, WRONG, OUT_OF_TIME, NOT_RUN)
         }
         return (
             f"<Table: {len(self)} runs; "

@@ -17,12 +17,12 @@ from numpy.typing import ArrayLike, NDArray
 from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_point
 from ...planners.tuning import integer
+from ...support.faults import describe_exception, describe_timeout
 from ...support.time_limit import TimeUp, run_within_processor_time
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
 from ..core.scene import Scene, make_scene
 from ..tracing.code_run import CodeRun, Draw, Look
-from ..tracing.faults import describe_exception, describe_timeout
 from .arguments import COLOURS, Argument, ProblemArgument, find_robot, make_arguments
 
 SECONDS = 2.0

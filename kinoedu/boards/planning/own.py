@@ -3,7 +3,6 @@
 It is stopped when it takes too long.
 """
 
-import inspect
 from collections.abc import Callable
 from contextlib import nullcontext
 from copy import deepcopy
@@ -12,17 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import KinoeduError
-from ...geometry.checks import Array, as_array
+from ...errors import InvalidPoint
+from ...geometry.checks import Array
 from ...messages import get_message
-from ...planners.problem_input import world_size
+from ...planners.own import as_plan, call_planner, find_faults
 from ...problems import Plan, ProblemRecord, Question, Recorder
-from ...problems.protocols import ProblemLike
-from ...support.text import shortened
+from ...support.faults import describe_exception, describe_timeout
 from ...support.time_limit import TimeUp, run_within_processor_time
 from ..core.drawing import Drawing, Layer, dots, edges, labels, path
 from ..tracing.code_run import CodeRun
-from ..tracing.faults import describe_exception, describe_timeout
 from ..tracing.questions import FirstQuestions, draw_questions
 
 SECONDS = 2.0
@@ -92,70 +89,18 @@ def try_planner(
     return judge_answer(answer, problem, log)
 
 
-def call_planner(planner: Callable[..., object], problem: ProblemLike, seed: int) -> Any:
-    """Call planner(problem), with a generator where it takes one.
-
-    A generator is passed to an argument called rng, or as a required second argument.
-    """
-    rng = np.random.default_rng(seed)
-    try:
-        parameters = inspect.signature(planner).parameters
-    except (TypeError, ValueError):
-        return planner(problem)
-    if "rng" in parameters:
-        return planner(problem, rng=rng)
-    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    places = [p for p in parameters.values() if p.kind in positional]
-    if len(places) > 1 and places[1].default is inspect.Parameter.empty:
-        return planner(problem, rng)
-    return planner(problem)
-
-
 def judge_answer(answer: Any, problem: ProblemRecord, log: FirstQuestions) -> Attempt:
     """A planner's answer, judged by the original problem, which the planner did not have."""
     tried = Attempt(log[:], log.motions)
-    if isinstance(answer, Plan):
-        answer = answer.path
-    if answer is None:
-        return tried
-    d = len(problem.start)
     try:
-        points = as_array(answer, "path")
-    except KinoeduError:
-        points = np.empty(0)
-    if points.ndim != 2 or points.shape[1] != d or len(points) == 0:
-        return replace(
-            tried, fault=get_message("board.own.wrong_shape", d=d, given=shortened(answer))
-        )
-    motions = zip(points[:-1], points[1:], strict=True)
-    wrong = [i for i, (a, b) in enumerate(motions) if not problem.is_free_path(a, b)]
-    fault = check_ends(points, problem)
-    if wrong and not fault:
-        a, b = (format_configuration(q) for q in points[wrong[0] : wrong[0] + 2])
-        fault = get_message("board.own.wrong", number=wrong[0] + 1, a=a, b=b)
-    if fault:
-        return replace(tried, path=points, wrong=wrong, fault=fault)
-    length = sum(problem.distance(a, b) for a, b in zip(points[:-1], points[1:], strict=True))
-    return replace(tried, path=points, length=float(length))
-
-
-def check_ends(points: Array, problem: ProblemRecord) -> str:
-    """What is wrong with a path's ends, or ""."""
-    near = 1e-9 * world_size(problem)
-    ends = ("wrong_start", points[0], problem.start), ("wrong_end", points[-1], problem.goal)
-    for name, here, there in ends:
-        if problem.distance(here, there) > near:
-            return get_message(
-                f"board.own.{name}",
-                there=format_configuration(there),
-                here=format_configuration(here),
-            )
-    return ""
-
-
-def format_configuration(q: Array) -> str:
-    """A configuration in words."""
-    return f"({', '.join(f'{x:.4g}' for x in q)})"
+        plan = as_plan(answer, problem)
+    except InvalidPoint as error:
+        return replace(tried, fault=str(error))
+    faults = find_faults(plan, problem)
+    if faults.text:
+        wrong = sorted(faults.wrong + faults.touching)
+        return replace(tried, path=plan.path, wrong=wrong, fault=faults.text)
+    return replace(tried, path=plan.path, length=length_of(plan))
 
 
 def describe_race(tried: Attempt, ours: Plan) -> str:

@@ -4,10 +4,10 @@ import linecache
 from pathlib import Path
 from traceback import walk_tb
 
-from ...messages import get_message
-from ...support.time_limit import TimeUp
+from ..messages import get_message
+from .time_limit import TimeUp
 
-PACKAGE = Path(__file__).resolve().parent.parent.parent
+PACKAGE = Path(__file__).resolve().parent.parent
 
 
 def describe_timeout(over: TimeUp, who: str) -> str:
