@@ -12,7 +12,7 @@ True
 
 The modules are `geometry`, `graphs`, `spaces`, `curves`, `worlds`, `robots`, `collision`,
 `problems`, `decomposition`, `planners`, `files`, `sampling`, `c_space`, `course`, `experiments`,
-`figures` and `boards`. Each is imported at its first use.
+`contracts`, `figures` and `boards`. Each is imported at its first use.
 """
 
 from importlib import import_module
@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:  # shows type checkers the names of the table below
     from . import (
         collision,
+        contracts,
         curves,
         decomposition,
         files,
@@ -33,6 +34,7 @@ if TYPE_CHECKING:  # shows type checkers the names of the table below
         worlds,
     )
     from .collision import clearance_of, collision_bound, collision_probability, link_in_contact
+    from .contracts import check_planner, check_robot, check_world
     from .curves import dubins_path, reeds_shepp_path
     from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
     from .files import (
@@ -102,6 +104,7 @@ __version__ = "0.1.0"
 ROOMS = {
     "boards": "board",
     "collision": "clearance_of collision_bound collision_probability link_in_contact",
+    "contracts": "check_planner check_robot check_world",
     "curves": "dubins_path reeds_shepp_path",
     "decomposition": "decomposition_roadmap sweep trapezoidation triangulation",
     "files": "read_mesh read_plan read_problem read_scene read_world write_plan write_scene",
@@ -123,8 +126,8 @@ ROOMS = {
     "worlds": "Moving MovingWorld PolygonWorld Terrain UncertainWorld scan",
 }
 MODULES = (
-    "boards c_space collision course curves decomposition experiments figures files geometry "
-    "graphs planners problems robots sampling spaces worlds"
+    "boards c_space collision contracts course curves decomposition experiments figures files "
+    "geometry graphs planners problems robots sampling spaces worlds"
 )
 HOME = {name: room for room, names in ROOMS.items() for name in names.split()}
 

@@ -1,9 +1,11 @@
 """Code of a reader's own: planners, robots and worlds in experiments, files and commands."""
 
 import pickle
+import re
 import subprocess
 import sys
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -68,7 +70,7 @@ def no_own_modules_remain(monkeypatch):
     before = set(sys.modules)
     yield
     for name in set(sys.modules) - before:
-        if name in ("mine", "helpers", "robots_of_mine"):
+        if name in ("mine", "helpers", "robots_of_mine", "air"):
             del sys.modules[name]
 
 
@@ -500,3 +502,56 @@ def test_a_process_of_its_own_finds_the_file(folder):
     ran = subprocess.run([*command, "--workers", "1"], capture_output=True, text=True, check=False)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     assert "6 found" in ran.stdout
+
+
+PAGE = (Path(__file__).parent.parent / "docs" / "own_code.md").read_text(encoding="utf-8")
+
+
+def blocks(language):
+    """The blocks of the guide in a language, in order."""
+    return re.findall(rf"^```{language}\n(.*?)^```", PAGE, re.DOTALL | re.MULTILINE)
+
+
+def test_the_guides_planner_is_as_the_guide_says(tmp_path, monkeypatch, capsys):
+    """On a board, checked, from the command line, and beside RRT over fifty seeds."""
+    mine, board, check, *_ = blocks("python")
+    (tmp_path / "mine.py").write_text(mine, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(str(tmp_path))
+    space = {}
+    exec(board, space)
+    problem, potential = space["problem"], space["potential"]
+    ke.write_scene(problem, "pit.json")
+    shown = repr(ke.board(problem, planner=potential))
+    assert "yours: " in shown and "raised" not in shown and "not free" not in shown
+    exec(check, space)
+    said = repr(space["report"]).splitlines()
+    assert said[: len(blocks("text")[0].splitlines())] == blocks("text")[0].splitlines()
+    assert space["report"].passed, space["report"]
+    (tmp_path / "pit.toml").write_text(blocks("toml")[0].replace("[0.1, 0.5]", "0.1"))
+    table = run(read_experiment("pit.toml"), where="here")
+    rows = {name: [row for row in table if row.planner == name] for name in ("RRT", "potential")}
+    assert [len(found) for found in rows.values()] == [50, 50]
+    assert all(row.found for row in rows["RRT"])
+    assert {row.status for row in rows["potential"]} == {"found", "no path"}
+    medians = [np.median([row.cost for row in found if row.found]) for found in rows.values()]
+    assert medians[1] > 5.0 * medians[0]
+    seed = next(row.seed for row in rows["potential"] if row.found)
+    plan = ["plan", "pit.json", "--planner", "mine.py:potential", "--seed", str(seed)]
+    assert main([*plan, "--out", "pit.png"]) == 0
+    assert f"found: length {rows['potential'][seed].cost:.8g}" in capsys.readouterr().out
+
+
+def test_the_guides_robot_and_world_are_as_the_guide_says(tmp_path, monkeypatch):
+    """They keep their promises, and planners plan for them."""
+    *_, air, checks = blocks("python")
+    (tmp_path / "air.py").write_text(air, encoding="utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    space = {"ke": ke}
+    exec(checks, space)
+    assert ke.check_robot(space["Balloons"](0.3, 1.5)).passed
+    assert ke.check_world(space["pond"]()).passed
+    (tmp_path / "air.toml").write_text(blocks("toml")[1])
+    table = run(read_experiment(tmp_path / "air.toml"), where="here")
+    assert [row.problem for row in table] == ["orchard"] * 5 + ["pond"] * 5
+    assert {row.status for row in table} == {"found"}

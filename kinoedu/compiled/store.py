@@ -32,7 +32,17 @@ PACKAGE = Path(__file__).resolve().parent.parent
 NAME = __name__.partition(".")[0]
 
 # The packages on top of all others. Machine code of their functions is not stored.
-UPPER_ROOMS = ("bench", "boards", "cli", "course", "experiments", "figures", "files", "grading")
+UPPER_ROOMS = (
+    "bench",
+    "boards",
+    "cli",
+    "contracts",
+    "course",
+    "experiments",
+    "figures",
+    "files",
+    "grading",
+)
 STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
 IMPORTED = time.time()  # sources changed later than this do not run in this process
 

@@ -114,6 +114,10 @@ def plan_by_visibility(problem: ProblemRecord | Recorder) -> Plan:
     ([[0.5, 4.0], [8.5, 4.0]], 8.0)
     """
     check_exact(problem, "a visibility roadmap")
+    for name, q in (("start", problem.start), ("goal", problem.goal)):
+        if not problem.is_semi_free_path(q, q):
+            reason = f"the {name} is inside an obstacle or outside the world"
+            return plan_along(problem, np.empty((0, 2)), None, reason, planner="visibility")
     corners, (start, goal) = corners_of(problem.world, problem.start, problem.goal)
     roadmap = roadmap_of(corners, pairs_in_sight(corners))
     number = {node: i for i, node in enumerate(corners.nodes.tolist())}
