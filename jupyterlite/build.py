@@ -16,8 +16,9 @@ import tomllib
 from pathlib import Path
 
 HOUSE = Path(__file__).resolve().parent.parent
-# nothing compiles for a browser
-ELSEWHERE = {"numba"}
+ROOMS = ("notebooks", "exercises")
+# nothing compiles for a browser, and the page is the lab
+ELSEWHERE = {"jupyterlab", "numba"}
 
 
 def packages() -> list[str]:
@@ -61,7 +62,7 @@ def copy_lessons(kit: Path, folder: Path) -> None:
     """Lessons, exercises and maps, each notebook with the first cell and for the browser's
     kernel.
     """
-    for room in ("notebooks", "exercises"):
+    for room in ROOMS:
         shutil.copytree(
             kit / room, folder / room, ignore=shutil.ignore_patterns(".*", "__pycache__")
         )
@@ -86,6 +87,8 @@ def main() -> None:
         shutil.copy(HOUSE / "jupyterlite" / "overrides.json", work)
         kit = unpack_kit(work / "kit")
         copy_lessons(kit, work / "contents")
+        for room in ROOMS:  # the site has them beside the package
+            shutil.rmtree(kit / room)
         subprocess.run(
             [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(work / "wheels")],
             cwd=kit,

@@ -98,7 +98,7 @@ if TYPE_CHECKING:  # shows type checkers the names of the table below
     from .spaces import circle_distance, torus_distance
     from .worlds import Moving, MovingWorld, PolygonWorld, Terrain, UncertainWorld, scan
 
-__version__ = "0.1.0"
+__version__ = "1.0.0"
 
 # The top-level names, by the module that defines them.
 ROOMS = {

@@ -1,5 +1,6 @@
 """Opens the course in JupyterLab, on this computer only, with its token kept."""
 
+import importlib.util
 import json
 import os
 import shutil
@@ -8,17 +9,24 @@ import sys
 import time
 from pathlib import Path
 
-from .errors import UnreadableScene
+from .errors import InvalidParameter, UnreadableScene
+from .support.whole_files import written_whole
 
-COURSE = Path(__file__).resolve().parent.parent
 TOUR = "notebooks/00_tour.ipynb"
+PACKAGE = Path(__file__).resolve().parent
+# The lessons are in the package where pip has installed it, and beside it in the whole course.
+COURSE = PACKAGE if (PACKAGE / TOUR).is_file() else PACKAGE.parent
 
 
-def open_lab(*, browser: bool = True) -> int:
+def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
     """Run JupyterLab at the tour until it is stopped.
 
     The lessons' functions are compiled meanwhile, those of the first lessons first. Without a
     display the address is only printed.
+
+    Parameters
+    ----------
+    folder : where the lessons are opened, as in `lessons`.
 
     Returns
     -------
@@ -27,22 +35,26 @@ def open_lab(*, browser: bool = True) -> int:
 
     Raises
     ------
+    InvalidParameter
+        Where JupyterLab is not installed.
     UnreadableScene
         Where the tour is missing.
     """
-    if not (COURSE / TOUR).is_file():
-        raise UnreadableScene(
-            f"{COURSE / TOUR} is missing: start the course from its own folder, with python "
-            "start.py"
-        )
-    server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=lessons())
+    if importlib.util.find_spec("jupyterlab") is None:
+        raise InvalidParameter("the lab needs JupyterLab: python -m pip install jupyterlab")
+    place = lessons(folder)
+    server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=place)
     silent = subprocess.DEVNULL
     warm = [sys.executable, "-m", "kinoedu", "warm", "--behind"]
-    warming = subprocess.Popen(warm, cwd=COURSE, stdin=silent, stdout=silent, stderr=silent)
+    warming = subprocess.Popen(warm, cwd=PACKAGE.parent, stdin=silent, stdout=silent, stderr=silent)
     try:
         address = address_of(server)
         if address:
-            print(f"\nThe course is open at\n\n    {address}\n\nStop it with Ctrl-C.\n", flush=True)
+            print(
+                f"\nThe course is open at\n\n    {address}\n\nThe lessons are in {place}. Stop it "
+                "with Ctrl-C.\n",
+                flush=True,
+            )
         return server.wait()
     except KeyboardInterrupt:
         server.wait()
@@ -52,24 +64,53 @@ def open_lab(*, browser: bool = True) -> int:
         warming.wait()
 
 
-def lessons() -> Path:
-    """The folder of the notebooks: the course's, or one in the user's home if that is read-only."""
-    writable = os.access(COURSE / "notebooks", os.W_OK)
-    return COURSE if writable else copy_lessons(Path.home() / "kinoedu")
+def lessons(folder: Path | None = None) -> Path:
+    """The folder of the notebooks, where students work.
+
+    Parameters
+    ----------
+    folder : missing lessons are copied to it. By default it is the course's own folder; where that
+        is read-only, or is a package that pip has installed, it is kinoedu in the user's home.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the tour is missing.
+    """
+    is_own = COURSE != PACKAGE and os.access(COURSE / "notebooks", os.W_OK)
+    if folder is None and is_own and (COURSE / TOUR).is_file():
+        return COURSE
+    place = (folder or Path.home() / "kinoedu").resolve()
+    copy_lessons(place)
+    return place
 
 
-def copy_lessons(folder: Path) -> Path:
-    """Copy missing lessons, maps and exercises into a folder, and return it.
+def copy_lessons(folder: Path) -> list[Path]:
+    """Copy missing lessons, maps and exercises into a folder, and return the copies.
 
     Files that are there are kept, because they hold the student's work.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the course has no tour to copy.
     """
+    if not (COURSE / TOUR).is_file():
+        raise UnreadableScene(
+            f"{COURSE / TOUR} is missing: start the course from its own folder, with python "
+            "start.py"
+        )
+    copies = []
     for room in ("notebooks", "exercises"):
         for source in sorted((COURSE / room).rglob("*")):
-            copy = folder / source.relative_to(COURSE)
-            if source.is_file() and not copy.exists():
+            place = source.relative_to(COURSE)
+            copy, hidden = folder / place, any(part.startswith(".") for part in place.parts)
+            if source.is_file() and not hidden and not os.path.lexists(copy):
                 copy.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(source, copy)  # without its mode, so that the copy is writable
-    return folder
+                with written_whole(copy) as part:  # a half would be kept as the student's work
+                    shutil.copyfile(source, part)  # without its mode, so that it is writable
+                copies.append(copy)
+    return copies
 
 
 def lab_command(*, browser: bool) -> list[str]:
@@ -78,7 +119,7 @@ def lab_command(*, browser: bool) -> list[str]:
         sys.executable,
         "-m",
         "jupyterlab",
-        TOUR,
+        f"--LabApp.default_url=/lab/tree/{TOUR}",  # a file as argument would hide the exercises
         "--ServerApp.ip=127.0.0.1",
         "--ServerApp.answer_yes=True",
         "--LabApp.news_url=None",

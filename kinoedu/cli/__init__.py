@@ -1,7 +1,7 @@
 """The command line of kinoedu.
 
-kinoedu plan | experiment | lab | warm | release | grade | regrade | export | hand-in | similar |
-new-exercise | autograde | bench.
+kinoedu plan | experiment | lab | lessons | warm | release | grade | regrade | export | hand-in |
+similar | new-exercise | autograde | bench.
 """
 
 import argparse
@@ -11,6 +11,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
+from .. import __version__
 from ..errors import KinoeduError
 from .autograde import add_autograde
 from .bench import add_bench
@@ -18,6 +19,7 @@ from .experiment import add_experiment
 from .export import add_export
 from .grade import add_grade
 from .hand_in import add_hand_in
+from .lab import add_lab, add_lessons
 from .new_exercise import add_new_exercise
 from .plan import add_plan
 from .release import add_release
@@ -68,16 +70,12 @@ class Parser(argparse.ArgumentParser):
 def make_parser() -> argparse.ArgumentParser:
     """Make the parser of all commands and their options."""
     top = Parser(prog="kinoedu", description=DESCRIPTION)
+    top.add_argument("--version", action="version", version=f"kinoedu {__version__}")
     commands = top.add_subparsers(title="commands", required=True, metavar="COMMAND")
     add_plan(commands)
     add_experiment(commands)
-    lab = commands.add_parser(
-        "lab", help="open the course in JupyterLab", description="Open the course in JupyterLab."
-    )
-    lab.add_argument(
-        "--no-browser", action="store_true", help="print the address instead of opening a browser"
-    )
-    lab.set_defaults(run=run_lab)
+    add_lab(commands)
+    add_lessons(commands)
     warm = commands.add_parser(
         "warm",
         help="compile what the course uses, once",
@@ -102,13 +100,6 @@ def make_parser() -> argparse.ArgumentParser:
     add_new_exercise(commands)
     add_bench(commands)
     return top
-
-
-def run_lab(arguments: argparse.Namespace) -> int:
-    """Open the tour in JupyterLab."""
-    from ..lab import open_lab
-
-    return open_lab(browser=not arguments.no_browser)
 
 
 def run_warm(arguments: argparse.Namespace) -> int:

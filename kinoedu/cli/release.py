@@ -64,10 +64,11 @@ def run_release(arguments: argparse.Namespace) -> int:
 
     if arguments.variants is not None:
         return release_variants(arguments)
+    names = arguments.assignments or assignments()
     if importlib.util.find_spec("nbgrader") is None:
         raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
 
-    for name in arguments.assignments or assignments():
+    for name in names:
         with show_stage(f"releasing {name}"):
             made = release(name)
         print(f"made exercises/{made.name}")

@@ -34,7 +34,17 @@ ZIP_DATE = (2020, 1, 1, 0, 0, 0)  # of every file, so that the same course makes
 
 
 def assignments(house: Path = HOUSE) -> list[str]:
-    """Names of all assignments in order, such as 01_geometry."""
+    """Names of all assignments in order, such as 01_geometry.
+
+    Raises
+    ------
+    InvalidParameter
+        In a copy of the course without solutions: that of students, or one that pip has installed.
+    """
+    if not (house / "solutions").is_dir():
+        raise InvalidParameter(
+            "this copy of the course has no solutions: release and grade with the whole course"
+        )
     return sorted(file.stem for file in (house / "solutions").glob("*.ipynb"))
 
 
