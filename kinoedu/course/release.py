@@ -6,6 +6,8 @@ would reveal the answers.
 """
 
 import os
+import posixpath
+import re
 import zipfile
 from collections.abc import Iterable
 from pathlib import Path
@@ -18,15 +20,23 @@ from .kit import compress_results, record_results, take_out_answers
 from .withheld import FILE
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
+README = "docs/students.md"  # in the kit it is README.md
 FOR_STUDENTS = (
-    "README.md",
     "LICENSE",
-    "CHANGELOG.md",
     "start.py",
     "pyproject.toml",
     "environment.txt",
+    "docs/algorithms.md",
+    "docs/boards.md",
+    "docs/experiments.md",
+    "docs/files.md",
+    "docs/function_names.md",
+    "docs/glossary.md",
+    "docs/package.md",  # pip needs it to install the kit
+    "docs/policies.md",
 )
-FOLDERS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs")
+FOLDERS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs/boards")
+LINK = re.compile(r"(?<=\]\()(?!#|\w+:)[^)]+")  # in Markdown, to another file of the course
 LESSONS = "kinoedu/course/lessons/"
 RESULTS = f"kinoedu/course/{FILE.name}"
 CHECKED, UNANSWERED = "kinoedu-check", "kinoedu-unanswered"  # in the HTML of a check's feedback
@@ -176,15 +186,28 @@ def pack_course(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
     int
         The number of files.
     """
+    files = files_for_students(house) | {RESULTS: compress_results(record_results())}
+    write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
+    return len(files)
+
+
+def files_for_students(house: Path = HOUSE) -> dict[str, bytes]:
+    """The files of the kit by their paths, but for the recorded results."""
     places = [house / name for name in FOR_STUDENTS]
     for folder in FOLDERS_FOR_STUDENTS:
         inside = sorted((house / folder).rglob("*"))
         places += [file for file in inside if file.is_file() and not is_generated(file)]
-    files = {file.relative_to(house).as_posix(): file.read_bytes() for file in places}
-    files |= without_answers(files)
-    files[RESULTS] = compress_results(record_results())
-    write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
-    return len(files)
+    files = {"README.md": students_readme(house).encode()}
+    files |= {file.relative_to(house).as_posix(): file.read_bytes() for file in places}
+    return files | without_answers(files)
+
+
+def students_readme(house: Path = HOUSE) -> str:
+    """The kit's README: the page for students, and the lessons of the course's README."""
+    page, course = ((house / name).read_text("utf-8") for name in (README, "README.md"))
+    page = LINK.sub(lambda link: posixpath.normpath(f"docs/{link[0]}"), page)
+    lessons = course.partition("\n## Lessons\n")[2].partition("\n## ")[0]
+    return f"{page}\n## Lessons\n{lessons}"
 
 
 def without_answers(files: dict[str, bytes]) -> dict[str, bytes]:
