@@ -12,9 +12,13 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 import pytest
+from jupyter_server.serverapp import ServerApp
+from jupyter_server.services.kernels.kernelmanager import MappingKernelManager
 from PIL import Image
 from test_start import Course
+from traitlets.config import Config
 
+from kinoedu.cli import make_parser
 from kinoedu.compiled.store import user_cache
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -289,6 +293,33 @@ def test_what_the_image_tells_jupyter_is_python_that_runs(monkeypatch):
         assert config.ServerApp.default_url == opened
 
 
+def test_the_recipe_for_a_class_fits_the_image():
+    """It is Python that runs; its folders, image and options are those of the Containerfile and of
+    Jupyter; its totals follow from its measurements.
+    """
+    page = (DOCS / "where_it_runs.md").read_text(encoding="utf-8")
+    recipe = page.partition("\n## A class of 120\n")[2].partition("\n## ")[0]
+    (code,) = re.findall(r"```python\n(.*?)```", recipe, re.DOTALL)
+    hub = Config()
+    exec(code, {"get_config": lambda: hub})
+    image = dict(rest.split("=", 1) for word, rest in instructions() if word == "ENV")
+    warmed = hub.DockerSpawner.environment["KINOEDU_WARMED"]
+    assert warmed == image["KINOEDU_WARMED"]
+    homes = [rest for word, rest in instructions() if word == "WORKDIR"]
+    assert set(hub.DockerSpawner.volumes.values()) <= set(homes)
+    options = {arg.split("=")[0].removeprefix("--") for arg in hub.DockerSpawner.args}
+    assert options <= {
+        f"{owner.__name__}.{name}"
+        for owner in (MappingKernelManager, ServerApp)
+        for name in owner.class_trait_names(config=True)
+    }
+    rows = re.findall(r"(?m)^\| .+? \| (\d+) \| (\d+)\D", recipe)
+    (server, _), (kernel, _), (both, shared) = [tuple(map(int, row)) for row in rows]
+    assert abs(server + kernel - both) <= 1
+    assert f"{(120 * both + shared) / 1000:.0f} GB" in recipe
+    assert f"{120 * (server + 484) / 1000:.0f} GB" in recipe
+
+
 # --- a browser
 
 
@@ -391,3 +422,60 @@ def test_every_board_has_its_picture_and_its_line():
             assert f"{name}(" in (DOCS / lesson).read_text(encoding="utf-8"), (
                 f"{name} is not in {lesson}"
             )
+
+
+# --- a dev container and Colab
+
+
+def test_the_dev_container_sets_the_course_up():
+    """By start.py, with a command that kinoedu has; the editor finds its Python and the tour."""
+    container = json.loads((HOUSE / ".devcontainer" / "devcontainer.json").read_text("utf-8"))
+    assert re.fullmatch(r"[\w./-]+/python:3\.1[1-4]", container["image"])
+    python, start, *command = container["onCreateCommand"].split()
+    assert (python, start) == ("python", "start.py")
+    make_parser().parse_args(command)
+    settings = container["customizations"]["vscode"]["settings"]
+    python = Path(load(HOUSE / "start.py").PYTHON).relative_to(HOUSE)
+    if os.name != "nt":
+        assert settings["python.defaultInterpreterPath"].endswith(f"}}/{python.as_posix()}")
+    assert all(
+        (HOUSE / file).is_file() for file in container["customizations"]["codespaces"]["openFiles"]
+    )
+
+
+COLAB = """
+import os, sys, types
+output = types.ModuleType("google.colab.output")
+output.enable_custom_widget_manager = lambda: print("boards are allowed")
+colab = types.ModuleType("google.colab")
+colab.output = output
+sys.modules |= {"google": types.ModuleType("google"), "google.colab": colab}
+sys.modules["google.colab.output"] = output
+"""
+A_BOARD = """
+import kinoedu as ke
+print(type(ke.board(ke.read_problem("maps/Paris_1_256.map", query=324))).__name__)
+"""
+
+
+def test_the_cell_for_colab_sets_the_course_up(tmp_path):
+    """Run by IPython with a stand-in for Colab, but for the installation: the lessons are copied,
+    their maps are found, and a board opens.
+    """
+    page = (DOCS / "where_it_runs.md").read_text(encoding="utf-8")
+    cell, kit = re.findall(
+        r"```python\n(.*?)```", page.partition("\n## Colab\n")[2].partition("\n## ")[0], re.DOTALL
+    )
+    first, copy, *rest = cell.splitlines()
+    assert first == "%pip install --quiet kinoedu" and copy.startswith("!kinoedu lessons /content/")
+    assert "%pip install --quiet /content/kinoedu-course" in kit
+    copy = copy.replace("!kinoedu", f'!"{sys.executable}" -m kinoedu')
+    lines = "\n".join([copy, *rest]).replace("/content", tmp_path.as_posix())
+    (tmp_path / "cell.ipy").write_text(COLAB + lines + A_BOARD, encoding="utf-8")
+    command = [sys.executable, "-P", "-m", "IPython", "--no-banner", "cell.ipy"]
+    variables = os.environ | {"IPYTHONDIR": str(tmp_path / "ipython")}
+    run = subprocess.run(
+        command, cwd=tmp_path, env=variables, capture_output=True, text=True, timeout=200
+    )
+    assert "boards are allowed\nBoard\n" in run.stdout, run.stdout + run.stderr
+    assert (tmp_path / "kinoedu" / "exercises" / "01_geometry.ipynb").is_file()
