@@ -107,3 +107,16 @@ def test_what_students_are_told_to_run_is_there_for_them(kit):
             make_parser().parse_args(line)
             given = [word for word in line if word.startswith(("notebooks/", "exercises/"))]
             assert all((kit / word).is_file() for word in given), line
+
+
+@pytest.mark.parametrize("page", ["contributing", "SUPPORT", "SECURITY", "CODE_OF_CONDUCT"])
+def test_pages_for_a_community_are_where_platforms_look(page):
+    """In docs, linked to each other and from README; they name no address that may not exist."""
+    file = HOUSE / "docs" / f"{page}.md"
+    text = file.read_text(encoding="utf-8")
+    assert len(text) > 300 and "@" not in re.sub(r"`[^`]*`|```.*?```", "", text, flags=re.DOTALL)
+    pages = [HOUSE / "README.md", *(HOUSE / "docs").glob("*.md")]
+    leading = [
+        one for one in pages if any(link.endswith(file.name) for link in read_page(one).links)
+    ]
+    assert set(leading) - {file}

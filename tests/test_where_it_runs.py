@@ -464,7 +464,7 @@ def test_the_cell_for_colab_sets_the_course_up(tmp_path):
     """
     page = (DOCS / "where_it_runs.md").read_text(encoding="utf-8")
     cell, kit = re.findall(
-        r"```python\n(.*?)```", page.partition("\n## Colab\n")[2].partition("\n## ")[0], re.DOTALL
+        r"```ipython3\n(.*?)```", page.partition("\n## Colab\n")[2].partition("\n## ")[0], re.DOTALL
     )
     first, copy, *rest = cell.splitlines()
     assert first == "%pip install --quiet kinoedu" and copy.startswith("!kinoedu lessons /content/")
