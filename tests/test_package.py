@@ -24,6 +24,7 @@ from children import started
 from lab_driver import wait_for
 
 import kinoedu
+from kinoedu.course.release import RESULTS, files_for_students
 from kinoedu.lab import TOUR
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -134,6 +135,22 @@ def test_the_source_distribution_makes_the_same_package(wheel, source, tmp_path)
         for file in (build("wheel", source, tmp_path), wheel)
     )
     assert rebuilt == made
+
+
+def test_the_kit_can_be_installed_too(tmp_path):
+    """Its package has the kit's files, and so no answer; the wheel of the course has answers."""
+    kit = files_for_students() | {RESULTS: b"recorded"}
+    for place, data in kit.items():
+        (tmp_path / "kit" / place).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "kit" / place).write_bytes(data)
+    files = read_wheel(build("wheel", tmp_path / "kit", tmp_path))
+    rooms = {f"kinoedu/{name}" if name.split("/")[0] in ROOMS else name for name in kit}
+    assert {name for name in rooms if name.startswith("kinoedu/")} == {
+        name for name in files if name.startswith("kinoedu/")
+    }
+    answer = "kinoedu/course/lessons/trees/rrt.py"
+    assert files[answer] == kit[answer] != (HOUSE / answer).read_bytes()
+    assert files[RESULTS] == b"recorded"
 
 
 def test_pip_brings_what_the_lab_needs(wheel):
