@@ -298,6 +298,14 @@ def test_help_tells_formats_and_examples(capsys):
     )
 
 
+def test_the_version_is_the_packages(capsys):
+    """For a report of a mistake."""
+    with pytest.raises(SystemExit) as ended:
+        main(["--version"])
+    assert ended.value.code == 0
+    assert capsys.readouterr().out == f"kinoedu {ke.__version__}\n"
+
+
 def test_same_seed_same_line(capsys):
     """But for the time, two runs print the same."""
     lines = []

@@ -15,6 +15,7 @@ from board_cells import keep_what_boards_need
 from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page
 
 import kinoedu.lab
+from kinoedu.errors import InvalidParameter
 from kinoedu.lab import TOUR, has_display, lab_command
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -198,3 +199,11 @@ def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
     assert kinoedu.lab.open_lab(browser=False) == 3
     assert [process.poll() is None for process in started] == [False, False]
     assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--behind"]
+
+
+def test_without_jupyterlab_a_line_says_what_to_install(monkeypatch):
+    """Nothing is started, and nothing is copied."""
+    monkeypatch.setattr(kinoedu.lab.importlib.util, "find_spec", lambda name: None)
+    monkeypatch.setattr(kinoedu.lab, "copy_lessons", lambda folder: pytest.fail("copied"))
+    with pytest.raises(InvalidParameter, match="pip install jupyterlab"):
+        kinoedu.lab.open_lab(browser=False)
