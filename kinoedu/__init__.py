@@ -35,6 +35,7 @@ if TYPE_CHECKING:  # shows type checkers the names of the table below
     )
     from .collision import clearance_of, collision_bound, collision_probability, link_in_contact
     from .contracts import check_planner, check_robot, check_world
+    from .course import ask
     from .curves import dubins_path, reeds_shepp_path
     from .decomposition import decomposition_roadmap, sweep, trapezoidation, triangulation
     from .files import (
@@ -105,6 +106,7 @@ ROOMS = {
     "boards": "board",
     "collision": "clearance_of collision_bound collision_probability link_in_contact",
     "contracts": "check_planner check_robot check_world",
+    "course": "ask",
     "curves": "dubins_path reeds_shepp_path",
     "decomposition": "decomposition_roadmap sweep trapezoidation triangulation",
     "files": "read_mesh read_plan read_problem read_scene read_world write_plan write_scene",

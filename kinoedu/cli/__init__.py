@@ -1,7 +1,7 @@
 """The command line of kinoedu.
 
 kinoedu plan | experiment | lab | lessons | warm | release | grade | regrade | export | hand-in |
-similar | new-exercise | autograde | bench.
+similar | new-exercise | questions | autograde | bench.
 """
 
 import argparse
@@ -22,6 +22,7 @@ from .hand_in import add_hand_in
 from .lab import add_lab, add_lessons
 from .new_exercise import add_new_exercise
 from .plan import add_plan
+from .questions import add_questions
 from .release import add_release
 from .similar import add_similar
 
@@ -98,6 +99,7 @@ def make_parser() -> argparse.ArgumentParser:
     add_autograde(commands)
     add_similar(commands)
     add_new_exercise(commands)
+    add_questions(commands)
     add_bench(commands)
     return top
 

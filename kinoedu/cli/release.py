@@ -23,6 +23,11 @@ asked for different ones. Then grade with --variants. STUDENTS is a file with an
 spelled as in the column student of grades.csv.
 
   python start.py release 02_bug_algorithms --variants students.txt --out handouts
+
+In the zip, students can check themselves with the concept questions at the end of each lesson. If
+you grade these elsewhere (python start.py questions), leave the answers out:
+
+  python start.py release 01_geometry --zip course.zip --graded-questions 01_geometry 06_sampling
 """
 
 
@@ -39,6 +44,13 @@ def add_release(commands: Commands) -> None:
     )
     release.add_argument(
         "--zip", type=Path, metavar="FILE", help="pack the course for students into this file"
+    )
+    release.add_argument(
+        "--graded-questions",
+        nargs="+",
+        default=[],
+        metavar="NAME",
+        help="zip: lessons whose concept questions come without answers",
     )
     release.add_argument(
         "--variants",
@@ -74,7 +86,7 @@ def run_release(arguments: argparse.Namespace) -> int:
         print(f"made exercises/{made.name}")
     if arguments.zip is not None:
         with show_stage(f"packing {arguments.zip}"):
-            count = pack_course(arguments.zip)
+            count = pack_course(arguments.zip, graded=arguments.graded_questions)
         print(f"packed {count} files in {arguments.zip}")
     return 0
 

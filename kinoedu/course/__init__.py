@@ -3,6 +3,7 @@
 from .checking import check
 from .exercise import Case, Exercise, Slip, ValueExercise, Verdict
 from .lessons import EXERCISES, find
+from .questions import ask
 from .showing import show
 
 __all__ = [
@@ -12,6 +13,7 @@ __all__ = [
     "Slip",
     "ValueExercise",
     "Verdict",
+    "ask",
     "check",
     "find",
     "show",

@@ -5,6 +5,7 @@ cell is run and the outputs are stored. The solution's own outputs are cleared f
 would reveal the answers.
 """
 
+import json
 import os
 import posixpath
 import re
@@ -17,6 +18,8 @@ from ..errors import InvalidParameter
 from ..messages import get_message
 from ..support.whole_files import written_whole
 from .kit import compress_results, record_results, take_out_answers
+from .questions.asking import ASKED, Questions
+from .questions.question import Question, hold_back, parse_questions, read_questions
 from .withheld import FILE
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
@@ -38,6 +41,7 @@ FOR_STUDENTS = (
 FOLDERS_FOR_STUDENTS = ("kinoedu", "notebooks", "exercises", "docs/boards")
 LINK = re.compile(r"(?<=\]\()(?!#|\w+:)[^)]+")  # in Markdown, to another file of the course
 LESSONS = "kinoedu/course/lessons/"
+QUESTIONS = "kinoedu/course/questions/"
 RESULTS = f"kinoedu/course/{FILE.name}"
 CHECKED, UNANSWERED = "kinoedu-check", "kinoedu-unanswered"  # in the HTML of a check's feedback
 ZIP_DATE = (2020, 1, 1, 0, 0, 0)  # of every file, so that the same course makes the same zip
@@ -176,17 +180,26 @@ def require_unanswered(number: int, cell: Any) -> None:
             )
 
 
-def pack_course(zip_file: str | os.PathLike[str], house: Path = HOUSE) -> int:
+def pack_course(
+    zip_file: str | os.PathLike[str], house: Path = HOUSE, graded: Iterable[str] = ()
+) -> int:
     """Pack the files for students into a zip, without solutions, banks, tests and answers.
 
     In place of the answers in the lessons' code there are recorded results (`kit.py`).
+
+    Parameters
+    ----------
+    graded : lessons whose concept questions are graded elsewhere; the zip has no answers to them.
 
     Returns
     -------
     int
         The number of files.
     """
-    files = files_for_students(house) | {RESULTS: compress_results(record_results())}
+    files = files_for_students(house)
+    for lesson in graded:
+        files |= hold_questions_back(lesson, files)
+    files[RESULTS] = compress_results(record_results())
     write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
     return len(files)
 
@@ -218,6 +231,38 @@ def without_answers(files: dict[str, bytes]) -> dict[str, bytes]:
         if place.startswith(LESSONS) and place.endswith(".py")
     }
     return {LESSONS + place: text.encode() for place, text in take_out_answers(lessons).items()}
+
+
+def hold_questions_back(lesson: str, files: dict[str, bytes]) -> dict[str, bytes]:
+    """The files, of all files, with the concept questions of a lesson, without the answers.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the lesson has no questions.
+    """
+    read_questions(lesson)
+    ending = f"/{lesson}.toml"
+    held = {
+        place: hold_back(data.decode()).encode()
+        for place, data in files.items()
+        if place.startswith(QUESTIONS) and place.endswith(ending)
+    }
+    questions = parse_questions(held[f"{QUESTIONS}en{ending}"].decode(), lesson)
+    book = f"notebooks/{lesson}.ipynb"
+    return {**held, book: ask_without_answers(files[book].decode(), questions).encode()}
+
+
+def ask_without_answers(notebook: str, questions: tuple[Question, ...]) -> str:
+    """The text of a notebook, whose stored output of `ask` has no answers."""
+    book = json.loads(notebook)
+    for cell in book["cells"]:
+        for output in cell.get("outputs", ()):
+            page = output.get("data", {}).get("text/html", "")
+            if ASKED in "".join(page):
+                asked = Questions("", questions)
+                output["data"] = {"text/html": [asked._repr_html_()], "text/plain": [repr(asked)]}
+    return json.dumps(book, indent=1, ensure_ascii=False) + "\n"
 
 
 class Packed(NamedTuple):
