@@ -214,3 +214,27 @@ def test_every_answer_stands_on_a_line_of_its_own():
         text = (HERE / "en" / f"{lesson}.toml").read_text(encoding="utf-8")
         held = parse_questions(hold_back(text), lesson)
         assert all(not one.right and not any(c.why + c.slip for c in one.choices) for one in held)
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_every_notebook_asks_its_questions(lesson):
+    """The stored output is that of the present questions; the kit's has no answers."""
+    place = f"notebooks/{lesson}.ipynb"
+    asked = Questions(lesson, read_questions(lesson))
+    data = (HOUSE / place).read_bytes()
+    (cell,) = (
+        c for c in json.loads(data)["cells"] if f'ke.ask("{lesson}")' in "".join(c["source"])
+    )
+    (output,) = cell["outputs"]
+    assert "".join(output["data"]["text/html"]) == asked._repr_html_()
+    assert "".join(output["data"]["text/plain"]) == repr(asked)
+    files = {place: data}
+    for file in (HERE / "en").glob("*.toml"):
+        files[f"{QUESTIONS}en/{file.name}"] = file.read_bytes()
+    held = hold_questions_back(lesson, files)[place].decode()
+    assert json.dumps(asked.questions[2].text, ensure_ascii=False)[1:-1] in held
+    assert not any(
+        json.dumps(choice.why, ensure_ascii=False)[1:-1] in held
+        for question in asked.questions
+        for choice in question.choices
+    )
