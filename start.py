@@ -126,6 +126,9 @@ def start(arguments):
             ["-m", "sphinx", "-j", "auto", "-c", "docs", "-d", "build/doctrees", ".", "build/site"]
             + arguments[1:]
         )
+    if arguments[:1] == ["slides"]:
+        set_up([COURSE, SITE])
+        return become(["-m", "kinoedu"] + arguments)
     set_up([COURSE, TEACHING] if arguments[:1] and arguments[0] in TEACHING_COMMANDS else [COURSE])
     return become(["-m", "kinoedu"] + (arguments or ["lab"]))
 

@@ -14,18 +14,12 @@ from pathlib import Path, PurePosixPath
 from docutils import nodes
 from sphinx import addnodes
 
-import kinoedu
-from kinoedu.boards.core.canvas import front_messages
-from kinoedu.boards.core.recorded import RECORD, VERSION
+from kinoedu.boards.core.page_script import CORE, page_script
+from kinoedu.boards.core.recorded import RECORD
 from kinoedu.browser.bodies import describe_bodies
 from kinoedu.browser.wasm import write_scripts
-from kinoedu.figures import palette
-from kinoedu.messages import get_message, get_template
+from kinoedu.messages import get_message
 
-CORE = Path(kinoedu.__file__).parent / "boards" / "core"
-BROWSER = Path(kinoedu.__file__).parent / "browser"
-
-SITE_WORDS = ("recorded", "live", "seed", "share", "shared")
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
 HEADING = re.compile(r"(\w+)\n-+\n")
 ENTRY = re.compile(r"(?m)^(\S.*)((?:\n +.*)*)")
@@ -149,8 +143,8 @@ def write_boards(app):
     """The script and the style of recorded boards, among the site's own files."""
     folder = Path(app.outdir, ".boards")
     folder.mkdir(parents=True, exist_ok=True)
-    live = write_live(folder / "live")
-    (folder / "boards.js").write_text(script_of_boards(live), encoding="utf-8")
+    script = page_script(write_live(folder / "live"))
+    (folder / "boards.js").write_text(script, encoding="utf-8")
     shutil.copy(CORE / "board.css", folder / "board.css")
     app.config.html_static_path.append(str(folder))
     app.add_js_file("boards.js", loading_method="defer")
@@ -164,22 +158,9 @@ def write_live(folder):
     """
     if importlib.util.find_spec("ziglang") is None:
         print("ziglang is not installed, so the boards of this site play but do not answer")
-        return {"bodies": {}}
+        return None
     write_scripts(folder)
     return describe_bodies()
-
-
-def script_of_boards(live):
-    """One script, which works from a disk too: modules do not."""
-    files = CORE / "board.js", CORE / "recorded.js", BROWSER / "live.js", BROWSER / "worker.js"
-    board, player, answers, worker = (file.read_text(encoding="utf-8") for file in files)
-    words = {name: get_template(f"site.{name}", "en") for name in SITE_WORDS}
-    words |= front_messages()
-    values = f"const WORDS = {json.dumps(words)}, PALETTE = {json.dumps(palette.NAMED)};"
-    values += f"\nconst VERSION = {VERSION}, LIVE = {json.dumps(live)};"
-    values += f"\nconst WORKER = {json.dumps(worker)};"
-    board = board.replace("export default", "const widget =")
-    return f"(() => {{\n{values}\n{board}\n{player}\n{answers}}})();\n"
 
 
 def describe_pictures(app, doctree):

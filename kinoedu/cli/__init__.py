@@ -1,7 +1,7 @@
 """The command line of kinoedu.
 
 kinoedu plan | experiment | lab | lessons | warm | release | grade | regrade | export | hand-in |
-similar | new-exercise | questions | autograde | bench.
+similar | new-exercise | questions | slides | autograde | bench.
 """
 
 import argparse
@@ -25,6 +25,7 @@ from .plan import add_plan
 from .questions import add_questions
 from .release import add_release
 from .similar import add_similar
+from .slides import add_slides
 
 DESCRIPTION = "kinoedu: a motion-planning course you can run."
 
@@ -100,6 +101,7 @@ def make_parser() -> argparse.ArgumentParser:
     add_similar(commands)
     add_new_exercise(commands)
     add_questions(commands)
+    add_slides(commands)
     add_bench(commands)
     return top
 
