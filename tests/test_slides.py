@@ -1,5 +1,6 @@
 """Slides: every lesson has them, they follow the rule, and a browser shows them without network."""
 
+import base64
 import json
 import re
 from html import unescape
@@ -15,8 +16,9 @@ from kinoedu.slides.rule import MOST_WORDS, cut_into_slides, without_documentati
 
 HOUSE = Path(__file__).resolve().parent.parent
 LESSONS = lessons_with_slides()
-PICTURE = {"data": {"image/png": "AAAA", "text/plain": "<Figure size 1x1>"}}
-BOARD = {"data": {"image/png": "AAAA", "application/vnd.kinoedu.board+json": {}}}
+PNG = base64.b64encode(bytes(32)).decode()
+PICTURE = {"data": {"image/png": PNG, "text/plain": "<Figure size 1x1>"}}
+BOARD = {"data": {"image/png": PNG, "application/vnd.kinoedu.board+json": {}}}
 
 
 def text(source, **metadata):

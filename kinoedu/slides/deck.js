@@ -10,8 +10,8 @@
     box.style.zoom = Math.min(innerWidth / 1280, innerHeight / 720);
     let small = 1;
     row.style.zoom = small;
-    const isTooLarge = () => [...row.children].some((part) =>
-      part.scrollHeight > row.clientHeight + 1 || part.scrollWidth > part.clientWidth + 1);
+    const isTooLarge = () => row.scrollHeight > row.clientHeight + 1
+      || [...row.children].some((part) => part.scrollWidth > part.clientWidth + 1);
     while (small > 0.5 && isTooLarge()) {
       small -= 0.05;
       row.style.zoom = small;

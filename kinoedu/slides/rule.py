@@ -13,6 +13,7 @@ A cell's own slide type (in JupyterLab: property inspector, Slide Type) comes be
 `skip` leaves the cell out, `notes` puts it into the notes, `slide` and `subslide` begin a slide.
 """
 
+import base64
 import json
 import re
 from dataclasses import dataclass, field
@@ -29,6 +30,7 @@ MOST_WORDS = 95  # of text on one slide
 MOST_LINES = 8  # of code that is shown with what it prints
 LONGEST_CODE = 16  # lines of code that is shown for itself
 MOST_PRINTED = 12  # lines of printed text
+WIDE = 1.7  # of a picture that stands below its text: width by height
 NOT_SHOWN = re.compile(r"^(import |from \S+ import |# NBVAL|plt\.show|%)")
 ASKS = re.compile(r'ke\.ask\("(\w+)"\)')
 
@@ -158,7 +160,7 @@ def output_html(output: Any) -> str:
         source = "".join("".join(data["image/png"]).split())
         picture = f'<img alt="{escape(alt)}" src="data:image/png;base64,{source}">'
         if RECORD not in data:
-            return f'<div class="figure">{picture}</div>'
+            return f'<div class="figure{" wide" if is_wide(source) else ""}">{picture}</div>'
         record = json.dumps(data[RECORD]).replace("</", "<\\/")
         script = f'<script type="application/json">{record}</script>'
         shown = f'<div class="still-board">{picture}</div>'
@@ -172,6 +174,13 @@ def output_html(output: Any) -> str:
         return ""
     more = ["..."] if len(lines) > MOST_PRINTED else []
     return f'<pre class="printed">{escape(chr(10).join(lines[:MOST_PRINTED] + more))}</pre>'
+
+
+def is_wide(png: str) -> bool:
+    """Whether a picture, in base64, needs the whole width of a slide."""
+    head = base64.b64decode(png[:32])
+    width, height = (int.from_bytes(head[at : at + 4], "big") for at in (16, 20))
+    return width > WIDE * height
 
 
 def without_documentation(source: str) -> str:
