@@ -130,6 +130,45 @@ def test_a_second_exercise_goes_to_the_end_of_its_lesson(house):
     assert ran.stdout.strip() == "[3.0, 3.0]", ran.stderr
 
 
+PLAIN = '''
+import numpy as np
+
+def closest_point_on_polygon(q: "point", polygon: "polygon") -> "point":
+    """The point of a polygon's boundary that is nearest to q.
+
+    >>> closest_point_on_polygon((2, -1), [(0, 0), (4, 0), (4, 3), (0, 3)])
+    (2, 0)
+    """
+    best, least = polygon[0], np.inf
+    for a, b in zip(polygon, np.roll(polygon, -1, axis=0)):
+        p = a + np.clip((q - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1) * (b - a)
+        if np.hypot(*(q - p)) < least - 1e-9:
+            best, least = p, np.hypot(*(q - p))
+    return best
+'''
+
+
+def test_an_exercise_from_a_plain_function_passes_the_tests_of_the_house(house, tmp_path):
+    """Its own test, those of all exercises, banks and messages, and the linters pass."""
+    name = "closest_point_on_polygon"
+    (tmp_path / "mine.py").write_text(PLAIN)
+    command = ["new-exercise", name, "--lesson", "78_walls", "--from", str(tmp_path / "mine.py")]
+    made = run(house, "-m", "kinoedu", *command)
+    assert made.returncode == 0, made.stderr
+    book = sources(house / "solutions" / "78_walls.ipynb")
+    assert any("nearest to q" in source and "`(2, 0)`" in source for source in book)
+    tests = [f"tests/lessons/test_{name}.py", "tests/test_course.py", "tests/test_bank.py"]
+    options = ["-q", "-n0", "-p", "no:cacheprovider", "--rootdir", str(house), "-k", name]
+    ran = run(house, "-m", "pytest", *tests, *options)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    worded = run(house, "-c", f"import sys; sys.path.insert(0, 'tests'); {WORDS}")
+    assert worded.returncode == 0, worded.stderr
+    mine = [line.strip() for line in made.stdout.splitlines() if line.strip().endswith(".py")]
+    for tool in (["check"], ["format", "--check"]):
+        ruff = run(house, "-m", "ruff", *tool, *mine)
+        assert ruff.returncode == 0, ruff.stdout
+
+
 @pytest.mark.parametrize(
     ("name", "lesson", "words"),
     [

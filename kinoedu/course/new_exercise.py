@@ -1,9 +1,10 @@
 """Create a new exercise that is complete from the start.
 
 The new exercise is a tiny one, the midpoint of two points, under a name and in a lesson of your
-choice. It has everything that an exercise needs: cells in the solution notebook, a file with cases,
-reference and picture, messages, a bank of wrong answers and a test. It passes the project's tests.
-The word Edit marks the parts to edit.
+choice; or it is made from a plain function of yours (`plain_function.py`). It has everything that
+an exercise needs: cells in the solution notebook, a file with cases, reference and picture,
+messages, a bank of wrong answers and a test. It passes the project's tests. The word Edit marks the
+parts to edit.
 """
 
 import ast
@@ -12,12 +13,14 @@ import re
 import shutil
 from pathlib import Path
 from string import Template
+from textwrap import indent
 from typing import Any
 
 from ..errors import InvalidParameter
 from ..messages import catalogue
 from ..support.whole_files import written_whole
 from .lessons import EXERCISES
+from .plain_function import ANSWERS, PlainFunction, PlainSlip, example_of, usual_slips
 from .release import HOUSE, run_notebook
 
 TEMPLATES = "solutions/new_exercise"  # not for students: they contain right and wrong answers
@@ -27,12 +30,30 @@ PLACES = {  # the file that each template becomes
     "bank.py": "solutions/bank/{name}.py",
     "its_test.py": "tests/lessons/test_{name}.py",
 }
+CELLS = ("statement.md", "answer.py")  # of the notebook
+NUMPY = "import numpy as np"
+DESCRIBED = {  # kinds of input and answer, in words
+    "point": "a point, an array of shape `(2,)`",
+    "points": "points, an array of shape `(n, 2)`",
+    "polygon": "the vertices of a simple polygon, counter-clockwise, an array of shape `(n, 2)`",
+    "number": "a number",
+    "length": "a positive number",
+    "angle": "an angle in radians",
+    "count": "a whole number",
+    "truth": "`True` or `False`",
+}
 LIST = "kinoedu/course/lessons/{room}/__init__.py"
 POINTS = 3  # one point for each kind of input
 
 
-def new_exercise(name: str, lesson: str, house: Path = HOUSE) -> list[str]:
+def new_exercise(
+    name: str, lesson: str, house: Path = HOUSE, plain: PlainFunction | None = None
+) -> list[str]:
     """Write a new exercise into a copy of the project, and run its solution notebook.
+
+    Parameters
+    ----------
+    plain : the function from which the exercise is made; by default that of the example.
 
     Returns
     -------
@@ -46,17 +67,22 @@ def new_exercise(name: str, lesson: str, house: Path = HOUSE) -> list[str]:
     """
     check_names(name, lesson, house)
     room = room_of(lesson)
+    kind, values = "", {"name": name, "lesson": lesson, "cls": class_name(name)}
+    values["title"] = name.replace("_", " ").capitalize()
+    if plain is not None:
+        kind, values = "plain_", values | plain_values(plain)
     made = {
-        place.format(name=name, room=room): fill_template(house, template, name, lesson)
+        place.format(name=name, room=room): fill_template(house, kind + template, values)
         for template, place in PLACES.items()
     }
+    cells = [fill_template(house, kind + template, values).rstrip() for template in CELLS]
     book, list_of_room = f"solutions/{lesson}.ipynb", LIST.format(room=room)
     list_file = house / list_of_room
     before = list_file.read_text(encoding="utf-8") if list_file.exists() else None
     try:
         list_file.parent.mkdir(exist_ok=True)
         write_files(house, made | {list_of_room: add_to_list(before or new_list(lesson), name)})
-        write_notebook(add_cells(house, book, name, lesson), house / book)
+        write_notebook(add_cells(house / book, name, lesson, *cells), house / book)
     except BaseException:
         for place in made:
             (house / place).unlink(missing_ok=True)
@@ -121,12 +147,95 @@ def check_names(name: str, lesson: str, house: Path) -> None:
         )
 
 
-def fill_template(house: Path, template: str, name: str, lesson: str) -> str:
-    """Fill in the names in a template."""
+def fill_template(house: Path, template: str, values: dict[str, str]) -> str:
+    """Fill in the values in a template."""
     text = (house / TEMPLATES / f"{template}.txt").read_text(encoding="utf-8")
-    return Template(text).substitute(
-        name=name, lesson=lesson, cls=class_name(name), title=name.replace("_", " ").capitalize()
-    )
+    return Template(text).substitute(values)
+
+
+def plain_values(plain: PlainFunction) -> dict[str, str]:
+    """What the templates of an exercise need to know of a plain function.
+
+    Raises
+    ------
+    InvalidParameter
+        Where its example is wrong.
+    """
+    given, _ = example_of(plain)
+    slips = usual_slips(plain)
+    first_line = " ".join(plain.statement.split("\n\n")[0].split())
+    shapes = [ANSWERS[plain.answer], *(repr_shape(kind) for kind in plain.inputs.values())]
+    used = sorted({shape.partition("(")[0] for shape in shapes} - {"Integer"} | {"Record"})
+    body = indent(plain.body, "    ")
+    own_imports = [line for line in plain.imports.splitlines() if line != NUMPY]
+    array = "Array" if plain.answer in ("point", "points") else "float"
+    return {
+        "signature": f"{plain.name}({', '.join(plain.inputs)})",
+        "typed": ", ".join(f"{one}: {type_of(kind)}" for one, kind in plain.inputs.items()),
+        "answer_type": array if plain.answer != "truth" else "bool",
+        "first_line": first_line,
+        "statement": plain.statement,
+        "rule": first_line.replace("\\", "\\\\").replace('"', "'"),
+        "described": ", ".join(f"`{one}`, {DESCRIBED[k]}" for one, k in plain.inputs.items()),
+        "answer_described": DESCRIBED[plain.answer],
+        "call": plain.call,
+        "result": plain.result,
+        "imports": "\n".join([NUMPY, *own_imports]),
+        "solution": "\n".join([*(f"    {line}" for line in own_imports), body]),
+        "body": body,
+        "shapes": ", ".join(used),
+        "whole_shapes": "from ...whole_shapes import Integer\n" if "Integer()" in shapes else "",
+        "answer_shape": ANSWERS[plain.answer],
+        "inputs": ", ".join(f'"{one}": INPUTS["{k}"]' for one, k in plain.inputs.items()),
+        "given": ", ".join(f"{one}={repr_shape(k)}" for one, k in plain.inputs.items()),
+        "example": "\n".join(
+            f'            "{one}": {as_source(value)},' for one, value in given.items()
+        ),
+        "slips": "\n".join(f'        Slip("{one.key}", {one.program}),' for one in slips),
+        "slip_messages": "\n".join(f'{one.key} = "{one.text}"' for one in slips),
+        "wrong": "\n\n\n".join(wrong_programs(plain, slips)),
+    }
+
+
+def repr_shape(kind: str) -> str:
+    """The shape of a kind of input, as Python."""
+    return {"polygon": ANSWERS["points"]}.get(kind) or ANSWERS[kind]
+
+
+def type_of(kind: str) -> str:
+    """The type of a kind of input."""
+    return {"count": "int"}.get(kind, "Array" if kind[:2] == "po" else "float")
+
+
+def as_source(value: Any) -> str:
+    """An argument as Python."""
+    return f"np.array({value.tolist()})" if hasattr(value, "tolist") else repr(value)
+
+
+def wrong_programs(plain: PlainFunction, slips: list[PlainSlip]) -> list[str]:
+    """The bank: each usual mistake, and mistakes that every function has."""
+    names = ", ".join(plain.inputs)
+    programs = [
+        f'@wrong("{plain.name}", slip="{one.key}")\ndef {one.key}({names}):\n'
+        f'    """{one.text.partition(".")[0]}."""\n'
+        f"    return {one.program.partition(': ')[2]}"
+        for one in slips
+    ]
+    others = {
+        "prints": ("Prints the answer, and returns nothing.", f"print(right({names}))"),
+        "function_itself": ("Returns a function, not its value.", "return right"),
+        "always_an_error": ("Refuses every input.", 'raise ValueError("bad input")'),
+        "as_text": ("Returns a text.", f"return str(right({names}))"),
+        "twice": ("Returns the answer twice.", f"return [right({names})] * 2"),
+        "nan": (
+            "Returns something that is no number.",
+            f"return np.asarray(right({names})) * np.nan",
+        ),
+    }
+    return programs + [
+        f'@wrong("{plain.name}")\ndef {key}({names}):\n    """{text}"""\n    {line}'
+        for key, (text, line) in others.items()
+    ]
 
 
 def class_name(name: str) -> str:
@@ -176,16 +285,11 @@ def add_to_list(text: str, name: str) -> str:
     return "".join(lines)
 
 
-def add_cells(house: Path, place: str, name: str, lesson: str) -> Any:
+def add_cells(file: Path, name: str, lesson: str, statement: str, answer: str) -> Any:
     """Solution notebook with the exercise added at its end; a new notebook where there is none."""
     import nbformat
     from nbformat import v4
 
-    file = house / place
-    statement, answer = (
-        fill_template(house, template, name, lesson).rstrip()
-        for template in ("statement.md", "answer.py")
-    )
     if file.exists():
         book = nbformat.read(file, as_version=4)
     else:
