@@ -118,7 +118,7 @@ def draw_special_case(inputs: dict[str, Input], rng: np.random.Generator, size: 
 
 
 def draw_plain_case(case: Case, outcome: Outcome, truth: Value, title: str, ax: Axes) -> None:
-    """Draw the inputs, the true answer in green and the student's in orange."""
+    """Draw the inputs, the true answer as a square and the student's as a cross."""
     from ....figures import palette, plane
 
     value = outcome.value if isinstance(outcome, Answer) else None
