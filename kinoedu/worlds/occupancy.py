@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import compiled, inlined
+from ..compiled import callable_from_compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import length, orientation_sign
+from ..geometry.exact import ROUNDING, SAFE
 from ..geometry.parts import Parts
 from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins
 
@@ -25,6 +25,8 @@ SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # in this order; FREE is also the least 
 FINE = 32  # the most occupancy cells along the side of a cell of the index
 ALONG = 600  # the most occupancy cells along the longer side of a world
 MOST = 16  # the largest reach that is stored
+STEP = 4  # a block is divided into STEP * STEP at a time
+AT_ONCE = 50_000  # blocks that are classified together
 PIECES = 4  # a motion is divided into so many stretches, each looked up by itself
 
 
@@ -44,7 +46,6 @@ class Occupancy(NamedTuple):
     reach: NDArray[np.int8]
 
 
-@compiled
 def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> Occupancy:
     """Build the occupancy cells of a world by subdividing the cells of its index.
 
@@ -56,64 +57,75 @@ def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: 
     fine = FINE
     while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:
         fine //= 2
-    reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
-    grid = Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
-    fill_occupancy(grid, fine, hull, parts, cells)
-    measure_reach(grid.reach)
-    return grid
+    reach, divisions = np.full((cells.rows, cells.columns), RIM, np.int8), 1
+    classify_blocks(reach, divisions, hull, parts, cells)
+    while divisions < fine:
+        step = min(STEP, fine // divisions)
+        reach, divisions = reach.repeat(step, axis=0).repeat(step, axis=1), step * divisions
+        classify_blocks(reach, divisions, hull, parts, cells)
+    measure_reach(reach)
+    return Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
 
 
-@compiled
+@callable_from_compiled
 def no_occupancy() -> Occupancy:
     """Occupancy cells of a world about which nothing is known: none."""
     return Occupancy(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
-@compiled
-def fill_occupancy(
-    grid: Occupancy, fine: int, hull: Array, parts: Parts, cells: PartsIndex
+class Boxes(NamedTuple):
+    """Boxes x0 <= x <= x1, y0 <= y <= y1; each field has shape (n,)."""
+
+    x0: Array
+    y0: Array
+    x1: Array
+    y1: Array
+
+    def take(self, places: NDArray[np.int64]) -> "Boxes":
+        """The boxes at some places, which may repeat."""
+        return Boxes(*(side[places] for side in self))
+
+
+def classify_blocks(
+    reach: NDArray[np.int8], divisions: int, hull: Array, parts: Parts, cells: PartsIndex
 ) -> None:
-    """Classify the cells of the index, then recursively their quarters where they are mixed."""
-    size = fine
-    while size > 0:
-        for j in range(0, grid.reach.shape[0], size):
-            for i in range(0, grid.reach.shape[1], size):
-                if grid.reach[j, i] == MIXED or grid.reach[j, i] == RIM:
-                    cell = j // fine * cells.columns + i // fine
-                    grid.reach[j : j + size, i : i + size] = classify_block(
-                        i, j, size, grid, cell, hull, parts, cells
-                    )
-        size //= 2
+    """Classify the blocks that are MIXED or RIM; each side of an index cell has `divisions`."""
+    all_rows, all_columns = np.nonzero((reach == MIXED) | (reach == RIM))
+    side = cells.cell / divisions
+    for begin in range(0, len(all_rows), AT_ONCE):
+        j, i = all_rows[begin : begin + AT_ONCE], all_columns[begin : begin + AT_ONCE]
+        x, y = i.astype(np.float64), j.astype(np.float64)
+        boxes = Boxes(
+            cells.x + (x - MARGIN) * side,
+            cells.y + (y - MARGIN) * side,
+            cells.x + (x + (1.0 + MARGIN)) * side,
+            cells.y + (y + (1.0 + MARGIN)) * side,
+        )
+        # MIXED means that the block that was divided is inside the hull
+        found, rim = np.full(len(j), FREE), np.flatnonzero(reach[j, i] == RIM)
+        found[rim[boxes_in_hull(boxes.take(rim), hull) != SOLID]] = RIM
+        cell = j // divisions * cells.columns + i // divisions
+        box, entry = count_up(cells.first[cell], cells.first[cell + 1])
+        part = cells.parts[entry]
+        np.minimum.at(found, box, boxes_in_parts(boxes.take(box), part, parts, cells.boxes))
+        reach[j, i] = found
 
 
-@compiled
-def classify_block(
-    i: int,
-    j: int,
-    size: int,
-    grid: Occupancy,
-    cell: int,
-    hull: Array,
-    parts: Parts,
-    cells: PartsIndex,
-) -> int:
-    """The state of a block of size * size cells, with its margin; by the hull and nearby parts."""
-    x0, x1 = grid.x + (i - MARGIN) * grid.side, grid.x + (i + size + MARGIN) * grid.side
-    y0, y1 = grid.y + (j - MARGIN) * grid.side, grid.y + (j + size + MARGIN) * grid.side
-    # MIXED means that the four times larger block is inside the hull
-    inside = (
-        grid.reach[j, i] == MIXED or box_in_polygon(x0, y0, x1, y1, hull, 0, len(hull)) == SOLID
-    )
-    found = FREE if inside else RIM
-    for entry in range(cells.first[cell], cells.first[cell + 1]):
-        part = box_in_part(x0, y0, x1, y1, parts, cells.parts[entry], cells.boxes)
-        if part == SOLID:
-            return SOLID
-        found = min(found, part)
-    return found
+def count_up(
+    begin: NDArray[np.int64], end: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The numbers of all ranges begin..end, and before them the range of each.
+
+    Examples
+    --------
+    >>> count_up(np.array([4, 9]), np.array([6, 10]))
+    (array([0, 0, 1]), array([4, 5, 9]))
+    """
+    counts = end - begin
+    which = np.repeat(np.arange(len(counts)), counts)
+    return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts - begin, counts)
 
 
-@compiled
 def measure_reach(reach: NDArray[np.int8]) -> None:
     """Count for each FREE cell how many erosions by one layer it survives, up to MOST.
 
@@ -126,53 +138,71 @@ def measure_reach(reach: NDArray[np.int8]) -> None:
         reach += free
 
 
-@inlined
-def box_in_part(
-    x0: float, y0: float, x1: float, y1: float, parts: Parts, i: int, boxes: Array
-) -> int:
-    """SOLID where a box is inside part i, FREE where it is outside, MIXED otherwise."""
-    if x1 < boxes[i, 0] or x0 > boxes[i, 2] or y1 < boxes[i, 1] or y0 > boxes[i, 3]:
-        return FREE
-    if parts.radius[i] > 0.0:
-        return box_in_disc(x0, y0, x1, y1, parts.points[parts.first[i]], parts.radius[i])
-    return box_in_polygon(x0, y0, x1, y1, parts.points, parts.first[i], parts.first[i + 1])
+def boxes_in_parts(
+    boxes: Boxes, part: NDArray[np.int64], parts: Parts, bounds: Array
+) -> NDArray[np.int64]:
+    """SOLID where a box is inside its part, FREE where it is outside, MIXED otherwise."""
+    around, found = bounds[part].T, np.full(len(part), FREE)
+    near = (boxes.x1 >= around[0]) & (boxes.x0 <= around[2])
+    near &= (boxes.y1 >= around[1]) & (boxes.y0 <= around[3])
+    is_round = parts.radius[part] > 0.0
+    discs, polygons = np.flatnonzero(near & is_round), np.flatnonzero(near & ~is_round)
+    disc, polygon = part[discs], part[polygons]
+    found[discs] = boxes_in_discs(
+        boxes.take(discs), parts.points[parts.first[disc]], parts.radius[disc]
+    )
+    found[polygons] = boxes_in_polygons(
+        boxes.take(polygons), parts.points, parts.first[polygon], parts.first[polygon + 1]
+    )
+    return found
 
 
-@compiled
-def box_in_disc(x0: float, y0: float, x1: float, y1: float, centre: Array, radius: float) -> int:
-    """SOLID where a box is strictly inside a disc, FREE where it is outside, MIXED otherwise.
+def boxes_in_discs(boxes: Boxes, centre: Array, radius: Array) -> NDArray[np.int64]:
+    """SOLID where a box is strictly inside its disc, FREE where it is outside, MIXED otherwise.
 
     MIXED also for a disc that is too large for a margin.
     """
-    left, right, below, above = centre[0] - x0, x1 - centre[0], centre[1] - y0, y1 - centre[1]
-    if radius > FAR * (x1 - x0):
-        return MIXED
-    if length(max(left, right), max(below, above)) < radius:
-        return SOLID
-    return FREE if length(max(-left, -right, 0.0), max(-below, -above, 0.0)) > radius else MIXED
+    left, right = centre[:, 0] - boxes.x0, boxes.x1 - centre[:, 0]
+    below, above = centre[:, 1] - boxes.y0, boxes.y1 - centre[:, 1]
+    farthest = np.hypot(np.maximum(left, right), np.maximum(below, above))
+    nearest = np.hypot(
+        np.maximum(np.maximum(-left, -right), 0.0), np.maximum(np.maximum(-below, -above), 0.0)
+    )
+    found = np.where(farthest < radius, SOLID, np.where(nearest > radius, FREE, MIXED))
+    return np.where(radius > FAR * (boxes.x1 - boxes.x0), MIXED, found)
 
 
-@compiled
-def box_in_polygon(
-    x0: float, y0: float, x1: float, y1: float, points: Array, begin: int, end: int
-) -> int:
-    """SOLID where a box is strictly inside a convex polygon, FREE to the right of an edge.
+def boxes_in_hull(boxes: Boxes, hull: Array) -> NDArray[np.int64]:
+    """`boxes_in_polygons` for one polygon (k, 2)."""
+    begin = np.zeros(len(boxes.x0), np.int64)
+    return boxes_in_polygons(boxes, hull, begin, begin + len(hull))
 
-    MIXED otherwise. The polygon is points[begin:end]. For each edge the corner farthest to its left
-    and the corner farthest to its right decide for all four.
+
+def boxes_in_polygons(
+    boxes: Boxes, points: Array, begin: NDArray[np.int64], end: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """SOLID where a box is strictly inside its convex polygon, FREE to the right of an edge.
+
+    MIXED otherwise, and where rounding leaves it open. The polygons are points[begin:end]. For each
+    edge the corner farthest to its left and the corner farthest to its right decide for all four.
     """
-    found = SOLID
-    px, py = points[end - 1, 0], points[end - 1, 1]
-    for k in range(begin, end):
-        qx, qy = points[k, 0], points[k, 1]
-        left_x, right_x = (x0, x1) if qy > py else (x1, x0)
-        left_y, right_y = (y1, y0) if qx > px else (y0, y1)
-        if orientation_sign(px, py, qx, qy, left_x, left_y) < 0:
-            return FREE
-        if found == SOLID and orientation_sign(px, py, qx, qy, right_x, right_y) <= 0:
-            found = MIXED
-        px, py = qx, qy
+    box, k = count_up(begin, end)
+    p, q = points[np.where(k == begin[box], end[box], k) - 1].T, points[k].T
+    around = boxes.take(box)
+    up, forth = q[1] > p[1], q[0] > p[0]
+    left = np.where(up, around.x0, around.x1), np.where(forth, around.y1, around.y0)
+    right = np.where(up, around.x1, around.x0), np.where(forth, around.y0, around.y1)
+    found = np.full(len(begin), SOLID)
+    found[box[~is_to_the_left(p, q, right)]] = MIXED
+    found[box[is_to_the_left(q, p, left)]] = FREE
     return found
+
+
+def is_to_the_left(p: Array, q: Array, at: tuple[Array, Array]) -> NDArray[np.bool_]:
+    """Whether places are to the left of the lines from p to q, and rounding leaves no doubt."""
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # inf and nan leave a doubt
+        one, other = (q[0] - p[0]) * (at[1] - p[1]), (q[1] - p[1]) * (at[0] - p[0])
+        return np.asarray(one - other > ROUNDING * (np.abs(one) + np.abs(other)) + SAFE)
 
 
 @inlined

@@ -89,11 +89,13 @@ class PolygonWorld(PolygonWorldRecord, metaclass=Constructor):
             solids += [solids[-1] + 1] * (1 + len(rooms))
             rings += [ring, *(room[::-1] for room in rooms)]
         first = np.cumsum([0, *map(len, rings)])
-        return world_of_rings(
+        world = world_of_rings(
             Rings(np.concatenate(rings), first, np.array(solids)),
             make_parts(pieces, [0.0] * len(pieces)),
             discs,
         )
+        hull, parts, cells = world.hull, world.obstacles, world.cells
+        return world._replace(occupancy=make_occupancy(hull, parts, cells, world.lo, world.hi))
 
 
 class Rings(NamedTuple):
@@ -110,7 +112,7 @@ class Rings(NamedTuple):
 
 @compiled
 def world_of_rings(rings: Rings, more: Parts, discs: Array) -> PolygonWorldRecord:
-    """The record of a world whose rings are valid.
+    """The record of a world whose rings are valid, without occupancy cells.
 
     more : the convex parts of the solids that have rooms.
     discs : (k, 3), rows x, y, radius.
@@ -126,8 +128,7 @@ def world_of_rings(rings: Rings, more: Parts, discs: Array) -> PolygonWorldRecor
     parts = join_parts(join_parts(parts, more), round_parts)
     lo, hi = box_of(hull)
     cells = index_parts(parts, lo, hi)
-    occupancy = make_occupancy(hull, parts, cells, lo, hi)
-    return PolygonWorldRecord(edges_of_rings(rings), hull, parts, cells, occupancy, lo, hi)
+    return PolygonWorldRecord(edges_of_rings(rings), hull, parts, cells, no_occupancy(), lo, hi)
 
 
 @compiled
