@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiled import algorithm, generic, inlined
+from ...compiled import generic, inlined
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import astar
@@ -241,31 +241,18 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
 
 def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
     """The positions of grid nodes (k,), shape (k, 2)."""
-    return centres_of(grid.x, grid.y, grid.side, grid.columns, nodes)
+    rows, columns = np.divmod(nodes, grid.columns)
+    return np.column_stack(
+        [grid.x + (columns - 0.5) * grid.side, grid.y + (rows - 0.5) * grid.side]
+    )
 
 
-@algorithm
-def centres_of(x: float, y: float, side: float, columns: int, nodes: NDArray[np.int64]) -> Array:
-    """The same from plain numbers, so that one compiled function serves all kinds of grid."""
-    places = np.empty((len(nodes), 2))
-    for n in range(len(nodes)):
-        row = nodes[n] // columns
-        places[n, 0] = x + (nodes[n] - row * columns - 0.5) * side
-        places[n, 1] = y + (row - 0.5) * side
-    return places
-
-
-@algorithm
 def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
     """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
     order = np.full(len(parent), -1)
-    for i in range(len(expanded)):
-        order[expanded[i]] = i
-    above = np.empty(len(expanded), np.int64)
-    for i in range(len(expanded)):
-        before = parent[expanded[i]]
-        above[i] = order[before] if before >= 0 else -1
-    return above
+    order[expanded] = np.arange(len(expanded))
+    above = parent[expanded]
+    return np.where(above >= 0, order[above], -1)
 
 
 def find_joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
