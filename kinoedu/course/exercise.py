@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -18,7 +17,7 @@ from ..messages import get_message, has_message
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
 from .shapes import Record, Shape, Value
 from .sizes import MOST_NUMBERS, MOST_OF_EXAMPLE, count_numbers, refuse_excess
-from .withheld import not_in_the_kit, withhold
+from .withheld import NotInTheKit, not_in_the_kit, withhold
 
 if TYPE_CHECKING:
     from ..figures.palette import Axes as Axes
@@ -188,9 +187,10 @@ class Exercise(ABC):
         return get_message(f"{self.table_with(key) or self.shared[-1]}.{key}", **values)
 
 
-# keyed by the ids of exercise and case; the entry keeps both alive, so the ids stay valid
-TRUTH_CACHE: dict[tuple[int, int], tuple[Exercise, Case, Any]] = {}
-MAX_CACHED_TRUTHS = 4096
+# keyed by exercise, case and function; the entry keeps all three alive, so their ids stay valid
+ANSWER_CACHE: dict[tuple[int, int, int], tuple[Exercise, Case, Callable[..., Value], Value]] = {}
+MAX_CACHED_ANSWERS = 32_768
+NO_ANSWER = (ValueError, ZeroDivisionError, NotInTheKit)  # of a misconception
 
 
 class ValueExercise(Exercise):
@@ -204,20 +204,33 @@ class ValueExercise(Exercise):
         """True answer. Raises ValueError where there is none."""
 
     def truth(self, case: Case) -> Value:
-        """True answer, or the ValueError itself.
+        """True answer, or the ValueError itself."""
+        return self.answer_of(self.reference, case, ValueError)
+
+    def mistaken_answer(self, slip: Slip, case: Case) -> Value:
+        """What a misconception answers, or the error itself where it has no answer."""
+        return self.answer_of(slip.answer, case, NO_ANSWER)
+
+    def answer_of(
+        self,
+        function: Callable[..., Value],
+        case: Case,
+        refusals: type[Exception] | tuple[type[Exception], ...],
+    ) -> Value:
+        """What a function of the exercise answers to a case, or the error by which it refuses.
 
         The result is cached, because a whole class is judged on the same cases.
         """
-        kept = TRUTH_CACHE.get((id(self), id(case)))
-        if kept is None or kept[0] is not self or kept[1] is not case:
+        key = id(self), id(case), id(function)
+        if key not in ANSWER_CACHE:
             try:
-                truth = self.reference(*case.given.values())
-            except ValueError as refusal:
-                truth = refusal.with_traceback(None)
-            if len(TRUTH_CACHE) >= MAX_CACHED_TRUTHS:
-                TRUTH_CACHE.clear()
-            TRUTH_CACHE[id(self), id(case)] = kept = self, case, truth
-        return kept[2]
+                answer = function(*case.given.values())
+            except refusals as refusal:
+                answer = refusal.with_traceback(None)
+            if len(ANSWER_CACHE) >= MAX_CACHED_ANSWERS:
+                ANSWER_CACHE.clear()
+            ANSWER_CACHE[key] = self, case, function, answer
+        return ANSWER_CACHE[key][-1]
 
     def ask_for_answers(self, case: Case) -> None:
         """Ask for the truth, and for what each misconception answers."""
@@ -225,8 +238,7 @@ class ValueExercise(Exercise):
         if isinstance(self.truth(case), ValueError):
             return
         for slip in self.slips:
-            with suppress(ValueError, ZeroDivisionError):
-                slip.answer(*case.given.values())
+            self.mistaken_answer(slip, case)
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
         """Judge an outcome; where the reference raises a ValueError, only a ValueError is right."""

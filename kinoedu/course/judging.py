@@ -12,11 +12,10 @@ import numpy as np
 
 from ..support.json_fields import JsonObject
 from ..support.time_limit import Limiter, run_within_processor_time
-from .exercise import CONTRACT, Case, Exercise, Slip, ValueExercise, Verdict
+from .exercise import CONTRACT, NO_ANSWER, Case, Exercise, Slip, ValueExercise, Verdict
 from .outcomes import Answer, Changed, Late, Outcome, Raised, outcome_of
 from .plain import WrongShape
 from .shapes import Shape, Truth
-from .withheld import NotInTheKit
 
 
 @dataclass(frozen=True)
@@ -242,13 +241,11 @@ def find_slip(exercise: Exercise, seen: list[JudgedCase]) -> str:
     likely = [
         slip
         for slip in likely_slips(exercise, seen)
-        if not wrong_values or any(explains(exercise, slip.answer, one) for one in wrong_values)
+        if not wrong_values or any(explains(exercise, slip, one) for one in wrong_values)
     ]
     if not likely:
         return ""
-    return max(
-        likely, key=lambda slip: sum(explains(exercise, slip.answer, one) for one in seen)
-    ).key
+    return max(likely, key=lambda slip: sum(explains(exercise, slip, one) for one in seen)).key
 
 
 def likely_slips(exercise: Exercise, seen: list[JudgedCase]) -> list[Slip]:
@@ -266,13 +263,13 @@ def likely_slips(exercise: Exercise, seen: list[JudgedCase]) -> list[Slip]:
     passed = [one for one in seen if one.case.kind not in failing]
 
     def is_likely(slip: Slip) -> bool:
-        explained = [explains(exercise, slip.answer, one) for one in failures]
+        explained = [explains(exercise, slip, one) for one in failures]
         if isinstance(exercise.answer, Truth):
-            return all(explains(exercise, slip.answer, one) for one in seen)
+            return all(explains(exercise, slip, one) for one in seen)
         return (
             2 * sum(explained) >= len(failures)
             and all(yes or one.case.kind != first for yes, one in zip(explained, failures))
-            and not any(contradicts(exercise, slip.answer, one) for one in passed)
+            and not any(contradicts(exercise, slip, one) for one in passed)
         )
 
     return [slip for slip in exercise.slips if is_likely(slip)]
@@ -284,9 +281,9 @@ def is_unwritten(outcome: Outcome) -> bool:
 
 
 @np.errstate(all="ignore")
-def explains(exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase) -> bool:
+def explains(exercise: Exercise, slip: Slip, judged: JudgedCase) -> bool:
     """Whether a misconception gives the same value as the student's program."""
-    found = value_of_slip(exercise, mistaken, judged)
+    found = value_of_slip(exercise, slip, judged)
     if found is None or not isinstance(judged.outcome, Answer):
         return False
     assert isinstance(exercise, ValueExercise)
@@ -294,12 +291,12 @@ def explains(exercise: Exercise, mistaken: Callable[..., object], judged: Judged
 
 
 @np.errstate(all="ignore")
-def contradicts(exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase) -> bool:
+def contradicts(exercise: Exercise, slip: Slip, judged: JudgedCase) -> bool:
     """Whether a misconception gives another value than a program that is right.
 
     It says nothing where there is no right value, or where it gives no number itself.
     """
-    found = value_of_slip(exercise, mistaken, judged)
+    found = value_of_slip(exercise, slip, judged)
     if found is None or not isinstance(judged.outcome, Answer):
         return False
     assert isinstance(exercise, ValueExercise)
@@ -315,15 +312,11 @@ def is_definite(value: object) -> bool:
     return value is not None and array.size > 0 and bool(np.all(array == array))
 
 
-def value_of_slip(
-    exercise: Exercise, mistaken: Callable[..., object], judged: JudgedCase
-) -> Answer | None:
+def value_of_slip(exercise: Exercise, slip: Slip, judged: JudgedCase) -> Answer | None:
     """The value that a misconception gives in a case; None where none is there to compare."""
     if not isinstance(exercise, ValueExercise) or not isinstance(judged.outcome, Answer):
         return None
     if isinstance(exercise.truth(judged.case), ValueError):
         return None
-    try:
-        return Answer(mistaken(*judged.case.given.values()))
-    except (ValueError, ZeroDivisionError, NotInTheKit):
-        return None
+    found = exercise.mistaken_answer(slip, judged.case)
+    return None if isinstance(found, NO_ANSWER) else Answer(found)
