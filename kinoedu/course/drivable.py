@@ -1,22 +1,21 @@
 """Problems for the exercises on driving, which add a car's motion to a student's problem."""
 
+import json
 import math
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..curves.arcs import drive_arc
-from ..files.scenes import parse_problem
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
 from ..problems.recorder import Question
-from ..support.json_fields import Field, Json
+from ..support.json_fields import Json
 from .plain import WrongShape
 from .poses import distance_of_poses
-from .tasks import ProblemShape, StudentProblem, scene_of
+from .tasks import ProblemShape, StudentProblem, decode_problem, read_problem, scene_of
 
 TRIALS, STEPS, BATCHES = 20, 30, 4
 REGION = 2.5  # radius of the region around the goal, in wheelbases
@@ -149,7 +148,7 @@ def drivable(scene: dict[str, Any]) -> DrivingProblem:
     >>> bool(problem.distance(problem.move(problem.start, v, phi, t), (11, 10, 0)) < 0.2)
     True
     """
-    return DrivingProblem(parse_problem(Field("scene", {"version": 1, **scene}, Path())))
+    return DrivingProblem(read_problem(scene))
 
 
 class DrivenProblemShape(ProblemShape):
@@ -158,6 +157,6 @@ class DrivenProblemShape(ProblemShape):
     def decode(self, data: Json) -> DrivingProblem:
         """Decode into a new problem without recorded calls."""
         try:
-            return drivable(data)
+            return DrivingProblem(decode_problem(json.dumps(data)))
         except Exception:
             raise WrongShape(self.description) from None

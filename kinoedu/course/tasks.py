@@ -1,5 +1,7 @@
 """Problems that planner exercises give to students, and their encoding."""
 
+import json
+from functools import lru_cache
 from itertools import groupby
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -82,7 +84,7 @@ class StudentProblem(Recorder):
 
     def fresh_copy(self) -> "StudentProblem":
         """The same problem without recorded calls."""
-        return type(self)(problem_of(scene_of(self.problem)).problem)
+        return type(self)(self.problem)
 
 
 def state_of(rng: Any) -> object:
@@ -121,7 +123,18 @@ def problem_of(scene: dict[str, Any]) -> StudentProblem:
     >>> problem.is_free_path(problem.start, problem.goal), problem.counts()
     (True, {'is_free_path': 1})
     """
-    return StudentProblem(parse_problem(Field("scene", {"version": 1, **scene}, Path())))
+    return StudentProblem(read_problem(scene))
+
+
+def read_problem(scene: dict[str, Any]) -> ProblemRecord:
+    """The problem itself of a scene."""
+    return parse_problem(Field("scene", {"version": 1, **scene}, Path()))
+
+
+@lru_cache(maxsize=128)
+def decode_problem(text: str) -> ProblemRecord:
+    """The problem of a scene in JSON; cached, because a case is decoded for each of its calls."""
+    return read_problem(json.loads(text))
 
 
 class ProblemShape(NamedTuple):
@@ -141,6 +154,6 @@ class ProblemShape(NamedTuple):
     def decode(self, data: Json) -> StudentProblem:
         """Decode into a new problem without recorded calls. Raises WrongShape."""
         try:
-            return problem_of(data)
+            return StudentProblem(decode_problem(json.dumps(data)))
         except Exception:
             raise WrongShape(self.description) from None
