@@ -45,15 +45,22 @@ def call_three_times(
     The three answers; whether Python's and numpy's global generators were left unused; and what
     `read` finds in the problem, for the seed, after the first and after the third call.
     """
-    before, answers, found = (random.getstate(), np.random.get_state()), [], []
+    before, answers, found = global_states(), [], []
     for rng in (given["rng"], given["rng"], given["rng"] + 1):
         problem = given["problem"].fresh_copy()
         answers.append(function(*{**given, "problem": problem, "rng": rng}.values()))
         found.append(read(problem, rng))
-    after = random.getstate(), np.random.get_state()
+    is_unused = global_states() == before
     random.setstate(before[0])
     np.random.set_state(before[1])
-    return *answers, repr(before) == repr(after), found[0], found[2]
+    return *answers, is_unused, found[0], found[2]
+
+
+def global_states() -> tuple[Any, Any]:
+    """The states of Python's and of numpy's global generators, which can be compared."""
+    numpys: Any = np.random.get_state()
+    name, key, *rest = numpys
+    return random.getstate(), (name, tuple(key.tolist()), *rest)
 
 
 def read_nothing(problem: object, rng: int) -> None:
