@@ -12,7 +12,21 @@ from kinoedu.course.bank import read_bank
 from kinoedu.course.withheld import NotInTheKit
 from kinoedu.figures.plane import plane_figure
 
-ENDLESS = {"nearer_in_x"}  # a program that computes until it is stopped
+# programs of the bank that compute, or wait, until they are stopped
+ENDLESS = {
+    "all_paths_that_never_forget",
+    "follows_first_neighbours",
+    "goes_round_for_ever",
+    "marks_its_own_path_only",
+    "much_nearer_than_the_hit",
+    "nearer_in_x",
+    "never_arrives",
+    "never_ends",
+    "never_marks_anything",
+    "round_and_round",
+    "seen_on_this_way_only",
+    "sleeps",
+}
 
 
 def right_programs(house: Path):

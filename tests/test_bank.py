@@ -6,13 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from judged_programs import ENDLESS
 
 from kinoedu import messages
 from kinoedu.course import EXERCISES
 from kinoedu.course.bank import Solutions, read_bank
 from kinoedu.course.feedback import Feedback, draw_failure, rule_message
 from kinoedu.course.judging import judge_until_failure, run_encoded_case
-from kinoedu.course.outcomes import Raised, decode_outcome, encode_outcome
+from kinoedu.course.outcomes import Late, Raised, decode_outcome, encode_outcome
 from kinoedu.support.time_limit import run_within_processor_time
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -48,13 +49,15 @@ def test_a_wrong_answer_is_rejected_with_its_reason(item, monkeypatch):
     """Every program fails, its misconception is recognised, and the first failing case is drawn."""
     exercise = EXERCISES[item.exercise]
     cases, given = cases_of(exercise)
-    monkeypatch.setattr(type(exercise), "seconds", 4.0)
+    is_endless = item.name in ENDLESS
+    monkeypatch.setattr(type(exercise), "seconds", 0.5 if is_endless else 4.0)
     report = judge_until_failure(
         exercise, cases, lambda case: travelled(exercise, item.function, given[id(case)])
     )
     assert not report.is_right
     assert not is_accident(report.failure.outcome)
     assert report.score < 1.0
+    assert isinstance(report.failure.outcome, Late) == is_endless
     assert report.failure.slip == item.slip
     assert rule_message(exercise, report.failure)
     assert messages.get_message("check.hint") in repr(Feedback(report))
