@@ -515,6 +515,14 @@ def orient(*, cache: Path, mode: str = "when-it-pays", **variables: str) -> Any:
     return run(code, path=path, KINOEDU_CACHE=str(cache), KINOEDU_MACHINE_CODE=mode, **variables)
 
 
+@pytest.fixture(scope="module")
+def compiled_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache with machine code of one function, compiled in a separate process."""
+    cache = tmp_path_factory.mktemp("compiled")
+    assert orient(cache=cache, mode="first")[:3] == [1, True, True]
+    return cache
+
+
 PATIENT = ORIENT.replace(
     "import json",
     "import time, kinoedu.compiled.tiers as t; t.interpreted.seconds = 9\nimport json",
@@ -522,13 +530,14 @@ PATIENT = ORIENT.replace(
 
 
 @needs_compiler
-def test_machine_code_of_one_process_is_used_by_the_next(tmp_path: Path) -> None:
+def test_machine_code_of_one_process_is_used_by_the_next(
+    compiled_once: Path, tmp_path: Path
+) -> None:
     """Compiled once in a separate process, then loaded by others, also by a copy of the sources.
 
     A process with little to do does not load it.
     """
-    cache = tmp_path / "cache"
-    assert orient(cache=cache, mode="first")[:3] == [1, True, True]
+    cache = compiled_once
     copy = tmp_path / "elsewhere" / "kinoedu"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
     for place in (PACKAGE.parent, copy.parent):
@@ -597,10 +606,12 @@ def test_a_folder_that_cannot_be_written_is_no_error(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_a_new_folder_starts_as_a_copy_of_the_warmed_one(tmp_path: Path) -> None:
+def test_a_new_folder_starts_as_a_copy_of_the_warmed_one(
+    compiled_once: Path, tmp_path: Path
+) -> None:
     """They get a private copy, and nothing is compiled again; an invalid folder is ignored."""
     warmed, own = tmp_path / "warmed", tmp_path / "own"
-    assert orient(cache=warmed, mode="first")[1]
+    shutil.copytree(compiled_once, warmed)
     for path in warmed.rglob("*"):
         path.chmod(0o555 if path.is_dir() else 0o444)
     answer, is_loaded, compiles, folder, _ = orient(
@@ -632,9 +643,9 @@ def test_a_change_in_a_callee_is_never_ignored(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_damaged_code_is_not_run(tmp_path: Path) -> None:
+def test_damaged_code_is_not_run(compiled_once: Path, tmp_path: Path) -> None:
     """A truncated file, or one of another computer, is removed, and the call is interpreted."""
-    orient(cache=tmp_path, mode="first")
+    shutil.copytree(compiled_once, tmp_path, dirs_exist_ok=True)
     (file,) = tmp_path.rglob("*.code")
     whole = file.read_bytes()
     for damaged in (whole[:1000], b"", b"x" * 100, whole.replace(b"0.", b"9.", 1)):
