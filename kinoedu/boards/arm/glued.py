@@ -19,7 +19,8 @@ def make_square_scene(handles: list[JsonObject]) -> Scene:
     """The square [-pi, pi) x [-pi, pi), with room for its scales at the left and below."""
     scene = make_scene((-PI - 0.7, -PI - 0.7), (PI + 0.3, PI + 0.3), handles=handles)
     glued = {"lo": [-PI, -PI], "hi": [PI, PI]}
-    return {**scene, "glued": glued, "colours": COLOURS, "ticks": False}
+    meanings = [get_message(f"figure.link_{link}") for link in range(len(COLOURS))]
+    return {**scene, "glued": glued, "colours": COLOURS, "meanings": meanings, "ticks": False}
 
 
 def draw_frame() -> list[Layer]:

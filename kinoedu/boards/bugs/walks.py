@@ -13,6 +13,7 @@ from ...geometry.checks import Array
 from ...messages import get_message
 from ...problems import Plan, Walk
 from ..core.drawing import Drawing, Layer, arrows, dots, edges, labels, segments_along, sides_of
+from ..core.notes import note, with_notes
 from ..core.scene import Scene, make_scene
 
 ARROWS = 12  # about the number of arrows that show the direction of a walk
@@ -128,8 +129,14 @@ def draw_stretches(points: Array, walk: Walk, clock: Clock) -> list[Layer]:
     """The line through points (n, 2), in one style towards the goal and another along walls."""
     segments, when, along = segments_along(points), clock.when(walk)[1:], walk.following[1:]
     looks = ((~along, FREE), (along, ALONG))
+    says = note("walk", travelled=None, distance=None)
+    values = {"travelled": walk.travelled[1:], "distance": walk.distance_to_goal[1:]}
     return [
-        edges(segments[these], colour, width=width, when=when[these])
+        with_notes(
+            edges(segments[these], colour, width=width, when=when[these]),
+            says,
+            **{name: column[these] for name, column in values.items()},
+        )
         for these, (colour, width) in looks
         if these.any()
     ]

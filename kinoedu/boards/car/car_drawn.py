@@ -15,6 +15,7 @@ from ...problems import Plan
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ..core.drawing import Layer, arrows, bodies, edges, eye, labels, path_edges, segments_along
+from ..core.notes import note, with_notes
 from .car_poses import body_middles, tip_of
 
 STEPS = 200  # of a ride
@@ -94,7 +95,27 @@ def draw_growth(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
     when = np.ceil((np.arange(n) + 1) * total / max(n, 1))
     pieces = np.stack([thinned[:, :-1], thinned[:, 1:]], axis=2)
     layer = edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))
-    return [layer], total
+    return [layer if plan.roadmap is not None else note_tree(layer, plan.tree)], total
+
+
+def note_tree(layer: Layer, tree: Any) -> Layer:
+    """The edges of a tree in equally many pieces each, with what each of them says.
+
+    A piece is a node of the branch: its parent is the piece before it.
+    """
+    n = len(tree.nodes)
+    k = len(layer.rows) // max(n - 1, 1)
+    pieces, first = np.arange(len(layer.rows)), np.arange(len(layer.rows)) % k == 0
+    above = np.repeat(tree.parent[1:], k) * k - 1
+    branch = {"node": pieces, "parent": np.where(first, np.maximum(above, -1), pieces - 1)}
+    number = np.repeat(np.arange(1, n), k)
+    if not hasattr(tree, "durations"):
+        return with_notes(layer, note("car_length", number=None), number=number, **branch)
+    time = np.zeros(n)
+    for node in range(1, n):
+        time[node] = time[tree.parent[node]] + tree.durations[node].sum()
+    says = note("car_node", number=None, time=None)
+    return with_notes(layer, says, number=number, time=time[number], **branch)
 
 
 def draw_ends(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:

@@ -8,6 +8,8 @@
 //   View    one picture of it on a page: painting, pointers and keys
 //   Code    the code beside a picture, where the drawing has a *listing*: each step is a line that
 //           has run
+//   Pointer what is under the pointer, or chosen by keys: rows of layers have *notes*, numbers that
+//           fill the blanks of a text
 //
 // A *stop* is a handle that the answer draws. A click on it moves the second handle (the goal)
 // there, Shift and click the first.
@@ -34,6 +36,8 @@ const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
+const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
+const ALONG = 300;            // places on a motion at which it is looked for what it meets
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
 // The boards by their widgets' keys. They are global, because each widget loads this file again.
@@ -60,6 +64,8 @@ const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], Arrow
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+// A number in words: four digits, or three where it has been added up.
+const short = (x, digits = 4) => String(Number(Math.abs(x) < 1e4 ? x.toPrecision(digits) : Math.round(x)));
 const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
 function floats(view) {
   const end = view.byteOffset + view.byteLength;
@@ -73,6 +79,17 @@ function nameOf({ kind, i, r, v }) {
 
 const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 const distanceOnPage = (a, b) => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+
+function distanceToSegment(p, a, b) {
+  const along = [b[0] - a[0], b[1] - a[1]], squared = along[0] ** 2 + along[1] ** 2;
+  const dot = (p[0] - a[0]) * along[0] + (p[1] - a[1]) * along[1];
+  const share = squared ? clamp(dot / squared, 0, 1) : 0;
+  return distance(p, [a[0] + share * along[0], a[1] + share * along[1]]);
+}
+
+function lengthOf(line) {
+  return line.reduce((sum, p, k) => (k ? sum + distance(line[k - 1], p) : 0), 0);
+}
 
 function make(tag, className, parent, attributes = {}) {
   const element = document.createElement(tag);
@@ -468,6 +485,7 @@ class View {
     const range = { type: "range", min: 0, step: 1, "aria-label": words.slider };
     this.slider = make("input", "kinoedu-slider", this.growth, range);
     this.code = new Code(this);
+    this.pointer = new Pointer(this);
     this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
     this.back.textContent = words.reset;
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
@@ -477,14 +495,16 @@ class View {
     this.text = make("div", "kinoedu-text", this.column, { "aria-hidden": "true" });
     const spoken = { role: "status", "aria-live": "polite" };
     this.state = make("div", "kinoedu-state", this.column, spoken);
-    const hint = this.board.things().length ? make("div", "kinoedu-hint", this.column) : null;
-    if (hint) hint.textContent = this.hint();
+    this.how = make("div", "kinoedu-hint", this.column);
+    if (recorded) this.canvas.style.touchAction = "auto";
     this.pen = this.canvas.getContext("2d");
   }
 
   hint() {                               // how to use this board
     const { words } = this.board, { handles, polygons, posed } = this.board.scene;
-    const hints = [words.hint];
+    const pointing = this.pointer.layers().length ? [words.pointing] : [];
+    if (!this.board.things().length) return pointing.join(" ");
+    const hints = [words.hint, ...pointing];
     if (polygons.some((polygon) => polygon.vertices)) hints.push(words.deeper);
     if (handles.some((handle) => handle.stop)) hints.push(words.stops);
     if (posed) hints.push(words.posed);
@@ -534,6 +554,7 @@ class View {
     canvas.addEventListener("pointermove", (e) => this.drag(e));
     canvas.addEventListener("pointerup", (e) => this.letGo(e));
     canvas.addEventListener("pointercancel", (e) => this.letGo(e));
+    canvas.addEventListener("pointerleave", (e) => this.pointer.leave(e));
     // The notebook must not handle the keys that the board uses.
     this.root.addEventListener("keydown", (e) => {
       if (!e.ctrlKey && !e.metaKey) e.stopPropagation();
@@ -585,10 +606,14 @@ class View {
   }
 
   toWorld(event) {
-    const box = this.canvas.getBoundingClientRect(), { lo } = this.board.scene;
-    const px = ((event.clientX - box.left) / box.width) * this.width;
-    const py = ((event.clientY - box.top) / box.height) * this.height;
+    const { lo } = this.board.scene, [px, py] = this.onPicture(event);
     return [lo[0] + (px - this.left) / this.scale, lo[1] + (this.bottom - py) / this.scale];
+  }
+
+  onPicture(event) {
+    const box = this.canvas.getBoundingClientRect(), { width, height } = this;
+    const px = ((event.clientX - box.left) / box.width) * width;
+    return [px, ((event.clientY - box.top) / box.height) * height];
   }
 
   // pointers
@@ -628,6 +653,7 @@ class View {
 
   grab(event) {
     const { board } = this, anchor = this.toWorld(event);
+    this.pointer.hover(event);
     const thing = this.under(anchor, event.pointerType === "touch");
     if (board.model.get("recorded") || event.button > 0 || (!thing && !board.scene.posed)) return;
     event.preventDefault();
@@ -659,7 +685,11 @@ class View {
 
   drag(event) {
     const held = this.grabs.get(event.pointerId), at = this.toWorld(event);
-    if (!held) { this.canvas.style.cursor = this.under(at, false) ? "grab" : ""; return; }
+    if (!held) {
+      this.canvas.style.cursor = this.under(at, false) ? "grab" : "";
+      if (event.pointerType !== "touch") this.pointer.hover(event);
+      return;
+    }
     const moved = distanceOnPage(event, held);
     held.still &&= moved < JITTER && this.stopAt(at, false) !== null;
     held.fresh &&= moved < TURNS;
@@ -789,6 +819,7 @@ class View {
     this.paintSolids();
     paint(layers.filter((layer) => layer.kind !== "cells"));
     board.scene.handles.forEach((handle) => this.paintHandle(handle));
+    this.pointer.show();
     this.placeButtons();
     this.showState(late);
     this.code.show();
@@ -842,7 +873,7 @@ class View {
     const [rows, columns] = size;
     const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
     const bit = (cell) => (bytes[cell >> 3] >> (7 - (cell & 7))) & 1;
-    const number = colours ? (cell) => bytes[cell] : bit;
+    const number = this.numberAt = colours ? (cell) => bytes[cell] : bit;
     const shades = (colours ?? ["obstacle", "free"]).map((name) => pixelOf(palette[name]));
     const picture = make("canvas", "", null, { width: columns, height: rows });
     const pen = picture.getContext("2d");
@@ -927,15 +958,17 @@ class View {
 
   // layers: coordinates are multiples of the world's size, from its lower left corner. In a layer
   // that grows each row ends with the step at which it appears, and where rows do not stay, also
-  // with the step at which it disappears.
+  // with the step at which it disappears. Before these are its notes.
 
-  stride({ grows, ends }, size) { return size + (grows ? 1 : 0) + (ends ? 1 : 0); }
+  stride({ grows, ends, names = [] }, size) {
+    return size + names.length + (grows ? 1 : 0) + (ends ? 1 : 0);
+  }
 
   eachRow(layer, size, visit) {
     const { unit, left, bottom } = this, { step } = this.board, { data, grows, ends } = layer;
-    const stride = this.stride(layer, size);
+    const stride = this.stride(layer, size), when = size + (layer.names ?? []).length;
     for (let k = 0; k + stride <= data.length; k += stride) {
-      if (grows && data[k + size] > step) break;
+      if (grows && data[k + when] > step) break;
       if (ends && data[k + stride - 1] <= step) continue;
       const [px, py] = [left + data[k] * unit, bottom - data[k + 1] * unit];
       visit(px, py, data[k + 2] * unit, data[k + 3] * unit, k / stride);
@@ -1064,6 +1097,8 @@ class View {
     const growth = fill(words.growth, { shown: step, total, unit });
     this.slider.setAttribute("aria-valuetext", growth);
     this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
+    const how = this.hint();
+    if (this.how.textContent !== how) this.how.textContent = how;
     this.storeState();
     this.speakLater(this.text.textContent);
   }
@@ -1084,6 +1119,221 @@ class View {
       this.state.textContent = text;
       this.canvas.ariaLabel = text;
     }, QUIET);
+  }
+}
+
+// ---- what is under the pointer, or chosen by keys
+
+class Pointer {
+  constructor(view) {
+    const { words } = view.board;
+    this.view = view;
+    this.at = null;                      // the place on the picture that is pointed at
+    this.near = NEAR;                    // pixels
+    this.tip = make("div", "kinoedu-tip", view.stage, { "aria-hidden": "true" });
+    const over = make("div", "kinoedu-overlay", view.stage);
+    this.button = make("button", "kinoedu-thing kinoedu-pointer", over, { type: "button" });
+    this.spoken = make("div", "kinoedu-state", view.stage, { role: "status", "aria-live": "polite" });
+    this.button.ariaLabel = words.pointer;
+    this.button.addEventListener("keydown", (event) => this.press(event));
+    this.button.addEventListener("focus", () => this.choose(this.targets()[0]));
+    this.button.addEventListener("blur", () => this.point(null));
+  }
+
+  layers() {                             // those whose rows say something now
+    const { drawing, step } = this.view.board;
+    return drawing.layers.filter(({ says, last }) => says && (!last || step >= drawing.total));
+  }
+
+  point(at, near = NEAR) {
+    if (at === this.at) return;
+    Object.assign(this, { at, near });
+    this.view.request();
+  }
+
+  hover(event) {
+    this.point(this.view.onPicture(event), event.pointerType === "touch" ? NEAR_FINGER : NEAR);
+  }
+
+  leave(event) { if (event.pointerType !== "touch") this.point(null); }
+
+  // The rows of a layer that are there now. The place of a node is the end of its edge.
+  rows(layer) {
+    const { view } = this, { left, bottom, unit } = view, { names, data, points } = layer;
+    const size = 2 * points, stride = view.stride(layer, size), found = [];
+    view.eachRow(layer, size, (_px, _py, _dx, _dy, row) => {
+      const from = row * stride, shape = [];
+      for (let k = from; k < from + size; k += 2) {
+        shape.push([left + data[k] * unit, bottom - data[k + 1] * unit]);
+      }
+      const noted = names.map((name, k) => [name, data[from + size + k]]);
+      found.push({ layer, shape, values: Object.fromEntries(noted) });
+    });
+    return found;
+  }
+
+  targets() { return this.layers().flatMap((layer) => this.rows(layer)); }
+
+  isNode({ layer, values }) { return layer.points === 1 || "parent" in values; }
+
+  place(target) {                        // a point in the middle of a target
+    const { shape } = target, end = shape.at(-1);
+    if (this.isNode(target)) return end;
+    return [0, 1].map((k) => shape.reduce((sum, p) => sum + p[k], 0) / shape.length);
+  }
+
+  far(target, at) {                      // how far a target is from a place; points go first
+    const { shape, layer } = target, end = distance(shape.at(-1), at);
+    if (layer.kind === "nodes") return end * Math.min(1, NEAR / (layer.width * this.view.unit));
+    if (shape.length === 1) return end;
+    if (shape.length === 2) return Math.min(end, 3 + distanceToSegment(at, ...shape));
+    return inside(...at, [shape]) ? NEAR - 1 : Infinity;
+  }
+
+  // The target nearest to a place. To read 10,000 rows takes a few milliseconds, so it is kept.
+  found() {
+    const { board } = this.view, { answers, step } = board, { scale, left } = this.view;
+    const key = [this.at, answers, step, scale, left, this.near].join();
+    if (this.at && key !== this.key) {
+      const targets = this.targets(), far = targets.map((target) => this.far(target, this.at));
+      const least = far.reduce((a, b) => Math.min(a, b), Infinity);
+      this.target = least <= this.near ? targets[far.indexOf(least)] : null;
+      this.lit = this.target && this.branch(this.target);
+      this.key = key;
+    }
+    return this.at && !this.view.grabs.size ? this.target : null;
+  }
+
+  // What is lit: of a node the branch to its root, of others the outline.
+  branch(target) {
+    const { layer, shape, values } = target;
+    if (!("parent" in values)) return shape.length > 2 ? [...shape, shape[0]] : shape;
+    const rows = new Map(this.rows(layer).map((row) => [row.values.node, row]));
+    const line = [...shape].reverse();
+    let edges = layer.points - 1;
+    for (let above = rows.get(values.parent); above; above = rows.get(above.values.parent)) {
+      line.push(...(layer.points === 1 ? above.shape : [above.shape[0]]));
+      edges += 1;
+    }
+    target.depth = edges;
+    return line.reverse();
+  }
+
+  text({ layer, values, shape, depth }) {
+    const { view } = this, { words } = view.board, { which = 0, ...others } = values;
+    const numbers = Object.entries(others).map(([name, x]) => [name, short(x)]);
+    const length = short(lengthOf(this.lit) / view.scale, 3);
+    const says = layer.says[which];
+    const why = says.includes("{why}") ? this.reason(...shape, words) : "";
+    return fill(says, { ...Object.fromEntries(numbers), depth, length, why });
+  }
+
+  // What a motion meets first: the browser has the obstacles, so no reason is sent.
+  reason(a, b, words) {
+    const { scene } = this.view.board, { scale } = this.view, { polygons, discs, boundary } = scene;
+    const wide = Math.max(0, ...scene.handles.map(({ radius }) => radius ?? 0)) * scale;
+    const pixels = (ring) => ring.map((p) => this.view.toPixels(p));
+    const solids = polygons.map(({ name, rings }) => ({ name, rings: rings.map(pixels) }));
+    const touches = (p, rings) => inside(...p, rings) || rings.some((ring) => ring.some((q, k) => (
+      distanceToSegment(p, q, ring[(k + 1) % ring.length]) <= Math.max(wide, 1))));
+    for (let k = 0; k <= ALONG; k += 1) {
+      const p = [0, 1].map((axis) => a[axis] + (k / ALONG) * (b[axis] - a[axis]));
+      const solid = solids.find(({ rings }) => touches(p, rings));
+      const disc = discs.find(({ at, radius }) => (
+        distance(this.view.toPixels(at), p) <= radius * scale + wide));
+      if (solid ?? disc) return fill(words.meets, solid ?? disc);
+      if (boundary && !inside(...p, [pixels(boundary)])) return words.outside;
+      if (this.view.bitmap && this.shade(p) === 0) return words.cell;
+    }
+    return words.unknown;
+  }
+
+  shade(p) {                             // the number of the bitmap's cell at a place, or null
+    const { view } = this, { scene } = view.board, { lo, hi } = scene.glued ?? scene;
+    const [x0, y0] = view.toPixels([lo[0], hi[1]]), [x1, y1] = view.toPixels([hi[0], lo[1]]);
+    const [rows, columns] = scene.size;
+    const i = Math.floor(((y1 - p[1]) / (y1 - y0)) * rows);
+    const j = Math.floor(((p[0] - x0) / (x1 - x0)) * columns);
+    return i < 0 || j < 0 || i >= rows || j >= columns ? null : view.numberAt(i * columns + j);
+  }
+
+  // The meaning of the bitmap's cell under the pointer.
+  meaning() {
+    const { board, bitmap, left, bottom, scale } = this.view, { scene, words } = board;
+    if (!this.at || !scene.meanings || !bitmap || this.view.grabs.size) return "";
+    const meaning = scene.meanings[this.shade(this.at)];
+    const [px, py] = this.at, { lo, decimals } = scene;
+    const x = (lo[0] + (px - left) / scale).toFixed(Math.min(decimals, 2));
+    const y = (lo[1] + (bottom - py) / scale).toFixed(Math.min(decimals, 2));
+    return meaning ? fill(words.here, { x, y, meaning }) : "";
+  }
+
+  show() {                               // light what is pointed at, and say what it is
+    const { view } = this, target = this.found();
+    if (target) this.light(target);
+    const text = target ? this.text(target) : this.meaning();
+    this.button.hidden = !this.layers().length;
+    view.root.dataset.pointed = text;
+    this.tip.hidden = !text;
+    if (this.tip.textContent !== text) this.tip.textContent = text;
+    if (document.activeElement === this.button && text !== this.spoken.textContent) {
+      this.spoken.textContent = text;
+    }
+    const [px, py] = target ? this.place(target) : this.at ?? [0, 0];
+    this.button.style.transform = `translate(${px - 14}px, ${py - 14}px)`;
+    if (!text) return;
+    const { offsetWidth: wide, offsetHeight: high } = this.tip;
+    const x = clamp(px + 14, 2, Math.max(view.width - wide - 2, 2));
+    const y = py - high - 12 > 0 ? py - high - 12 : py + 14;
+    this.tip.style.transform = `translate(${x}px, ${y}px)`;
+  }
+
+  light(target) {
+    const { view } = this, { pen } = view, end = this.place(target);
+    for (const [colour, width] of [["ink", 6.5], ["free", 2.5]]) {
+      pen.beginPath();
+      this.lit.forEach((p) => pen.lineTo(...p));
+      view.stroke({ colour, width, dash: [] });
+    }
+    if (!this.isNode(target)) return;
+    const { ink, free } = view.board.palette;
+    pen.beginPath();
+    pen.arc(...end, 6, 0, 7);
+    Object.assign(pen, { fillStyle: free, strokeStyle: ink, lineWidth: 2.5 });
+    pen.fill();
+    pen.stroke();
+  }
+
+  // keys: from target to target, and to the parent
+
+  choose(target) { if (target) this.point(this.place(target), NEAR); }
+
+  press(event) {
+    const way = WAYS[event.key], here = this.found();
+    if (way) this.choose(this.next(way));
+    else if (event.key === "Enter") this.choose(this.parentOf(here));
+    else if (event.key === "Escape") this.button.blur();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  // The nearest target in a direction; what lies aside counts as farther away.
+  next([x, y]) {
+    const [px, py] = this.at ?? [0, 0];
+    const cost = (target) => {
+      const [tx, ty] = this.place(target), along = (tx - px) * x - (ty - py) * y;
+      const aside = Math.abs((tx - px) * y) + Math.abs((ty - py) * x);
+      return along > 0.5 && along >= aside * 0.5 ? along + 2 * aside : Infinity;
+    };
+    const targets = this.targets(), costs = targets.map(cost);
+    const least = costs.reduce((a, b) => Math.min(a, b), Infinity);
+    return least < Infinity ? targets[costs.indexOf(least)] : null;
+  }
+
+  parentOf(target) {
+    if (!target || !("parent" in target.values)) return null;
+    return this.rows(target.layer).find(({ values }) => values.node === target.values.parent);
   }
 }
 

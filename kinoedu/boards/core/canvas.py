@@ -49,9 +49,12 @@ log = logging.getLogger("kinoedu")
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 PLAIN = ("play", "pause", "next", "reset", "slider", "movable", "thinking")
 CODE = ("code", "lineBack", "lineOn", "begin")
-HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad", "coded")
+HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad", "coded", "pointing", "pointer")
+REASONS = ("outside", "cell", "unknown")
 FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, and their values
-    **dict.fromkeys((*PLAIN, *CODE, *HINTS, *ARROWS), ()),
+    **dict.fromkeys((*PLAIN, *CODE, *HINTS, *ARROWS, *REASONS), ()),
+    "meets": ("name",),
+    "here": ("x", "y", "meaning"),
     "growth": ("shown", "total", "unit"),
     "handle": ("name", "x", "y"),
     "stop": ("name", "x", "y"),

@@ -20,7 +20,7 @@ from ...support.json_fields import JsonObject
 from .listing import Listing, encode_listing
 
 # The number of points that begin each row; the rows of polygons consist of points.
-POINTS = {"edges": 2, "path": 1, "dots": 1, "arrows": 1, "labels": 1, "eye": 1}
+POINTS = {"edges": 2, "path": 1, "dots": 1, "nodes": 1, "arrows": 1, "labels": 1, "eye": 1}
 
 
 @with_type_names
@@ -29,14 +29,15 @@ class Layer(NamedTuple):
 
     Attributes
     ----------
-    rows : edges x, y, next x, next y; path, dots and labels x, y; arrows x, y, dx, dy; an eye x, y,
-        width; cells and bodies all corners.
+    rows : edges x, y, next x, next y; path, dots, nodes and labels x, y; arrows x, y, dx, dy; an
+        eye x, y, width; cells and bodies all corners.
     when : for each row the step at which it appears, not decreasing; None where all rows are there
         from the beginning.
     until : for each row the step at which it disappears; None where all rows stay.
     last : whether the layer is shown only when everything else has grown.
     casing : whether a path lies on a dark line.
     hatched : whether bodies have stripes.
+    says, names, notes : what a row says when one points at it; see `notes.py`.
     """
 
     kind: str
@@ -50,6 +51,9 @@ class Layer(NamedTuple):
     texts: tuple[str, ...] = ()
     until: Array | None = None
     hatched: bool = False
+    says: tuple[str, ...] = ()
+    names: tuple[str, ...] = ()
+    notes: Array | None = None
 
     @property
     def points(self) -> int:
@@ -139,6 +143,21 @@ def dots(
     """Dots at points, shape (n, 2); the radius is in pixels."""
     rows = as_rows(points, 2)
     return Layer("dots", rows, colour, radius, when=as_steps(when), until=as_steps(until))
+
+
+def nodes(
+    points: ArrayLike,
+    reach: float = 0.02,
+    *,
+    when: ArrayLike | None = None,
+    until: ArrayLike | None = None,
+) -> Layer:
+    """Points that are not painted, shape (n, 2), for their notes.
+
+    reach : how near a pointer must come, as a share of the world's size.
+    """
+    layer = Layer("nodes", as_rows(points, 2), "ink", reach)
+    return layer._replace(when=as_steps(when), until=as_steps(until))
 
 
 def arrows(
@@ -238,10 +257,10 @@ def as_steps(when: ArrayLike | None) -> Array | None:
 def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonObject, list[bytes]]:
     """A drawing as a message and a buffer of float32 for each layer.
 
-    Coordinates are sent as multiples of `size` from the corner `lo`; the steps of a row follow its
-    coordinates.
+    Coordinates are sent as multiples of `size` from the corner `lo`; the notes of a row follow its
+    coordinates, then come its steps.
     """
-    about = [
+    about: list[JsonObject] = [
         {
             "kind": layer.kind,
             "colour": layer.colour,
@@ -254,6 +273,7 @@ def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonOb
             "texts": list(layer.texts),
             "points": layer.points,
             "hatched": layer.hatched,
+            **({"says": list(layer.says), "names": list(layer.names)} if layer.says else {}),
         }
         for layer in drawing.layers
     ]
@@ -262,8 +282,8 @@ def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonOb
         rows = layer.rows / size
         for k in range(layer.points):
             rows[:, 2 * k : 2 * k + 2] = (layer.rows[:, 2 * k : 2 * k + 2] - corner) / size
-        steps = [steps for steps in (layer.when, layer.until) if steps is not None]
-        buffers.append(np.column_stack([rows, *steps]).astype(np.float32).tobytes())
+        further = [f for f in (layer.notes, layer.when, layer.until) if f is not None]
+        buffers.append(np.column_stack([rows, *further]).astype(np.float32).tobytes())
     places = [[kind, number, np.asarray(where).tolist()] for kind, number, where in drawing.places]
     message = {
         "layers": about,

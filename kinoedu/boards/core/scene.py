@@ -20,6 +20,8 @@ drawn       an item with this key is painted only by the answer, which may move 
 size        rows and columns of the bitmap beneath, or None
 colours     the names of the colours of a bitmap with one byte for each cell. Left out, the bitmap
             has bits, and true is free
+meanings    what each colour of the bitmap means, to be read where one points. Left out, it says
+            nothing
 glued       {lo, hi}: a box whose opposite sides are identified: what leaves it on one side enters
             on the other. The bitmap fills it. Left out, the world ends at its rim, and the bitmap
             fills the world

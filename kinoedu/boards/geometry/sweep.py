@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import ipywidgets as widgets
 import numpy as np
+from numpy.typing import NDArray
 
 from ...decomposition import Step, sweep
 from ...decomposition.trapezoidation import corners_of
@@ -16,6 +17,7 @@ from ...worlds.polygon_world import PolygonWorldRecord, rings_of
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
 from ..core.framed import Pictured
+from ..core.notes import note, with_notes
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import world_in
 
@@ -116,7 +118,7 @@ def draw_sweep(
     begun = find_open_cells(steps, x)
     corners, size = corners_of(done), float(np.subtract(scene["hi"], scene["lo"]).max())
     layers = [
-        cells(corners, "cell"),
+        note_cells(cells(corners, "cell"), corners),
         draw_outlines(corners, "tree", 1.5),
         draw_outlines(begun, "tree", 1.8, (6.0, 5.0)),
         labels(
@@ -145,6 +147,27 @@ def draw_sweep(
     return Drawing(
         layers, text=get_message("sweep_board.now", **values, open=len(begun), status=status)
     )
+
+
+def note_cells(layer: Layer, corners: Array) -> Layer:
+    """The layer of closed cells (n, 4, 2), each of which says which others it is joined to."""
+    texts = []
+    (left, right), joined = corners[:, (0, 1), 0].T, find_joined(corners)
+    for number, (begin, end) in enumerate(zip(left, right, strict=True)):
+        others = ", ".join(str(other + 1) for other in np.flatnonzero(joined[number]))
+        text = note("joined", cells=others) if others else note("alone")
+        values = {"left": f"{begin:.4g}", "right": f"{end:.4g}", "joined": text}
+        texts.append(note("cell", number=number + 1, **values))
+    return with_notes(layer, *texts, which=np.arange(len(corners)))
+
+
+def find_joined(corners: Array) -> NDArray[np.bool_]:
+    """Whether two cells (n, 4, 2) have a part of a wall in common, (n, n)."""
+    (left, low_left), (right, low_right) = corners[:, 0].T, corners[:, 1].T
+    top_right, top_left = corners[:, 2, 1], corners[:, 3, 1]
+    overlap = np.minimum(top_right[:, None], top_left) - np.maximum(low_right[:, None], low_left)
+    after = np.isclose(right[:, None], left) & (overlap > 1e-12)
+    return np.asarray(after | after.T)
 
 
 def draw_line(x: float, scene: Scene) -> Layer:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ...errors import InvalidParameter
 from ...figures.drawing import dot_size, growth_of, line_width, summary
-from ...problems import Plan, Problem, ProblemRecord
+from ...problems import Plan, Problem, ProblemRecord, Roadmap
 from ...problems.plan import roots_of
 from ...problems.protocols import ProblemLike
 from ...support.json_fields import JsonObject
@@ -18,6 +18,7 @@ from ...worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ...worlds.terrain import TerrainRecord
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, dots, edges, path
+from ..core.notes import note, with_notes
 from ..core.scene import Scene, disc, handle, make_scene, place_of, polygon
 
 START, GOAL = "start", "goal"
@@ -122,11 +123,25 @@ def draw_plan(plan: Plan) -> Drawing:
         for these, colour in ((first, "tree"), (~first, "goal_tree")):
             if these.any():
                 look = {"width": line_width(total), "when": grown[these] + 1}
-                layers.append(edges(segments[these], colour, **look))
+                branch = {"node": grown[these], "parent": parent[grown[these]]}
+                layer = edges(segments[these], colour, **look)
+                layers.append(with_notes(layer, note("node", node=None), **branch))
     if plan.roadmap is not None:
         nodes, pairs = plan.roadmap.nodes[:, :2], plan.roadmap.edges
-        layers.append(edges(nodes[pairs], "roadmap", width=0.8, when=np.arange(1, total + 1)))
-        layers.append(dots(nodes, "tree", radius=dot_size(len(nodes)) / 2.0))
+        links = edges(nodes[pairs], "roadmap", width=0.8, when=np.arange(1, total + 1))
+        spots = dots(nodes, "tree", radius=dot_size(len(nodes)) / 2.0)
+        layers += note_roadmap(plan.roadmap, links, spots)
     if plan.path is not None:
         layers.append(path(plan.path[:, :2], "path"))
     return Drawing(layers, text=summary(plan, total), total=total, unit=unit)
+
+
+def note_roadmap(roadmap: Roadmap, links: Layer, spots: Layer) -> list[Layer]:
+    """The layers of a roadmap's edges and nodes, with what each of them says."""
+    n, (u, v) = len(roadmap.nodes), roadmap.edges.T
+    ends, joined = note("roadmap_edge", u=None, v=None), note("roadmap_node", node=None, degree=None)
+    degree = np.bincount(roadmap.edges.ravel(), minlength=n)
+    return [
+        with_notes(links, ends, u=u, v=v),
+        with_notes(spots, joined, node=np.arange(n), degree=degree),
+    ]

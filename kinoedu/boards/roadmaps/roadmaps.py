@@ -19,7 +19,7 @@ from ...support.json_fields import JsonObject
 from ..core.drawing import Drawing, Layer, dots, edges, path
 from ..core.framed import Framed, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
-from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
+from ..planning.plans import check_in_plane, make_problem_canvas, note_roadmap, problem_in
 
 RULES = ("closest", "radius", "component")
 SAMPLERS: dict[str, Sampler | None] = {
@@ -144,10 +144,12 @@ def draw_growing_roadmap(plan: Plan) -> Drawing:
 def draw_nodes_and_edges(roadmap: Roadmap) -> list[Layer]:
     """Nodes one per step, then each edge at the step at which its first node is tried."""
     n = len(roadmap.nodes)
-    return [
-        edges(roadmap.nodes[roadmap.edges], "roadmap", width=0.8, when=n + 1 + roadmap.edges[:, 0]),
-        dots(roadmap.nodes, "tree", radius=max(dot_size(n) / 2.0, 1.5), when=np.arange(1, n + 1)),
-    ]
+    tried = n + 1 + roadmap.edges[:, 0]
+    links = edges(roadmap.nodes[roadmap.edges], "roadmap", width=0.8, when=tried)
+    radius = max(dot_size(n) / 2.0, 1.5)
+    return note_roadmap(
+        roadmap, links, dots(roadmap.nodes, "tree", radius=radius, when=np.arange(1, n + 1))
+    )
 
 
 def describe_steps(roadmap: Roadmap) -> list[str]:

@@ -9,12 +9,14 @@ from numpy.typing import NDArray
 from ...geometry.checks import Array
 from ...graphs import Expansion, Graph, extract_path
 from ...messages import get_message
-from ..core.drawing import Drawing, Layer, arrows, cells, dots, edges, labels, path
+from ..core.drawing import Drawing, Layer, arrows, cells, dots, edges, labels, nodes, path
+from ..core.notes import note, with_notes
 from ..core.scene import Scene
 
 Numbers = NDArray[np.int64]
 
 UNSEEN, FRONTIER, EXPANDED, EXPANDING = range(4)
+STATES = ("unseen", "frontier", "expanded", "expanding")  # their names
 MOST_NUMBERED = 40  # the numbers of more nodes than this would cover the graph
 WIDE = 600.0  # about the width of a board in pixels
 
@@ -26,6 +28,7 @@ def draw_search(
     handles: Array,
     side: float,
     scene: Scene,
+    heuristic: Array | None = None,
 ) -> Drawing:
     """Draw a search from node to node; one step is one expansion.
 
@@ -34,6 +37,7 @@ def draw_search(
     ends : the nodes start and goal.
     handles : (2, 2), where start and goal were dragged.
     side : the side of a grid's cells, 0 for a graph.
+    heuristic : (n,), of A*.
     """
     (start, goal), places, total = ends, graph.nodes, len(moments)
     states, parents = states_at(moments, graph.size, start), parents_at(moments, graph.size)
@@ -45,6 +49,8 @@ def draw_search(
         edge_layer, *nodes = draw_on_graph(graph, states, radius)
         gap = (radius + 3.0) / WIDE * size
         layers = [edge_layer, draw_parents(places, parents, gap), *nodes]
+    notes = note_nodes(places, moments, states, parents, heuristic)
+    layers.append(notes._replace(width=max(0.7 * side / size, notes.width)))
     for node, here, colour in zip(ends, handles, ("start", "goal"), strict=True):
         layers.append(edges([[here, places[node]]], colour, width=2.0, dash=(4.0, 4.0)))
     counts = {"expanded": total, "nodes": len(graph), "frontier": len(moments[-1].frontier)}
@@ -88,6 +94,29 @@ def states_at(moments: Sequence[Expansion], n: int, start: int) -> NDArray[np.in
 def parents_at(moments: Sequence[Expansion], n: int) -> NDArray[np.int64]:
     """The parent of each node at each step from 0, (steps + 1, n)."""
     return np.concatenate([np.full((1, n), -1), *(moment.parent[None] for moment in moments)])
+
+
+def note_nodes(
+    places: Array,
+    moments: Sequence[Expansion],
+    states: Numbers,
+    parents: Numbers,
+    heuristic: Array | None,
+) -> Layer:
+    """What each node says at each step: its state, and its costs."""
+    costs = np.array([np.where(states[0] == FRONTIER, 0.0, np.inf), *(m.cost for m in moments)])
+    changed = np.zeros(states.shape, np.int64)
+    for values in (states, parents, costs):
+        changed[1:] |= values[1:] != values[:-1]
+    node, _, when, until = find_runs(changed.cumsum(axis=0))
+    g = costs[when, node]
+    columns = {"node": node, "parent": parents[when, node], "which": states[when, node], "g": g}
+    says = note("g", g=None)
+    if heuristic is not None:
+        says, h = note("gh", g=None, h=None, f=None), heuristic[node]
+        columns |= {"h": h, "f": g + h}
+    texts = [note(name, node=None, costs=says) for name in STATES]
+    return with_notes(nodes(places[node], when=when, until=until), *texts, **columns)
 
 
 def find_runs(values: Numbers) -> tuple[Numbers, Numbers, Numbers, Numbers]:

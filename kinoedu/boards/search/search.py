@@ -83,17 +83,20 @@ class SearchBoard(Framed):
         graph = move_nodes(scene, self.ground.graph)
         here = np.array([item["at"] for item in scene["handles"][:ENDS]])
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
-        self.moments = list_expansions(graph, self.search.value, start, goal)
-        return draw_search(graph, self.moments, (start, goal), here, self.ground.side, scene)
+        guess = heuristic_to(graph, goal) if self.search.value == "astar" else None
+        self.moments = list_expansions(graph, self.search.value, start, goal, guess)
+        ends, side = (start, goal), self.ground.side
+        return draw_search(graph, self.moments, ends, here, side, scene, guess)
 
 
-def list_expansions(graph: Graph, search: str, start: int, goal: int) -> list[Expansion]:
+def list_expansions(
+    graph: Graph, search: str, start: int, goal: int, heuristic: Array | None
+) -> list[Expansion]:
     """The expansions of a search from node to node; Dijkstra's algorithm stops at the goal too."""
     if search == "bfs":
         return list(bfs_expansions(graph, start, goal))
     if search == "dfs":
         return list(dfs_expansions(graph, start, goal))
-    heuristic = heuristic_to(graph, goal) if search == "astar" else None
     return list(astar_expansions(graph, start, goal, heuristic))
 
 

@@ -7,9 +7,16 @@ from ...errors import KinoeduError
 from ...geometry.checks import Array, as_array
 from ...problems import Question
 from ..core.drawing import Layer, dots, edges
+from ..core.notes import note, with_notes
 
 MOST = 20_000  # the questions kept and drawn; of later ones only the motions are counted
 MOTIONS = ("is_free_path", "is_semi_free_path")
+SAYS = {  # the note of a question: whether it is about a motion, and whether that is free
+    (True, True): "accepted",
+    (True, False): "refused",
+    (False, True): "free",
+    (False, False): "not_free",
+}
 
 
 class FirstQuestions(list[Question]):
@@ -41,9 +48,11 @@ def draw_questions(questions: list[Question]) -> list[Layer]:
         colour = "tree" if free else "outside" if motion else "contact"
         if motion:
             width, dash = (1.4, ()) if free else (0.7, (3, 5))
-            layers.append(edges(rows, colour, width=width, dash=dash, when=when))
+            layer = edges(rows, colour, width=width, dash=dash, when=when)
         else:
-            layers.append(dots(rows, colour, when=when))
+            layer = dots(rows, colour, when=when)
+        says = note(SAYS[motion, free], number=None)
+        layers.append(with_notes(layer, says, number=when))
     return layers
 
 

@@ -12,6 +12,7 @@ from ...messages import get_message
 from ...planners.trees.rewiring import Rewirings
 from ...support.json_fields import JsonObject
 from ..core.drawing import Layer, bodies, dots, edges, path_edges, segments_along
+from ..core.notes import note, with_notes
 
 CORNERS = 40  # of the polygon that draws a ball
 
@@ -28,13 +29,9 @@ def draw_tree_history(log: Rewirings) -> Layer:
     """Every edge, from the step at which it was added to the step at which it was replaced."""
     n = len(log.nodes)
     until = np.where(log.replaced_at < n, log.replaced_at + 1.0, np.inf)
-    return edges(
-        log_segments(log, log.parent, log.node),
-        "tree",
-        width=line_width(n),
-        when=log.created_at + 1,
-        until=until,
-    )
+    span: JsonObject = {"when": log.created_at + 1, "until": until}
+    layer = edges(log_segments(log, log.parent, log.node), "tree", width=line_width(n), **span)
+    return with_notes(layer, note("node", node=None), node=log.node, parent=log.parent)
 
 
 def log_segments(log: Rewirings, begins: NDArray[np.int64], ends: NDArray[np.int64]) -> Array:
