@@ -167,12 +167,14 @@ def describe_pictures(app, doctree):
     """A picture of a notebook says in words what it shows, and if it is wide; one of a board, that
     the board is elsewhere.
     """
-    records = iter(records_of(app, doctree))
+    records, widths = iter(records_of(app, doctree)), iter(widths_of(app))
     for output in list(doctree.findall(nodes.container)):
         if output.get("nb_element") == "mime_bundle":
             kinds = {kind["mime_type"]: kind for kind in output.children}
             for image in output.findall(nodes.image):
-                text = kinds["text/plain"].astext()
+                text, width = kinds["text/plain"].astext(), next(widths)
+                if width is not None:
+                    image["width"] = f"{width}px"
                 figure = FIGURE.match(text)
                 image["alt"] = (
                     get_message("site.figure", section=section_of(output)) if figure else text
@@ -194,6 +196,19 @@ def records_of(app, doctree):
     outputs = [output for cell in book["cells"] for output in cell.get("outputs", ())]
     stored = [output.get("data", {}) for output in outputs]
     return [data.get(RECORD) for data in stored if BOARD in data]
+
+
+def widths_of(app):
+    """The widths at which a notebook's pictures are to be shown, in order; None where it has all
+    its pixels.
+    """
+    file = Path(app.env.doc2path(app.env.docname))
+    if file.suffix != ".ipynb":
+        return []
+    book = json.loads(file.read_text(encoding="utf-8"))
+    outputs = [output for cell in book["cells"] for output in cell.get("outputs", ())]
+    pictures = [output for output in outputs if "image/png" in output.get("data", {})]
+    return [one.get("metadata", {}).get("image/png", {}).get("width") for one in pictures]
 
 
 def add_record(picture, record):

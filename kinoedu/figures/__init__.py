@@ -27,10 +27,13 @@ from .samples import draw_dispersion, draw_samples, draw_shares
 from .saving import save_panels, save_plan
 from .searches import draw_search
 from .solid import draw_mesh, torus_mesh
+from .style import apply_style
 from .success import draw_dots, draw_spread, draw_success
 from .trees import draw_insertion, draw_regions
 from .uncertain import draw_uncertain
 from .walks import draw_distance_to_goal, draw_walk
+
+apply_style()
 
 __all__ = [
     "draw_ackermann",

@@ -57,6 +57,36 @@ NAMED = {
     for name, colour in list(globals().items())
     if name.isupper() and isinstance(colour, str)
 }
+# What differs where a page is dark: boards in JupyterLab's dark themes and on the site. Pictures that
+# are stored stay on a white card.
+DARK = {
+    "free": "#161B26",
+    "obstacle": "#8792A5",
+    "outside": "#414A5C",
+    "ink": "#E5E7EB",
+    "contact": "#FFFFFF",
+    "start": "#2FC79B",
+    "goal": "#C792EA",
+    "tree": "#5AB0EE",
+    "free_link": "#5AB0EE",
+    "left": "#5AB0EE",
+    "goal_tree": "#A4D25A",
+    "roadmap": "#3F8FCB",
+    "cell": "#22405C",
+    "frontier": "#A8951A",
+    "dear": "#7A5B3E",
+    "hit": "#FF7066",
+    "clear": "#2FC79B",
+    "true": "#2FC79B",
+    "yours": "#F09B5A",
+    "floor": "#2FC79B",
+    "ceiling": "#E07AA8",
+    "cut": "#E07AA8",
+    "free_area": "#1F4468",
+    "hit_1_area": "#9AA3B2",
+    "hit_2_area": "#A14B45",
+}
+THEMES = {"light": NAMED, "dark": {**NAMED, **DARK}}
 
 
 def axes_or_new(ax: Axes | None, size: tuple[float, float]) -> Axes:

@@ -38,6 +38,7 @@ const TURNS = 12;             // pixels: a pointer that moved less has not turne
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
+const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
 // The boards by their widgets' keys. They are global, because each widget loads this file again.
@@ -133,7 +134,9 @@ class Board {
     this.model = model;
     this.key = model.get("key");
     this.words = model.get("words");
-    this.palette = model.get("palette");
+    const themes = model.get("palette");
+    this.themes = themes.light ? themes : { light: themes, dark: themes };
+    this.palette = this.themes.light;    // the colours by their names, in the page's theme
     this.views = new Set();
     this.id = Math.random().toString(36).slice(2);       // of this page; a widget may be on several
     this.scene = copy(model.get("scene"));
@@ -453,7 +456,11 @@ class View {
     this.paints = 0;
     this.build(el);
     this.listen();
-    this.bitmap = this.bitmapPicture();
+    this.dress();
+    this.theming = new MutationObserver(() => this.dress());
+    this.theming.observe(document.body, { attributeFilter: THEMED });
+    this.darkness = matchMedia("(prefers-color-scheme: dark)");
+    this.darkness.addEventListener("change", this.redress = () => this.dress());
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(this.root);
     board.views.add(this);
@@ -462,8 +469,21 @@ class View {
 
   close() {
     this.resizing.disconnect();
+    this.theming.disconnect();
+    this.darkness.removeEventListener("change", this.redress);
     clearTimeout(this.speaking);
     this.board.views.delete(this);
+  }
+
+  dress() {                              // take the colours of the page's theme; board.css knows it
+    const { board, root } = this, theme = getComputedStyle(root).getPropertyValue("--kinoedu-theme");
+    board.palette = board.themes[theme.trim()] ?? board.themes.light;
+    root.dataset.theme = theme.trim();
+    root.style.setProperty("--kinoedu-focus", board.palette.ink);
+    root.style.setProperty("--kinoedu-beside", board.palette.free);
+    root.style.setProperty("--kinoedu-warning", board.palette.hit);
+    this.bitmap = this.bitmapPicture();
+    this.request();
   }
 
   emit(name, seq) {
@@ -471,10 +491,8 @@ class View {
   }
 
   build(el) {
-    const { words, palette } = this.board;
+    const { words } = this.board;
     this.root = make("div", "kinoedu-board", el, { "data-lm-suppress-shortcuts": "true" });
-    this.root.style.setProperty("--kinoedu-focus", palette.ink);
-    this.root.style.setProperty("--kinoedu-warning", palette.goal);
     this.column = make("div", "kinoedu-column", this.root);
     this.stage = make("div", "kinoedu-stage", this.column);
     this.canvas = make("canvas", "kinoedu-canvas", this.stage, { role: "img" });

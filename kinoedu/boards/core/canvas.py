@@ -117,7 +117,7 @@ class Canvas(anywidget.AnyWidget):
             scene=self._shown,
             home=deepcopy(self._shown),
             bitmap=pack_bitmap(self._free),
-            palette=palette.NAMED,
+            palette=palette.THEMES,
             words=front_messages(),
         )
         self.on_msg(self._received)

@@ -24,7 +24,7 @@ def page_script(live: JsonObject | None = None) -> str:
     words = {name: get_template(f"site.{name}", "en") for name in WORDS} | front_messages()
     values = {
         "WORDS": words,
-        "PALETTE": palette.NAMED,
+        "PALETTE": palette.THEMES,
         "VERSION": VERSION,
         "LIVE": live or {"bodies": {}},
         "WORKER": worker,

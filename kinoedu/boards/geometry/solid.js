@@ -277,7 +277,7 @@ class Solid {
     pen.fillStyle = this.palette.path;
     pen.fill();
     pen.globalAlpha = 1;
-    pen.strokeStyle = this.palette.goal;
+    pen.strokeStyle = this.palette.cut;
     pen.lineWidth = 1;
     pen.stroke();
     pen.lineWidth = 3;
@@ -308,7 +308,7 @@ class Solid {
       trace(shape.points);
       this.paintShape(pen, shape);
     }
-    pen.strokeStyle = this.palette.goal;
+    pen.strokeStyle = this.palette.cut;
     pen.lineWidth = 2.5;
     pen.beginPath();
     this.model.get("cut").forEach(trace);

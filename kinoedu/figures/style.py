@@ -1,0 +1,91 @@
+"""The style of figures in a notebook: the course's colours and sizes, and pictures that are sharp.
+
+`kinoedu.figures` applies it when it is imported in a notebook; scripts are not touched. What a
+reader has set stays.
+"""
+
+import base64
+import io
+import sys
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from PIL import Image
+
+from . import palette
+
+INLINE = ("inline", "module://matplotlib_inline.backend_inline")
+SHARP = 2  # pixels of a picture for one of the page
+COLOURS = 256  # of a stored picture; one of more than MANY keeps all of them
+MANY = 4096
+
+SETTINGS: dict[str, Any] = {
+    "font.size": palette.TEXT_SIZE,
+    "axes.titlesize": palette.TEXT_SIZE + 1,
+    "axes.labelsize": palette.TEXT_SIZE,
+    "xtick.labelsize": palette.TEXT_SIZE - 1,
+    "ytick.labelsize": palette.TEXT_SIZE - 1,
+    "legend.fontsize": palette.TEXT_SIZE - 1,
+    "axes.prop_cycle": mpl.cycler(color=palette.METHODS),
+    "boxplot.medianprops.color": palette.METHODS[1],
+    "image.cmap": "cividis",
+    "grid.color": palette.GRID["color"],
+    "figure.dpi": 72.0,
+}
+
+
+def apply_style() -> None:
+    """Apply the style to the notebook that runs, if one does."""
+    shell = running_shell()
+    if shell is None or mpl.get_backend().lower() not in INLINE:
+        return
+    for name, value in SETTINGS.items():
+        if mpl.rcParams[name] == mpl.rcParamsDefault[name]:
+            mpl.rcParams[name] = value
+    from matplotlib_inline.backend_inline import InlineBackend
+
+    if set(InlineBackend.instance().figure_formats) == {"png"}:
+        shell.display_formatter.formatters["image/png"].for_type(Figure, print_sharp)
+
+
+def running_shell() -> Any:
+    """The IPython shell, or None without one."""
+    ipython = sys.modules.get("IPython")
+    return None if ipython is None else ipython.get_ipython()
+
+
+def print_sharp(figure: Figure) -> tuple[str, dict[str, int]] | None:
+    """A figure as a PNG in base64, and the size at which it is to be shown.
+
+    None for a figure without axes.
+    """
+    if not figure.axes and not figure.lines:
+        return None
+    from IPython.core.pylabtools import print_figure
+
+    data: Any = print_figure(figure, fmt="retina")
+    picture = keep_few_colours(Image.open(io.BytesIO(data)).convert("RGB"))
+    stream = io.BytesIO()
+    picture.save(stream, "png", optimize=True)
+    width, height = (size // SHARP for size in picture.size)
+    return base64.b64encode(stream.getvalue()).decode("ascii"), {"width": width, "height": height}
+
+
+def keep_few_colours(picture: Image.Image) -> Image.Image:
+    """A picture with its most frequent colours only: its file is about a third of the size.
+
+    The frequent colours are kept exactly; those of rims become the nearest of them.
+    """
+    red, green, blue = np.moveaxis(np.asarray(picture, np.int64), 2, 0)
+    numbers = (red << 16) | (green << 8) | blue
+    found, which, counts = np.unique(numbers, return_inverse=True, return_counts=True)
+    if len(found) > MANY:
+        return picture
+    levels = np.column_stack([found >> 16, (found >> 8) & 255, found & 255])
+    kept = levels[np.argsort(-counts, kind="stable")[:COLOURS]]
+    nearest = ((levels[:, None] - kept) ** 2).sum(axis=2).argmin(axis=1)
+    small = Image.fromarray(nearest[which].reshape(numbers.shape).astype(np.uint8))
+    small.putpalette(kept.ravel().tolist())
+    return small
