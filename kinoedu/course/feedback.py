@@ -66,9 +66,8 @@ class Feedback:
         display({"text/plain": repr(self), "text/html": self._repr_html_()}, raw=True)
         picture = self.picture()
         if picture is not None:
-            display(
-                Image(picture, alt=get_message("check.picture", name=self.report.exercise.name))
-            )
+            words = get_message("check.picture", name=self.report.exercise.name)
+            display(Image(picture, alt=words, width=WIDTH))
 
 
 def feedback_lines(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
@@ -237,7 +236,7 @@ def draw_failure(exercise: Exercise, failure: JudgedCase) -> bytes:
     figure, ax = plane_figure()
     exercise.draw(failure.case, failure.outcome, ax)
     stream = io.BytesIO()
-    figure.savefig(stream, format="png", dpi=72)
+    figure.savefig(stream, format="png", dpi=2 * DPI)
     return stream.getvalue()
 
 
@@ -268,6 +267,8 @@ def html_entry(title: str, text: str) -> str:
 BOX = (
     "border-left:6px solid {colour};padding:.5em 1em;max-width:60em;line-height:1.45;font-size:14px"
 )
+DPI = 72  # of a picture as it is shown; it is stored with twice the pixels, so that it is sharp
+WIDTH = 7 * DPI  # pixels
 STYLE: dict[str, Any] = {
     "right": BOX.format(colour="#007A5E"),
     "wrong": BOX.format(colour="#A84300"),

@@ -25,7 +25,6 @@ from .solid import draw_mesh
 if TYPE_CHECKING:
     from trimesh import Trimesh
 
-GROWN = "#D5D9E0"  # a C-obstacle: the colour of obstacles, paler
 SPOT: Style = {"color": palette.INK, "markeredgecolor": "white"}  # a reference point
 
 
@@ -45,7 +44,7 @@ def draw_c_obstacle(
     places = spread_round(outline, ghosts)
     ax = palette.axes_or_new(ax, (7.0, 5.0))
     plane.frame(np.concatenate([outline, *(robot + q for q in places)]), ax, margin=0.08)
-    grown = Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1)
+    grown = Polygon(outline, facecolor=palette.GROWN, edgecolor="none", zorder=1)
     artists: list[Artist] = [ax.add_patch(grown)]
     artists += [draw_body(robot + q, ax, alpha=0.22) for q in places]
     artists.append(ax.add_patch(Polygon(ring, zorder=3, **palette.SOLID)))
@@ -67,7 +66,7 @@ def draw_grown(
     artists = draw_world(world, ax)
     for artist in artists:
         artist.set_zorder(2)
-    ax.set_facecolor(GROWN)
+    ax.set_facecolor(palette.GROWN)
     dashed: Style = {"edgecolor": palette.INK, "linestyle": "--", "linewidth": 1.8}
     for rings in regions:
         region = PathPatch(compound(rings), facecolor=palette.FREE, zorder=1, **dashed)
@@ -123,7 +122,8 @@ def draw_slice(
     q = spread_round(outlines[0], 8)[5] if at is None else np.asarray(at, float)
     plane.frame(np.concatenate([*outlines, robot + q]), ax, margin=0.12)
     line: Style = {"fill": False, "edgecolor": palette.CUT, "linewidth": 2.5, "zorder": 4}
-    faces = [Polygon(outline, facecolor=GROWN, edgecolor="none", zorder=1) for outline in outlines]
+    look: Style = {"facecolor": palette.GROWN, "edgecolor": "none", "zorder": 1}
+    faces = [Polygon(outline, **look) for outline in outlines]
     lines = [Polygon(outline, **line) for outline in outlines]
     solid = Polygon(ring, zorder=2, **palette.SOLID)
     artists: list[Artist] = [ax.add_patch(patch) for patch in (*faces, *lines, solid)]

@@ -24,7 +24,7 @@ from .robots import draw_robot, make_ghost
 from .samples import label_axes
 
 WIDTHS = (11.0, 6.0, 2.0)  # of nested routes, so that those that coincide are all seen
-ROUTES = ("#F6D58A", palette.PATH, palette.INK)
+ROUTES = (palette.ROUTE, palette.PATH, palette.INK)
 
 
 def draw_moves(

@@ -55,7 +55,7 @@ def draw_sides(
         [(corner[0] + i * spacing, corner[1] + j * spacing) for i in range(n)] for j in range(n)
     ]
     signs = np.array([[np.sign(side(q)) for q in row] for row in places])
-    colours = ListedColormap([palette.RIGHT, "#FFFFFF", palette.LEFT])
+    colours = ListedColormap([palette.RIGHT, palette.FREE, palette.LEFT])
     image = ax.imshow(signs, origin="lower", cmap=colours, vmin=-1, vmax=1, interpolation="nearest")
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     return [image]

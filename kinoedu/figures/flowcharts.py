@@ -60,7 +60,7 @@ def draw_step(step: Step, ax: Axes) -> list[Artist]:
     (x, y), (w, h) = step.middle, step.half
     if step.kind == "ask":
         corners = [(x - w, y), (x, y - h), (x + w, y), (x, y + h)]
-        look: Style = {"facecolor": "#E5F0FA", "edgecolor": palette.TREE, "linewidth": 1.8}
+        look: Style = {"facecolor": palette.CELL, "edgecolor": palette.TREE, "linewidth": 1.8}
         shape: Artist = ax.add_patch(Polygon(corners, **look))
     else:
         style = "round,pad=0,rounding_size=0.44" if step.kind == "end" else "square,pad=0"
@@ -91,7 +91,7 @@ def draw_arrow(begin: Step, end: Step, text: str, ax: Axes, aside: float = 2.4) 
         points = [(x0 - w0, y0), (x0 - aside, y0), (x0 - aside, y1), (x1 - w1, y1)]
         label = (x0 - w0, y0 + 0.28)
     properties = {"arrowstyle": "-|>", "color": palette.INK, "shrinkA": 0, "shrinkB": 0}
-    style = {"fontsize": palette.TEXT_SIZE - 2, "fontweight": "bold", "color": palette.TREE}
+    style = {"fontsize": palette.TEXT_SIZE - 1, "fontweight": "bold", "color": palette.TREE}
     return [
         *ax.plot(*zip(*points), color=palette.INK, linewidth=1.4, zorder=0),
         ax.annotate("", points[-1], xytext=points[-2], arrowprops=properties),

@@ -220,8 +220,8 @@ def draw_markers(
     at: Array, marker: str, size: float, face: str, rim: float, zorder: float, ax: Axes
 ) -> list[Artist]:
     """Draw markers at one place (2,) or several (k, 2)."""
-    edge: Style = {"markeredgecolor": palette.INK, "markeredgewidth": rim}
-    return [*ax.plot(*at.T, marker, markersize=size, markerfacecolor=face, zorder=zorder, **edge)]
+    edge: Style = {"markeredgecolor": palette.INK, "markeredgewidth": rim, "color": face}
+    return [*ax.plot(*at.T, marker, markersize=size, zorder=zorder, **edge)]
 
 
 def write_weights(graph: Graph, places: Array, ax: Axes) -> list[Artist]:

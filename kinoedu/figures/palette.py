@@ -33,6 +33,10 @@ YOURS = "#A84300"  # brown and dashed: the student's answer in that picture
 FLOOR, CEILING = "#009E73", "#882255"  # of a cell: the edges below and above it
 CUT = "#882255"  # a slice through a solid, and what it meets
 LEFT, RIGHT = TREE, PATH  # of a line
+SHAPE = "#C7CCD4"  # a polygon that is no obstacle, with room for words in it
+GROWN = "#D5D9E0"  # a C-obstacle: the colour of obstacles, paler
+ROUTE = "#F6D58A"  # a way on which another is drawn
+LIT = "#FFE9A8"  # behind the line of code that has just run
 # The book's blue, black and red: an arm is free, its link 1 is in contact, its link 2 is.
 LINKS = ("#2F7FD0", "#111827", "#D32F2F")
 FREE_AREA, HIT_1_AREA, HIT_2_AREA = "#CFE3F7", "#3B4250", "#E8837F"
@@ -57,8 +61,8 @@ NAMED = {
     for name, colour in list(globals().items())
     if name.isupper() and isinstance(colour, str)
 }
-# What differs where a page is dark: boards in JupyterLab's dark themes and on the site. Pictures that
-# are stored stay on a white card.
+# What differs where a page is dark: boards in JupyterLab's dark themes and on the site. Stored
+# pictures stay on a white card.
 DARK = {
     "free": "#161B26",
     "obstacle": "#8792A5",

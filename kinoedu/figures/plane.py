@@ -177,7 +177,7 @@ def arrow(
 def polygon(vertices: ArrayLike, ax: Axes, *, numbers: bool = True) -> list[Artist]:
     """Draw a solid polygon, its vertices numbered as in the array."""
     points = np.asarray(vertices, float)
-    look: Style = {"facecolor": "#C7CCD4", "edgecolor": palette.OBSTACLE, "linewidth": 2.0}
+    look: Style = {"facecolor": palette.SHAPE, "edgecolor": palette.OBSTACLE, "linewidth": 2.0}
     artists: list[Artist] = [ax.add_patch(Polygon(points, zorder=2, **look))]
     middle = points.mean(axis=0)
     for number, point in enumerate(points if numbers and len(points) <= 40 else []):

@@ -120,7 +120,7 @@ def dress_axes(ax: Axes, label: str) -> list[Artist]:
         lambda ratio, _: f"{ratio:g}" if ax.get_xlim()[1] < 12 * ax.get_xlim()[0] else ""
     )
     ax.tick_params(which="minor", labelsize=palette.TEXT_SIZE)
-    ax.grid(color="#D1D5DB", linewidth=0.8, axis="x")
+    ax.grid(axis="x", **palette.GRID)
     ax.set_axisbelow(True)
     ax.spines[["top", "right", "left"]].set_visible(False)
     return [ax.set_xlabel(label, fontsize=palette.TEXT_SIZE)]

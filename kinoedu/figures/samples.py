@@ -160,7 +160,7 @@ def draw_dispersion(
     ax.set_xlim(sizes.min() * 0.9, sizes.max() * (sizes.max() / sizes.min()) ** 0.32)
     names = enumerate(values.items())
     ends = [(name, float(curve[-1]), COLOURS[i % 4]) for i, (name, curve) in names]
-    ends.append((get_message("samples.rate"), float(guide[-1]), "#5B6470"))
+    ends.append((get_message("samples.rate"), float(guide[-1]), palette.OBSTACLE))
     return artists + name_ends(float(sizes[-1]), ends, ax)
 
 

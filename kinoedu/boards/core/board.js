@@ -66,7 +66,10 @@ const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: 
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 // A number in words: four digits, or three where it has been added up.
-const short = (x, digits = 4) => String(Number(Math.abs(x) < 1e4 ? x.toPrecision(digits) : Math.round(x)));
+const short = (x, digits = 4) => {
+  const rounded = Math.abs(x) < 1e4 ? Number(x.toPrecision(digits)) : Math.round(x);
+  return String(rounded);
+};
 const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
 function floats(view) {
   const end = view.byteOffset + view.byteLength;
@@ -476,9 +479,10 @@ class View {
   }
 
   dress() {                              // take the colours of the page's theme; board.css knows it
-    const { board, root } = this, theme = getComputedStyle(root).getPropertyValue("--kinoedu-theme");
-    board.palette = board.themes[theme.trim()] ?? board.themes.light;
-    root.dataset.theme = theme.trim();
+    const { board, root } = this;
+    const theme = getComputedStyle(root).getPropertyValue("--kinoedu-theme").trim();
+    board.palette = board.themes[theme] ?? board.themes.light;
+    root.dataset.theme = theme;
     root.style.setProperty("--kinoedu-focus", board.palette.ink);
     root.style.setProperty("--kinoedu-beside", board.palette.free);
     root.style.setProperty("--kinoedu-warning", board.palette.hit);
@@ -1151,7 +1155,8 @@ class Pointer {
     this.tip = make("div", "kinoedu-tip", view.stage, { "aria-hidden": "true" });
     const over = make("div", "kinoedu-overlay", view.stage);
     this.button = make("button", "kinoedu-thing kinoedu-pointer", over, { type: "button" });
-    this.spoken = make("div", "kinoedu-state", view.stage, { role: "status", "aria-live": "polite" });
+    const live = { role: "status", "aria-live": "polite" };
+    this.spoken = make("div", "kinoedu-state", view.stage, live);
     this.button.ariaLabel = words.pointer;
     this.button.addEventListener("keydown", (event) => this.press(event));
     this.button.addEventListener("focus", () => this.choose(this.targets()[0]));

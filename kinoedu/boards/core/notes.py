@@ -3,8 +3,8 @@
 A text is sent once for a whole layer, with blanks; a row carries only the numbers that fill them.
 Some names have a meaning of their own:
 
-node, parent   a row's number in a tree and that of its parent, -1 for a root. The branch to the root
-               is lit. The blanks {depth} and {length} are its edges and their length together
+node, parent   a row's number in a tree and that of its parent, -1 for a root. The branch to the
+               root is lit. The blanks {depth} and {length} are its edges and their whole length
 which          the number of the text, where a layer has several
 {length}       without node and parent: the length of an edge
 {why}          of an edge: what it meets first. The browser looks it up in the scene

@@ -23,7 +23,6 @@ from .scene import Scene
 Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
 DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
-LIT = "#FFE9A8"  # behind the line that has just run
 ENOUGH = 64_000  # bytes, so that a notebook with a dozen boards stays small
 
 
@@ -75,7 +74,7 @@ def print_listing(listing: Listing, step: int, page: Axes) -> None:
     font: palette.Style = {"fontfamily": "monospace", "fontsize": palette.TEXT_SIZE - 1}
     page.set(xlim=(0.0, 1.0), ylim=(max(len(texts), 16), -1.0))
     for number, text in enumerate(texts):
-        box = {"facecolor": LIT, "edgecolor": "none", "pad": 2.0} if number == lit else None
+        box = {"facecolor": palette.LIT, "edgecolor": "none", "pad": 2.0} if number == lit else None
         page.text(0.0, number, text, bbox=box, va="center", **font)
 
 

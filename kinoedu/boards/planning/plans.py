@@ -139,9 +139,9 @@ def draw_plan(plan: Plan) -> Drawing:
 def note_roadmap(roadmap: Roadmap, links: Layer, spots: Layer) -> list[Layer]:
     """The layers of a roadmap's edges and nodes, with what each of them says."""
     n, (u, v) = len(roadmap.nodes), roadmap.edges.T
-    ends, joined = note("roadmap_edge", u=None, v=None), note("roadmap_node", node=None, degree=None)
     degree = np.bincount(roadmap.edges.ravel(), minlength=n)
+    joined = note("roadmap_node", node=None, degree=None)
     return [
-        with_notes(links, ends, u=u, v=v),
+        with_notes(links, note("roadmap_edge", u=None, v=None), u=u, v=v),
         with_notes(spots, joined, node=np.arange(n), degree=degree),
     ]

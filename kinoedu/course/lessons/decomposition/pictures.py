@@ -205,7 +205,7 @@ def draw_ground(world: Given, ax: Axes) -> None:
     from ....figures import palette, plane
 
     plane.frame(world["boundary"], ax, margin=0.2)
-    ax.set_facecolor("#E5E7EB")
+    ax.set_facecolor(palette.GRID["color"])
     look: palette.Style = {"facecolor": palette.FREE, "edgecolor": palette.OBSTACLE, "linewidth": 2}
     ax.fill(*np.asarray(world["boundary"]).T, zorder=1, **look)
     for obstacle in world["obstacles"]:
@@ -219,7 +219,7 @@ def number_cells(cells: Array, ax: Axes) -> Array:
     outlines = corners_of(cells)
     centres = np.column_stack([cells[:, :2].mean(axis=1), cells[:, 2:].mean(axis=1)])
     plane.frame(outlines.reshape(-1, 2), ax, margin=0.15)
-    ax.set_facecolor("#E5E7EB")
+    ax.set_facecolor(palette.GRID["color"])
     for number, outline in enumerate(outlines):
         ax.fill(*outline.T, facecolor=palette.CELL, edgecolor=palette.TREE, linewidth=1.5, zorder=1)
         if len(cells) <= 25:

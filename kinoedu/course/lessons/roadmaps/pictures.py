@@ -44,12 +44,13 @@ def draw_joined(problem: ProblemLike, nodes: Array, truth: Value, value: Value, 
 
 def draw_problem_ground(problem: Any, ax: Axes) -> None:
     """Draw the world of a problem; for the arm, the square of its angles."""
-    from ....figures import plane
+    from ....figures import palette, plane
     from ....figures.drawing import draw_world
 
     if is_arm(problem):
         plane.frame([(0, 0), (FULL, FULL)], ax, margin=0.05)
-        ax.plot([0, FULL, FULL, 0, 0], [0, 0, FULL, FULL, 0], ":", color="#6B7280", linewidth=1.5)
+        square = [0, FULL, FULL, 0, 0], [0, 0, FULL, FULL, 0]
+        ax.plot(*square, ":", color=palette.OBSTACLE, linewidth=1.5)
         ax.set_xlabel("$q_1$", fontsize=13)
         ax.set_ylabel("$q_2$", fontsize=13)
     else:
