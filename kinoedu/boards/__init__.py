@@ -10,6 +10,7 @@ from .car.car import CarBoard, car_board
 from .car.curves import curves_board
 from .code.code_board import code_board
 from .core.canvas import Canvas
+from .core.challenge import Challenge, challenge
 from .core.drawing import Drawing, Layer
 from .exploring.exploring import ExploringBoard, exploring_board
 from .geometry.geometry import distance_board
@@ -32,6 +33,7 @@ __all__ = [
     "BugBoard",
     "Canvas",
     "CarBoard",
+    "Challenge",
     "ChanceBoard",
     "Drawing",
     "ExploringBoard",
@@ -50,6 +52,7 @@ __all__ = [
     "board",
     "bug_board",
     "car_board",
+    "challenge",
     "chance_board",
     "code_board",
     "curves_board",

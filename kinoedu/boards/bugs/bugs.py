@@ -62,7 +62,7 @@ def bug_board(
     Returns
     -------
     BugBoard
-        `plans` are the plans shown, each with its walk.
+        `plans` are the plans shown, each with its walk; `step` is the length of a step.
 
     Raises
     ------
@@ -92,7 +92,7 @@ class BugBoard(Pictured, widgets.VBox):
         chosen, heading = one_of(bug, "bug", (*BUGS, ALL)), one_of(turn, "turn", ("left", "right"))
         self.plans: list[tuple[Plan, Walk]] = []
         self._clock, self._texts = Clock(1.0, 0), list[str]()  # of both pictures
-        self._step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
+        self.step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
         bugs = [(name, key) for key, (name, _) in BUGS.items()]
         self.bug = make_menu("bug_board.bug", [*bugs, (get_message("bug_board.all"), ALL)], chosen)
         turns = [(get_message(f"bug_board.{side}"), side) for side in ("left", "right")]
@@ -118,10 +118,10 @@ class BugBoard(Pictured, widgets.VBox):
             start, goal = place_of(scene, START), place_of(scene, GOAL)
             chosen = list(BUGS) if self.bug.value == ALL else [self.bug.value]
             for name in chosen:
-                plan = BUGS[name][1](start, goal, obstacles, self._step, turn=self.turn.value)
+                plan = BUGS[name][1](start, goal, obstacles, self.step, turn=self.turn.value)
                 plans.append((plan, plan.walk))
             self.plans = plans
-            self._clock = make_clock([walk for _, walk in plans], self._step)
+            self._clock = make_clock([walk for _, walk in plans], self.step)
             self._texts = describe_steps(plans, self._clock)
             if len(plans) > 1:
                 return draw_race(plans, self._clock, self._texts)

@@ -347,9 +347,10 @@ class Board {
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
-    const { listing, first } = message, before = this.drawing;
+    const { listing, first, challenges = [] } = message, before = this.drawing;
     const scrubbed = before.listing && this.step < before.total;
     this.drawing = { text, warning, layers, total, unit, stepTexts, places, listing };
+    this.drawing.challenges = challenges;
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
@@ -486,6 +487,7 @@ class View {
     root.style.setProperty("--kinoedu-focus", board.palette.ink);
     root.style.setProperty("--kinoedu-beside", board.palette.free);
     root.style.setProperty("--kinoedu-warning", board.palette.hit);
+    root.style.setProperty("--kinoedu-done", board.palette.clear);
     this.bitmap = this.bitmapPicture();
     this.request();
   }
@@ -515,6 +517,7 @@ class View {
     this.back.hidden = Boolean(recorded);
     if (this.driven >= 0 && !recorded) this.buildPad();
     this.text = make("div", "kinoedu-text", this.column, { "aria-hidden": "true" });
+    this.goals = make("ul", "kinoedu-goals", this.column);
     const spoken = { role: "status", "aria-live": "polite" };
     this.state = make("div", "kinoedu-state", this.column, spoken);
     this.how = make("div", "kinoedu-hint", this.column);
@@ -1122,7 +1125,25 @@ class View {
     const how = this.hint();
     if (this.how.textContent !== how) this.how.textContent = how;
     this.storeState();
-    this.speakLater(this.text.textContent);
+    const won = this.showGoals();
+    this.speakLater([this.text.textContent, ...won].join(" "));
+  }
+
+  showGoals() {                          // the challenges; returns the answers to those reached now
+    const { board, goals } = this, { words, drawing } = board, { challenges = [] } = drawing;
+    if (challenges === this.shownGoals) return this.won;
+    this.shownGoals = challenges;
+    const recorded = board.model.get("recorded");
+    goals.replaceChildren(...challenges.map(({ sentence, now, done, text }) => {
+      const item = make("li", now ? "kinoedu-goal-now" : "", null, { "data-done": done });
+      make("b", "", item).textContent = `${done ? "★" : "☆"} ${words.challenge}: `;
+      item.append(sentence);
+      const state = now ? `${words.reached} ` : done ? `${words.done} ` : "";
+      if (!recorded) make("div", "kinoedu-goal-text", item).textContent = state + text;
+      return item;
+    }));
+    this.won = challenges.filter(({ now }) => now).map(({ text }) => `${words.reached} ${text}`);
+    return this.won;
   }
 
   storeState() {                         // the data- attributes of the board, for tests

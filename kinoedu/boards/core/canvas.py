@@ -10,7 +10,7 @@ The messages between the two halves:
                 {kind: "keys", from, seq, held: ["ArrowUp", ...]}
                     sent repeatedly while arrow keys are held on a driven handle
     from Python {kind: "drawing", to, seq, took, text, warning, total, unit, step_texts, listing,
-                 first, places, layers} and a buffer of float32 for each layer
+                 first, places, layers, challenges} and a buffer of float32 for each layer
                 {kind: "note", text}
                     the reason why an answer takes long
 
@@ -39,6 +39,7 @@ from ...errors import KinoeduError
 from ...figures import palette
 from ...messages import get_message
 from ...support.json_fields import JsonObject
+from .challenge import Posed
 from .drawing import Drawing, encode_drawing
 from .printed import Bitmap, print_board
 from .recorded import RECORD, pack_records, record_drawing
@@ -47,12 +48,13 @@ from .scene import Scene, arrange_like, list_places, move_parts
 log = logging.getLogger("kinoedu")
 
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
+CHALLENGED = ("challenge", "reached", "done")
 PLAIN = ("play", "pause", "next", "reset", "slider", "movable", "thinking")
 CODE = ("code", "lineBack", "lineOn", "begin")
 HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad", "coded", "pointing", "pointer")
 REASONS = ("outside", "cell", "unknown")
 FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, and their values
-    **dict.fromkeys((*PLAIN, *CODE, *HINTS, *ARROWS, *REASONS), ()),
+    **dict.fromkeys((*PLAIN, *CODE, *HINTS, *ARROWS, *REASONS, *CHALLENGED), ()),
     "meets": ("name",),
     "here": ("x", "y", "meaning"),
     "growth": ("shown", "total", "unit"),
@@ -83,6 +85,7 @@ class Canvas(anywidget.AnyWidget):
     Attributes
     ----------
     drawing : the answer shown now.
+    challenges : those that are posed on the board, see `challenge`.
     partner : the key of another board that is scrubbed together with this one, for example a plot
         with its world. All boards with the same partner are scrubbed together.
 
@@ -108,6 +111,7 @@ class Canvas(anywidget.AnyWidget):
         drive: Callable[[set[str]], None] | None = None,
     ) -> None:
         self._answer, self._drive = answer, drive
+        self.challenges: Posed | None = None
         kind: Any = np.uint8 if "colours" in scene else np.bool_
         self._free = None if free is None else np.asarray(free, kind)
         self.drawing = Drawing()
@@ -211,6 +215,9 @@ class Canvas(anywidget.AnyWidget):
             log.exception("a board could not answer")
             warning = get_message("board.failed", error=f"{type(error).__name__}: {error}")
             self._keep(Drawing(warning=warning))
+        if self.challenges is not None:
+            self.challenges.judge()
+            self._content["challenges"] = self.challenges.answers
         self._content["took"] = 1e3 * (time.perf_counter() - began)
 
     def _keep(self, drawing: Drawing) -> None:
@@ -227,8 +234,13 @@ class Canvas(anywidget.AnyWidget):
         content, buffers = self._content, self._buffers
         if warning:
             content, buffers = encode_drawing(Drawing(warning=warning), self._shown["lo"], 1.0)
-            content["took"] = 0.0
+            content |= {"took": 0.0, "challenges": self._content.get("challenges", [])}
         self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=buffers)
+
+    @property
+    def shown(self) -> Scene:
+        """The scene that `drawing` answers; unlike `scene` also during a drag."""
+        return self._shown
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""

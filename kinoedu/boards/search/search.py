@@ -45,7 +45,7 @@ def search_board(
     Returns
     -------
     SearchBoard
-        `moments` are the expansions shown.
+        `moments` are the expansions shown, of the search in `graph` between the nodes `ends`.
 
     Raises
     ------
@@ -85,8 +85,8 @@ class SearchBoard(Framed):
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
         guess = heuristic_to(graph, goal) if self.search.value == "astar" else None
         self.moments = list_expansions(graph, self.search.value, start, goal, guess)
-        ends, side = (start, goal), self.ground.side
-        return draw_search(graph, self.moments, ends, here, side, scene, guess)
+        self.graph, self.ends, side = graph, (start, goal), self.ground.side
+        return draw_search(graph, self.moments, self.ends, here, side, scene, guess)
 
 
 def list_expansions(
