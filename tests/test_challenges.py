@@ -214,7 +214,7 @@ WAYS = {
         drag(("polygon", 0, [[[3, 3], [6, 2], [6, 8]]]), ("handle", 0, [11.5, -2])),
         drag(("handle", 0, [11.5, -2])),
     ),
-    "depth_first_detour": (GRAPH, handles((0, 0), (4, 0)), handles((0, 0), (1, -2))),
+    "depth_first_detour": (GRAPH, handles((0, 0), (1, -2)), handles((0, 0), (4, 0))),
     "astar_saves": (
         partial(search_board, np.ones((12, 12), bool), start=0, goal=143),
         handles((5.5, 5.5), (10.5, 5.5)),
