@@ -818,11 +818,34 @@ class View {
     return item.driven ? "driven" : "handle";
   }
 
-  // painting: at most once a frame
+  // painting: at most once a frame. Where only the pointer has moved, the picture is a copy.
 
-  request() { this.frame ||= requestAnimationFrame(() => { this.frame = 0; this.paint(); }); }
+  request(onlyPointer = false) {
+    this.onlyPointer = onlyPointer && (!this.frame || this.onlyPointer);
+    this.frame ||= requestAnimationFrame(() => { this.frame = 0; this.paint(); });
+  }
 
   paint() {
+    const { board, pen, canvas, onlyPointer } = this;
+    if (onlyPointer && this.copied) {
+      pen.setTransform(1, 0, 0, 1, 0, 0);
+      pen.drawImage(this.copied, 0, 0);
+      pen.setTransform(canvas.width / this.width, 0, 0, canvas.height / this.height, 0, 0);
+    } else {
+      this.paintPicture();
+      const { width, height } = canvas;
+      this.copied = onlyPointer ? make("canvas", "", null, { width, height }) : null;
+      this.copied?.getContext("2d").drawImage(canvas, 0, 0);
+    }
+    this.pointer.show();
+    this.placeButtons();
+    this.showState(board.isLate());
+    this.code.show();
+    this.paints += 1;
+    this.emit("painted", board.shown);
+  }
+
+  paintPicture() {
     const { board, pen, canvas } = this, ratio = window.devicePixelRatio || 1;
     const [across, down] = [this.width, this.height].map((size) => Math.round(size * ratio));
     if (canvas.width !== across) canvas.width = across;
@@ -844,12 +867,6 @@ class View {
     this.paintSolids();
     paint(layers.filter((layer) => layer.kind !== "cells"));
     board.scene.handles.forEach((handle) => this.paintHandle(handle));
-    this.pointer.show();
-    this.placeButtons();
-    this.showState(late);
-    this.code.show();
-    this.paints += 1;
-    this.emit("painted", board.shown);
   }
 
   paintGround() {
@@ -1175,7 +1192,7 @@ class Pointer {
     this.near = NEAR;                    // pixels
     this.tip = make("div", "kinoedu-tip", view.stage, { "aria-hidden": "true" });
     const over = make("div", "kinoedu-overlay", view.stage);
-    this.button = make("button", "kinoedu-thing kinoedu-pointer", over, { type: "button" });
+    this.button = make("button", "kinoedu-pointer", over, { type: "button" });
     const live = { role: "status", "aria-live": "polite" };
     this.spoken = make("div", "kinoedu-state", view.stage, live);
     this.button.ariaLabel = words.pointer;
@@ -1192,7 +1209,7 @@ class Pointer {
   point(at, near = NEAR) {
     if (at === this.at) return;
     Object.assign(this, { at, near });
-    this.view.request();
+    this.view.request(true);
   }
 
   hover(event) {
@@ -1201,22 +1218,35 @@ class Pointer {
 
   leave(event) { if (event.pointerType !== "touch") this.point(null); }
 
-  // The rows of a layer that are there now. The place of a node is the end of its edge.
-  rows(layer) {
-    const { view } = this, { left, bottom, unit } = view, { names, data, points } = layer;
-    const size = 2 * points, stride = view.stride(layer, size), found = [];
-    view.eachRow(layer, size, (_px, _py, _dx, _dy, row) => {
-      const from = row * stride, shape = [];
-      for (let k = from; k < from + size; k += 2) {
-        shape.push([left + data[k] * unit, bottom - data[k + 1] * unit]);
-      }
-      const noted = names.map((name, k) => [name, data[from + size + k]]);
-      found.push({ layer, shape, values: Object.fromEntries(noted) });
+  eachRow(layer, visit) {
+    this.view.eachRow(layer, 2 * layer.points, (px, py, dx, dy, row) => visit(row, px, py, dx, dy));
+  }
+
+  // A row of a layer: its corners on the picture and its notes. A node is at the end of its edge.
+  target(layer, row) {
+    const { left, bottom, unit } = this.view, { names, data, points } = layer, shape = [];
+    const size = 2 * points, from = row * this.view.stride(layer, size);
+    for (let k = from; k < from + size; k += 2) {
+      shape.push([left + data[k] * unit, bottom - data[k + 1] * unit]);
+    }
+    const noted = names.map((name, k) => [name, data[from + size + k]]);
+    return { layer, shape, values: Object.fromEntries(noted) };
+  }
+
+  targets() {                            // all that are there now
+    const found = [];
+    this.layers().forEach((layer) => {
+      this.eachRow(layer, (row) => found.push(this.target(layer, row)));
     });
     return found;
   }
 
-  targets() { return this.layers().flatMap((layer) => this.rows(layer)); }
+  nodeRows(layer) {                      // the rows of a tree's nodes that are there now
+    const size = 2 * layer.points, at = size + layer.names.indexOf("node"), found = new Map();
+    const stride = this.view.stride(layer, size);
+    this.eachRow(layer, (row) => found.set(layer.data[row * stride + at], row));
+    return found;
+  }
 
   isNode({ layer, values }) { return layer.points === 1 || "parent" in values; }
 
@@ -1226,38 +1256,54 @@ class Pointer {
     return [0, 1].map((k) => shape.reduce((sum, p) => sum + p[k], 0) / shape.length);
   }
 
-  far(target, at) {                      // how far a target is from a place; points go first
-    const { shape, layer } = target, end = distance(shape.at(-1), at);
-    if (layer.kind === "nodes") return end * Math.min(1, NEAR / (layer.width * this.view.unit));
-    if (shape.length === 1) return end;
-    if (shape.length === 2) return Math.min(end, 3 + distanceToSegment(at, ...shape));
-    return inside(...at, [shape]) ? NEAR - 1 : Infinity;
+  // How far rows of a layer are from a place, to be asked for each; points go before lines.
+  far(layer, at) {
+    const { left, bottom, unit } = this.view, { kind, points, width } = layer;
+    const easier = kind === "nodes" ? Math.min(1, NEAR / (width * unit)) : 1;
+    if (points === 1) return (_row, px, py) => easier * Math.hypot(px - at[0], py - at[1]);
+    if (points > 2) {
+      return (row) => (inside(...at, [this.target(layer, row).shape]) ? NEAR - 1 : Infinity);
+    }
+    return (_row, px, py, x, y) => {
+      const end = [left + x, bottom - y];
+      return Math.min(distance(end, at), 3 + distanceToSegment(at, [px, py], end));
+    };
   }
 
-  // The target nearest to a place. To read 10,000 rows takes a few milliseconds, so it is kept.
+  nearest(at, near) {                    // the target nearest to a place; the later one on top
+    let [least, best] = [near, null];
+    for (const layer of this.layers()) {
+      const far = this.far(layer, at);
+      this.eachRow(layer, (row, ...where) => {
+        const away = far(row, ...where);
+        if (away <= least) [least, best] = [away, [layer, row]];
+      });
+    }
+    return best && this.target(...best);
+  }
+
+  // What is pointed at. It is kept, because it is asked for at each painting.
   found() {
     const { board } = this.view, { answers, step } = board, { scale, left } = this.view;
     const key = [this.at, answers, step, scale, left, this.near].join();
     if (this.at && key !== this.key) {
-      const targets = this.targets(), far = targets.map((target) => this.far(target, this.at));
-      const least = far.reduce((a, b) => Math.min(a, b), Infinity);
-      this.target = least <= this.near ? targets[far.indexOf(least)] : null;
-      this.lit = this.target && this.branch(this.target);
+      this.meant = this.nearest(this.at, this.near);
+      this.lit = this.meant && this.branch(this.meant);
       this.key = key;
     }
-    return this.at && !this.view.grabs.size ? this.target : null;
+    return this.at && !this.view.grabs.size ? this.meant : null;
   }
 
   // What is lit: of a node the branch to its root, of others the outline.
   branch(target) {
     const { layer, shape, values } = target;
     if (!("parent" in values)) return shape.length > 2 ? [...shape, shape[0]] : shape;
-    const rows = new Map(this.rows(layer).map((row) => [row.values.node, row]));
-    const line = [...shape].reverse();
+    const rows = this.nodeRows(layer), line = [...shape].reverse();
     let edges = layer.points - 1;
-    for (let above = rows.get(values.parent); above; above = rows.get(above.values.parent)) {
-      line.push(...(layer.points === 1 ? above.shape : [above.shape[0]]));
-      edges += 1;
+    for (let above = values.parent; rows.has(above); edges += 1) {
+      const parent = this.target(layer, rows.get(above));
+      line.push(parent.shape[0]);
+      above = parent.values.parent;
     }
     target.depth = edges;
     return line.reverse();
@@ -1377,7 +1423,8 @@ class Pointer {
 
   parentOf(target) {
     if (!target || !("parent" in target.values)) return null;
-    return this.rows(target.layer).find(({ values }) => values.node === target.values.parent);
+    const row = this.nodeRows(target.layer).get(target.values.parent);
+    return row === undefined ? null : this.target(target.layer, row);
   }
 }
 

@@ -1,0 +1,293 @@
+"""What is under the pointer, by mouse, keys and touch; dark pages; challenges: in a real browser.
+
+The boards are shown as the site shows them, without a kernel.
+"""
+
+import json
+import re
+import shutil
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
+from test_board import walled
+from test_challenges import SAMPLES
+
+import kinoedu as ke
+from kinoedu.boards import Canvas, Drawing, board, challenge, challenges, search_board
+from kinoedu.boards.core.drawing import edges
+from kinoedu.boards.core.notes import note, with_notes
+from kinoedu.boards.core.recorded import RECORD
+from kinoedu.boards.core.scene import make_scene
+from kinoedu.figures import palette
+
+CORE = Path(ke.__file__).parent / "boards" / "core"
+BIG = 10_000
+
+
+def tree_of(n):
+    """A board of one big tree: a random one, whose nodes are joined to near older ones."""
+    rng = np.random.default_rng(0)
+    nodes, parent = np.zeros((n, 2)), np.zeros(n, np.int64)
+    for k in range(1, n):
+        parent[k] = rng.integers(max(0, k - 2000), k)
+        nodes[k] = np.clip(nodes[parent[k]] + rng.normal(0, 0.6, 2), -5, 5)
+    segments = np.stack([nodes[parent[1:]], nodes[1:]], axis=1)
+    numbers = np.arange(1, n)
+    layer = edges(segments, "tree", width=0.5, when=numbers)
+    layer = with_notes(layer, note("node", node=None), node=numbers, parent=parent[1:])
+    drawing = Drawing([layer], text="a tree", total=n - 1, unit="nodes")
+    return Canvas(make_scene((-5, -5), (5, 5)), lambda scene: drawing)
+
+
+def refused(problem):
+    """A planner with one motion through the wall, and one out of the world."""
+    problem.is_free_path((1, 5), (7, 5))
+    problem.is_free_path((1, 5), (-1, 5))
+
+
+def site_page(folder, theme, *boards):
+    """A page with recorded boards, as the site has it."""
+    sys.path.insert(0, str(CORE.parents[2] / "docs"))
+    from rendering import script_of_boards
+
+    records = [json.dumps(made._repr_mimebundle_()[0][RECORD]) for made in boards]
+    parts = [
+        f'<div class="kinoedu-record"><script type="application/json">{one}</script></div>'
+        for one in records
+    ]
+    words = '<p>The <b class="ke-goal">goal</b></p>'
+    (folder / "index.html").write_text(
+        '<!doctype html><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+        f'<link rel="stylesheet" href="board.css"><body data-theme="{theme}">{words}'
+        f'{"".join(parts)}<script src="boards.js"></script>',
+        encoding="utf-8",
+    )
+    (folder / "boards.js").write_text(script_of_boards(), encoding="utf-8")
+    shutil.copy(CORE / "board.css", folder)
+    return (folder / "index.html").as_uri()
+
+
+@contextmanager
+def browser(**how):
+    """A page of a browser; `page.errors` must stay empty."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as play:
+        chromium = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
+        size = {"viewport": {"width": 900, "height": 900}}
+        page = chromium.new_context(**{**size, **how}).new_page()
+        page.errors = []
+        page.on("pageerror", lambda error: page.errors.append(str(error)))
+        try:
+            yield page
+            assert page.errors == []
+        finally:
+            chromium.close()
+
+
+def shown(page, number=0):
+    """A board that has its drawing."""
+    made = page.locator(".kinoedu-record").nth(number)
+    made.scroll_into_view_if_needed()
+    root = made.locator(".kinoedu-board")
+    page.wait_for_function(
+        "root => root.dataset.answers > 0 && root.dataset.paints > 0", arg=root.element_handle()
+    )
+    return root
+
+
+def frames(page):
+    """Wait until what was asked for is painted."""
+    page.evaluate(
+        "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
+
+
+def place(root, x, y):
+    """A point of the page at a share of the picture."""
+    box = root.locator("canvas").bounding_box()
+    return box["x"] + x * box["width"], box["y"] + y * box["height"]
+
+
+def pointed(page, root, x, y):
+    """What a board says with the mouse at a share of its picture."""
+    page.mouse.move(*place(root, x, y))
+    frames(page)
+    return root.get_attribute("data-pointed")
+
+
+@pytest.fixture(scope="module")
+def light(tmp_path_factory):
+    """The page: a tree, a search, refused motions, and a big tree."""
+    needs_chromium()
+    made = board(walled(), step_size=0.5)
+    grid = search_board(np.ones((6, 8), bool), search="astar")
+    own = board(walled(), planner=refused)
+    sampled = challenge(SAMPLES(), challenges.in_the_largest_hole)
+    folder = tmp_path_factory.mktemp("light")
+    return site_page(folder, "light", made, grid, own, tree_of(BIG), sampled)
+
+
+def test_a_node_says_its_cost_and_lights_its_branch(light):
+    """By the mouse; beside the tree nothing is said, and nothing when the mouse has left."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        before = root.locator("canvas").screenshot()
+        texts = {pointed(page, root, 0.05 + 0.04 * k, y) for k in range(9) for y in (0.4, 0.8)}
+        said = [text for text in texts if text]
+        assert said and all(re.match(r"node \d+: [\d.]+ from the root, \d+ edges", t) for t in said)
+        assert pointed(page, root, 0.5, 0.7) == ""  # in the wall
+        assert pointed(page, root, 0.5, -0.3) == ""
+        frames(page)
+        assert root.locator("canvas").screenshot() == before
+
+
+def test_cells_of_a_search_say_their_costs(light):
+    """At the last step expanded ones, at the first nothing is seen yet but the start."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page, 1)
+        assert re.match(
+            r"node \d+ is expanded: g = .*, h = .*, f = ", pointed(page, root, 0.3, 0.5)
+        )
+        root.locator(".kinoedu-slider").fill("0")
+        assert re.match(r"node \d+: not seen yet", pointed(page, root, 0.31, 0.5))
+        keep(page, "pointed_grid")
+
+
+def test_a_refused_motion_says_what_it_meets(light):
+    """The reason is not sent: the browser finds it in the scene."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page, 2)
+        assert pointed(page, root, 0.3, 0.5) == "motion 1 was refused: it meets obstacle 0"
+        assert pointed(page, root, 0.06, 0.5) == "motion 2 was refused: it leaves the world"
+
+
+def test_keys_go_from_node_to_node(light):
+    """Tab reaches it, arrows go on, Enter goes to the parent, Escape leaves; each is spoken."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        root.locator(".kinoedu-pointer").focus()
+        frames(page)
+        seen = [root.get_attribute("data-pointed")]
+        for key in ("ArrowUp", "ArrowRight", "ArrowUp"):
+            page.keyboard.press(key)
+            frames(page)
+            seen.append(root.get_attribute("data-pointed"))
+        assert len(set(seen)) >= 3 and all(seen)
+        assert root.locator(".kinoedu-stage .kinoedu-state").inner_text() == seen[-1]
+        edges_before = int(re.search(r"(\d+) edges", seen[-1])[1])
+        page.keyboard.press("Enter")
+        frames(page)
+        edges_now = int(re.search(r"(\d+) edges", root.get_attribute("data-pointed"))[1])
+        assert edges_now == edges_before - 1
+        page.keyboard.press("Escape")
+        frames(page)
+        assert root.get_attribute("data-pointed") == ""
+
+
+def test_a_touch_says_it_too(light):
+    """A tap shows what is there, and it stays."""
+    with browser(has_touch=True, is_mobile=True, viewport={"width": 480, "height": 800}) as page:
+        page.goto(light)
+        root = shown(page, 1)
+        page.touchscreen.tap(*place(root, 0.3, 0.5))
+        frames(page)
+        assert "is expanded" in root.get_attribute("data-pointed")
+        assert page.evaluate("document.documentElement.scrollWidth") <= 480
+        keep(page, "pointed_touch")
+
+
+def test_ten_thousand_nodes_stay_usable(light):
+    """Twenty places are pointed at and painted in less than 0.2 s each."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page, 3)
+        said = 0
+        box = root.locator("canvas").bounding_box()
+        page.evaluate("window.began = performance.now()")
+        for k in range(20):
+            page.mouse.move(
+                box["x"] + box["width"] * (0.3 + 0.02 * k), box["y"] + 0.5 * box["height"]
+            )
+            frames(page)
+            said += bool(root.get_attribute("data-pointed"))
+        took = page.evaluate("performance.now() - window.began") / 20
+        print(f"{took:.0f} ms a place")
+        assert said >= 15 and took < 200
+
+
+def test_challenges_stand_below_the_picture(light):
+    """Without a kernel nobody judges, so only the sentence is shown."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page, 4)
+        text = root.locator(".kinoedu-goals").inner_text()
+        assert text.startswith("☆ Challenge, optional: drag q") and "Not yet" not in text
+
+
+@pytest.mark.parametrize(
+    ("theme", "prefers", "expected"),
+    [
+        ("dark", "light", "dark"),
+        ("light", "dark", "light"),
+        ("auto", "dark", "dark"),
+        ("auto", "light", "light"),
+    ],
+)
+def test_boards_and_words_follow_the_page(tmp_path, theme, prefers, expected):
+    """The free ground has the colour of the theme, and so has the line under a word."""
+    needs_chromium()
+    address = site_page(tmp_path, theme, board(walled(), step_size=0.5))
+    with browser(color_scheme=prefers) as page:
+        page.goto(address)
+        root = shown(page)
+        assert root.get_attribute("data-theme") == expected
+        colours = palette.THEMES[expected]
+        script = """canvas => [...canvas.getContext('2d').getImageData(
+            canvas.width * 0.75, canvas.height * 0.6, 1, 1).data].slice(0, 3)"""
+        pixel = root.locator("canvas").evaluate(script)
+        assert "#" + "".join(f"{level:02X}" for level in pixel) == colours["free"]
+        line = page.evaluate(
+            "getComputedStyle(document.querySelector('.ke-goal')).borderBottomColor"
+        )
+        red, green, blue = (int(part) for part in re.findall(r"\d+", line))
+        assert f"#{red:02X}{green:02X}{blue:02X}" == colours["goal"]
+
+
+def test_a_page_that_turns_dark_takes_its_boards_along(light):
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        before = root.locator("canvas").screenshot()
+        page.evaluate("document.body.dataset.theme = 'dark'")
+        frames(page)
+        assert root.get_attribute("data-theme") == "dark"
+        assert root.locator("canvas").screenshot() != before
+
+
+def test_the_colours_of_words_are_those_of_the_palette():
+    """The style sheet repeats them, since pages do not run Python."""
+    text = (CORE / "board.css").read_text(encoding="utf-8")
+    rules = re.findall(
+        r"\.ke-([\w-]+) {.*?--kinoedu-lit, (#\w+)\) var\(--kinoedu-dim, (#\w+)", text
+    )
+    assert {name for name, _, _ in rules} >= {
+        "start",
+        "goal",
+        "tree",
+        "frontier",
+        "path",
+        "roadmap",
+    }
+    for name, light_colour, dark_colour in rules:
+        key = name.replace("-", "_")
+        assert light_colour == palette.THEMES["light"][key]
+        assert dark_colour == palette.THEMES["dark"][key]
