@@ -11,6 +11,7 @@ from typing import Any
 
 import matplotlib as mpl
 import numpy as np
+from cycler import cycler
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -28,7 +29,7 @@ SETTINGS: dict[str, Any] = {
     "xtick.labelsize": palette.TEXT_SIZE - 1,
     "ytick.labelsize": palette.TEXT_SIZE - 1,
     "legend.fontsize": palette.TEXT_SIZE - 1,
-    "axes.prop_cycle": mpl.cycler(color=palette.METHODS),
+    "axes.prop_cycle": cycler(color=palette.METHODS),
     "boxplot.medianprops.color": palette.METHODS[1],
     "image.cmap": "cividis",
     "grid.color": palette.GRID["color"],
@@ -41,9 +42,9 @@ def apply_style() -> None:
     shell = running_shell()
     if shell is None or mpl.get_backend().lower() not in INLINE:
         return
-    for name, value in SETTINGS.items():
-        if mpl.rcParams[name] == mpl.rcParamsDefault[name]:
-            mpl.rcParams[name] = value
+    now: Any = mpl.rcParams
+    default: Any = mpl.rcParamsDefault
+    now.update({name: value for name, value in SETTINGS.items() if now[name] == default[name]})
     from matplotlib_inline.backend_inline import InlineBackend
 
     if set(InlineBackend.instance().figure_formats) == {"png"}:

@@ -28,5 +28,6 @@ def detour(board: Board, kept: dict[str, Any]) -> Answer:
     if board.plan is None or board.plan.path is None:
         return "no_path", {}
     straight = float(np.hypot(*(board.problem.goal[:2] - board.problem.start[:2])))
-    ratio = board.plan.cost / straight if straight > 0.0 else 0.0
+    way = float(np.hypot(*np.diff(board.plan.path[:, :2], axis=0).T).sum())
+    ratio = way / straight if straight > 0.0 else 0.0
     return "reached" if ratio >= DETOUR else "not_yet", {"ratio": f"{ratio:.3g}"}

@@ -39,7 +39,8 @@ def path_jumps(board: Board, kept: dict[str, Any]) -> Answer:
 def second_tree_pays(board: RaceBoard, kept: dict[str, Any]) -> Answer:
     """RRT-Connect needs half of RRT's nodes."""
     by_name = {plan.planner: plan for plan in board.plans if hasattr(plan, "planner")}
-    one, two = by_name.get("RRT"), by_name.get("RRT-Connect")
+    one: Any = by_name.get("RRT")
+    two: Any = by_name.get("RRT-Connect")
     if one is None or two is None or one.path is None or two.path is None:
         return "no_path", {}
     values = {"one": len(one.tree.nodes), "two": len(two.tree.nodes)}
