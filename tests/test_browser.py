@@ -3,25 +3,24 @@
 import base64
 import json
 import shutil
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 
 import kinoedu as ke
+from kinoedu.boards.core.page_script import BROWSER, CORE, page_script
 from kinoedu.boards.core.recorded import pack_records
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.live import describe_live, list_settings
 from kinoedu.boards.planning.plans import draw_plan, make_problem_scene
-from kinoedu.browser.bodies import BODIES
+from kinoedu.browser.bodies import BODIES, describe_bodies
 from kinoedu.browser.scenes import pack_scene
+from kinoedu.browser.wasm import write_scripts
 from kinoedu.errors import KinoeduError
 from kinoedu.messages import get_message
 from kinoedu.planners.registry import PLANNERS
 
-HOUSE = Path(__file__).resolve().parent.parent
 ROOM = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (5.0, 9.0), (0.0, 10.0)]
 CONTROLS = {"step_size": 0.7, "nodes": 150}
 PROBLEMS = 50  # of each body; the first seed of each problem is its number
@@ -76,7 +75,9 @@ def test_a_body_shows_what_the_board_shows(name):
         shown = ask(name, problem, seed)
         layers = [getattr(shown, look.field) for look in BODIES[name].layers]
         rows = [
-            np.column_stack([layer.rows, layer.when]) if layer.when is not None else layer.rows
+            np.column_stack(
+                [part for part in (layer.rows, layer.notes, layer.when) if part is not None]
+            )
             for layer in drawing.layers
         ]
         for mine, theirs in zip(filter(len, layers), rows, strict=True):
@@ -118,16 +119,11 @@ def folder(tmp_path_factory):
     """A page with two boards, its scripts, and the modules."""
     needs_chromium()
     pytest.importorskip("ziglang", reason="the compiler of the site is not installed")
-    sys.path.insert(0, str(HOUSE / "docs"))
-    try:
-        import rendering
-    finally:
-        sys.path.remove(str(HOUSE / "docs"))
     place = tmp_path_factory.mktemp("page")
-    live = rendering.write_live(place / "live")
-    (place / "boards.js").write_text(rendering.script_of_boards(live), encoding="utf-8")
-    shutil.copy(rendering.CORE / "board.css", place)
-    shutil.copy(rendering.BROWSER / "worker.js", place)
+    write_scripts(place / "live")
+    (place / "boards.js").write_text(page_script(describe_bodies()), encoding="utf-8")
+    shutil.copy(CORE / "board.css", place)
+    shutil.copy(BROWSER / "worker.js", place)
     world = ke.PolygonWorld(ROOM, [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 5), 1)])
     problem = ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1))
     boards = [ke.board(problem, "rrt", step_size=0.5), ke.board(problem, "prm", samples=200)]

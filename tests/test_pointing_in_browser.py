@@ -6,9 +6,7 @@ The boards are shown as the site shows them, without a kernel.
 import json
 import re
 import shutil
-import sys
 from contextlib import contextmanager
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,15 +14,14 @@ from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 from test_board import walled
 from test_challenges import SAMPLES
 
-import kinoedu as ke
 from kinoedu.boards import Canvas, Drawing, board, challenge, challenges, search_board
 from kinoedu.boards.core.drawing import edges
 from kinoedu.boards.core.notes import note, with_notes
+from kinoedu.boards.core.page_script import CORE, page_script
 from kinoedu.boards.core.recorded import RECORD
 from kinoedu.boards.core.scene import make_scene
 from kinoedu.figures import palette
 
-CORE = Path(ke.__file__).parent / "boards" / "core"
 BIG = 10_000
 
 
@@ -51,9 +48,6 @@ def refused(problem):
 
 def site_page(folder, theme, *boards):
     """A page with recorded boards, as the site has it."""
-    sys.path.insert(0, str(CORE.parents[2] / "docs"))
-    from rendering import script_of_boards
-
     records = [json.dumps(made._repr_mimebundle_()[0][RECORD]) for made in boards]
     parts = [
         f'<div class="kinoedu-record"><script type="application/json">{one}</script></div>'
@@ -66,7 +60,7 @@ def site_page(folder, theme, *boards):
         f'{"".join(parts)}<script src="boards.js"></script>',
         encoding="utf-8",
     )
-    (folder / "boards.js").write_text(script_of_boards(), encoding="utf-8")
+    (folder / "boards.js").write_text(page_script(), encoding="utf-8")
     shutil.copy(CORE / "board.css", folder)
     return (folder / "index.html").as_uri()
 

@@ -15,13 +15,18 @@ LINE, DOT = "line", "dot"  # a width that falls with the number of steps; a size
 
 
 class Look(NamedTuple):
-    """The look of a field of `Shown` as a layer of a drawing, `kinoedu.boards.core.drawing`."""
+    """The look of a field of `Shown` as a layer of a drawing, `kinoedu.boards.core.drawing`.
+
+    says, names : the key of the message of a row, and the names of its numbers.
+    """
 
     field: str
     kind: str
     colour: str
     width: float | str
     grows: bool = False
+    says: str = ""
+    names: tuple[str, ...] = ()
 
 
 class Body(NamedTuple):
@@ -40,15 +45,16 @@ class Body(NamedTuple):
     layers: tuple[Look, ...]
 
 
+BRANCH = ("node", "parent")
 PATH = Look("path", "path", "path", 3.0)
 TREES = (
-    Look("edges", "edges", "tree", LINE, grows=True),
-    Look("others", "edges", "goal_tree", LINE, grows=True),
+    Look("edges", "edges", "tree", LINE, True, "node", BRANCH),
+    Look("others", "edges", "goal_tree", LINE, True, "node", BRANCH),
     PATH,
 )
 ROADMAP = (
-    Look("edges", "edges", "roadmap", 0.8, grows=True),
-    Look("dots", "dots", "tree", DOT),
+    Look("edges", "edges", "roadmap", 0.8, True, "roadmap_edge", ("u", "v")),
+    Look("dots", "dots", "tree", DOT, False, "roadmap_node", ("node", "degree")),
     PATH,
 )
 TREE_SETTINGS = ("clearance", "step_size", "goal_bias", "max_nodes", "max_iterations")
@@ -95,10 +101,16 @@ def describe_bodies(language: str = "en") -> JsonObject:
                 "planner": body.planner,
                 "unit": body.unit,
                 "reasons": body.reasons,
-                "layers": [look._asdict() for look in body.layers],
+                "layers": [describe_look(look, language) for look in body.layers],
             }
             for name, body in BODIES.items()
         },
         "faults": FAULTS,
         "words": {key: get_template(key, language) for key in sorted({*keys, *WORDS})},
     }
+
+
+def describe_look(look: Look, language: str) -> JsonObject:
+    """A look as plain data, with what its rows say."""
+    says = [get_template(f"board.note.{look.says}", language)] if look.says else []
+    return {**look._asdict(), "says": says}

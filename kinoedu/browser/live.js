@@ -164,14 +164,14 @@ function controlsOf(answers) {
 function drawn(body, scene, clearance, { facts, layers, took }) {
   if (facts[0] > NOT_FOUND) return warned(faultOf(scene, clearance, facts));
   const steps = facts[2], message = [], buffers = [];
-  for (const { field, kind, colour, width, grows } of body.layers) {
+  for (const { field, kind, colour, width, grows, says, names } of body.layers) {
     const { numbers, shape: [count, columns] } = layers[field];
     if (count === 0) continue;
     const size = SIZES[width]?.(width === "line" ? steps : count) ?? width;
     const path = kind === "path";
     message.push({
       kind, colour, width: size, dash: [], grows, ends: false, last: path, casing: path, texts: [],
-      points: POINTS_OF[kind], hatched: false,
+      points: POINTS_OF[kind], hatched: false, ...(says.length ? { says, names } : {}),
     });
     buffers.push(new DataView(scaled(numbers, columns, POINTS_OF[kind], scene).buffer));
   }

@@ -104,8 +104,9 @@ def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generat
     edges = tree_edges(nodes, parent, len(nodes))
     from_start = np.empty(len(edges), np.bool_)
     for k in range(len(edges)):
-        from_start[k] = owner[int(edges[k, 4]) - 1] == 0
-    shown = show_plan(problem, path, edges[from_start], nodes[:0], grown, grown, iterations)
+        from_start[k] = owner[int(edges[k, 4])] == 0
+    none = np.empty((0, 4))
+    shown = show_plan(problem, path, edges[from_start], none, grown, grown, iterations)
     return Shown(shown.facts, shown.edges, edges[~from_start], shown.dots, shown.path)
 
 
@@ -127,10 +128,14 @@ def show_prm(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> S
     graph = GraphRecord(len(nodes), pairs, costs, first, to, weight)
     cost, parent, _, _ = search(graph, 0, 1, distances_to(problem, nodes, problem.goal))
     path = branch_to(nodes, parent, 1) if cost[1] < np.inf else nodes[:0]
-    edges = np.empty((len(pairs), 5))
+    edges, dots = np.empty((len(pairs), 7)), np.empty((len(nodes), 4))
     for k in range(len(pairs)):
-        write_edge(edges, k, nodes[pairs[k, 0]], nodes[pairs[k, 1]], k + 1)
-    shown = show_plan(problem, path, edges, nodes, len(edges), len(nodes), 0)
+        write_edge(edges, k, nodes, pairs[k, 0], pairs[k, 1])
+        edges[k, 4], edges[k, 5], edges[k, 6] = pairs[k, 0], pairs[k, 1], k + 1
+    for node in range(len(nodes)):
+        dots[node, 0], dots[node, 1] = nodes[node, 0], nodes[node, 1]
+        dots[node, 2], dots[node, 3] = node, first[node + 1] - first[node]
+    shown = show_plan(problem, path, edges, dots, len(edges), len(nodes), 0)
     shown.facts[REASON] = 0 if first[1] == 0 else 1 if first[2] == first[1] else 2
     return shown
 
@@ -167,7 +172,8 @@ def show_tree(problem: ProblemRecord, tree: GrowingTree, at_goal: int, iteration
     """A tree and the path to its node at the goal."""
     edges = tree_edges(tree.nodes, tree.parent, tree.size[0])
     path = branch_to(tree.nodes, tree.parent, at_goal) if at_goal >= 0 else tree.nodes[:0].copy()
-    return show_plan(problem, path, edges, path[:0], tree.size[0], tree.size[0], iterations)
+    size = tree.size[0]
+    return show_plan(problem, path, edges, np.empty((0, 4)), size, size, iterations)
 
 
 @compiled
@@ -185,25 +191,26 @@ def show_plan(
     cost = cost_along(problem, path) if found else np.inf
     status = FOUND if found else NOT_FOUND
     facts = np.array([status, cost, steps, iterations, nodes, 0.0])
-    return Shown(facts, edges.copy(), np.empty((0, 5)), dots.copy(), path.copy())
+    return Shown(facts, edges.copy(), np.empty((0, 7)), dots.copy(), path.copy())
 
 
 @compiled
 def tree_edges(nodes: Array, parent: Numbers, size: int) -> Array:
-    """The edges of a tree as rows x, y, next x, next y, step: node k has appeared at step k + 1."""
-    edges, m = np.empty((size, 5)), 0
+    """The edges of a tree, which say their node and its parent; node k appears at step k + 1."""
+    edges, m = np.empty((size, 7)), 0
     for node in range(size):
         if parent[node] >= 0:
-            write_edge(edges, m, nodes[parent[node]], nodes[node], node + 1)
+            write_edge(edges, m, nodes, parent[node], node)
+            edges[m, 4], edges[m, 5], edges[m, 6] = node, parent[node], node + 1
             m += 1
     return edges[:m].copy()
 
 
 @inlined
-def write_edge(edges: Array, row: int, a: Array, b: Array, step: int) -> None:
-    """Write the edge from a to b, which appears at a step."""
-    edges[row, 0], edges[row, 1], edges[row, 2], edges[row, 3] = a[0], a[1], b[0], b[1]
-    edges[row, 4] = step
+def write_edge(edges: Array, row: int, nodes: Array, u: int, v: int) -> None:
+    """Write where the edge from node u to node v lies."""
+    edges[row, 0], edges[row, 1] = nodes[u, 0], nodes[u, 1]
+    edges[row, 2], edges[row, 3] = nodes[v, 0], nodes[v, 1]
 
 
 @compiled

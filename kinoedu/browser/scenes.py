@@ -42,8 +42,9 @@ class Shown(NamedTuple):
 
     facts : (6,), the status, cost, steps, iterations, nodes, and the number of the reason why there
         is no path; where a ring has a fault, the status, the ring, and the fault's i and j.
-    edges, others : (m, 5), rows x, y, next x, next y, the step at which an edge appears.
-    dots : (n, 2).
+    edges, others : (m, 7), rows x, y, next x, next y, two numbers that the edge says when one
+        points at it, the step at which it appears.
+    dots : (n, 4), rows x, y and two numbers that the dot says.
     path : (k, 2), with no rows where there is none.
     """
 
@@ -97,4 +98,4 @@ def world_of_scene(scene: SceneArrays) -> PolygonWorldRecord:
 def show_nothing(status: float, ring: int, first: int, second: int) -> Shown:
     """The answer to a scene in which nothing can be planned."""
     facts = np.array([status, ring, first, second, 0.0, 0.0])
-    return Shown(facts, np.empty((0, 5)), np.empty((0, 5)), np.empty((0, 2)), np.empty((0, 2)))
+    return Shown(facts, np.empty((0, 7)), np.empty((0, 7)), np.empty((0, 4)), np.empty((0, 2)))

@@ -5,7 +5,7 @@ ones: zero, whole turns, a point on a vertex of another input.
 """
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -122,8 +122,8 @@ def draw_plain_case(case: Case, outcome: Outcome, truth: Value, title: str, ax: 
     from ....figures import palette, plane
 
     value = outcome.value if isinstance(outcome, Answer) else None
-    arrays = [np.atleast_2d(one) for one in case.given.values() if np.ndim(one) > 0]
-    answers = [np.atleast_2d(one) for one in (truth, value) if is_drawn(one)]
+    arrays = [np.atleast_2d(np.asarray(one)) for one in case.given.values() if np.ndim(one) > 0]
+    answers = [np.atleast_2d(np.asarray(one)) for one in (truth, value) if is_drawn(one)]
     plane.frame(np.vstack([*arrays, *answers, np.zeros((1, 2))]), ax, margin=0.3)
     for name, one in case.given.items():
         if np.ndim(one) == 2:
@@ -134,9 +134,14 @@ def draw_plain_case(case: Case, outcome: Outcome, truth: Value, title: str, ax: 
         (truth, "picture.true", "s", START, 13),
         (value, "picture.yours_short", "X", GOAL, 9),
     ):
-        style = {"linestyle": "none", "color": colour, "markersize": size, "zorder": 5}
+        style: dict[str, Any] = {
+            "linestyle": "none",
+            "color": colour,
+            "markersize": size,
+            "zorder": 5,
+        }
         label = get_message(key) + ("" if is_drawn(one) else f": {describe(one)}")
-        x, y = np.atleast_2d(one).T if is_drawn(one) else ([], [])
+        x, y = np.atleast_2d(np.asarray(one)).T if is_drawn(one) else ([], [])
         ax.plot(x, y, mark, label=label, **style)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.title(title, ax)
