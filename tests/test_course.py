@@ -84,6 +84,36 @@ def test_cases_are_the_same_for_the_same_seed_and_others_for_another(exercise):
     assert first != other or not exercise.given.fields
 
 
+def test_what_a_function_of_an_exercise_answers_to_a_case_is_computed_once():
+    """Also where it refuses; a case with equal arguments is another case."""
+    exercise, asked = EXERCISES["point_line_distance"], []
+
+    def ask(q, p1, p2):
+        asked.append(q)
+        if (p1 == p2).all():
+            raise ValueError("one point")
+        return len(asked)
+
+    cases = list(exercise.cases(np.random.default_rng(0)))
+    answers = [exercise.answer_of(ask, case, ValueError) for case in (*cases, *cases)]
+    assert answers[: len(cases)] == answers[len(cases) :]
+    assert len(asked) == len(cases) and {type(answer) for answer in answers} == {int, ValueError}
+    exercise.answer_of(ask, cases[0]._replace(), ValueError)
+    assert len(asked) == len(cases) + 1
+
+
+def test_a_problem_is_built_once_and_every_call_has_its_own_log():
+    """Decoding a case again gives the same problem, in which nothing has been asked."""
+    exercise = EXERCISES["rrt"]
+    case = next(exercise.cases(np.random.default_rng(0)))
+    data = exercise.given.encode(case.given)
+    first, again = (exercise.given.decode(data)["problem"] for _ in range(2))
+    first.sample(np.random.default_rng(0))
+    assert first.problem is again.problem
+    assert (len(first.draws), len(again.draws)) == (1, 0)
+    assert first.counts() == {"sample": 1} and again.counts() == {}
+
+
 ALSO_RIGHT = {
     "line_through_points": [
         lambda p1, p2: -np.array(EXERCISES["line_through_points"].source(p1, p2)),
