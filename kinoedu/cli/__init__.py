@@ -1,7 +1,7 @@
 """The command line of kinoedu.
 
 kinoedu plan | experiment | lab | lessons | warm | release | grade | regrade | export | hand-in |
-similar | new-exercise | questions | slides | autograde | bench.
+similar | new-exercise | questions | slides | midterm | autograde | bench.
 """
 
 import argparse
@@ -19,7 +19,8 @@ from .experiment import add_experiment
 from .export import add_export
 from .grade import add_grade
 from .hand_in import add_hand_in
-from .lab import add_lab, add_lessons
+kinoedu plan | experiment | lab | lessons | warm | release | grade | regrade | export | hand-in |
+similar | new-exercise | questions | slides | midterm | autograde | bench.
 from .new_exercise import add_new_exercise
 from .plan import add_plan
 from .questions import add_questions
@@ -102,6 +103,7 @@ def make_parser() -> argparse.ArgumentParser:
     add_new_exercise(commands)
     add_questions(commands)
     add_slides(commands)
+    add_midterm(commands)
     add_bench(commands)
     return top
 
