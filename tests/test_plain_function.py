@@ -87,7 +87,8 @@ def test_a_function_may_refuse_inputs(tmp_path):
     keys = [slip.key for slip in usual_slips(plain)]
     assert {"degrees_angle", "one_more_times", "opposite"} <= set(keys)
     values = plain_values(plain)
-    assert "import math" in values["imports"]
+    assert values["standard_imports"] == "import math\n"
+    assert "math" not in values["imports"]
     assert "import math" in values["solution"]
 
 

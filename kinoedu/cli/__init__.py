@@ -19,8 +19,8 @@ from .experiment import add_experiment
 from .export import add_export
 from .grade import add_grade
 from .hand_in import add_hand_in
-kinoedu plan | experiment | lab | lessons | warm | release | grade | regrade | export | hand-in |
-similar | new-exercise | questions | slides | midterm | autograde | bench.
+from .lab import add_lab, add_lessons
+from .midterm import add_midterm
 from .new_exercise import add_new_exercise
 from .plan import add_plan
 from .questions import add_questions

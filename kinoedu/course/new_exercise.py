@@ -11,6 +11,7 @@ import ast
 import keyword
 import re
 import shutil
+import sys
 from pathlib import Path
 from string import Template
 from textwrap import indent
@@ -32,6 +33,7 @@ PLACES = {  # the file that each template becomes
 }
 CELLS = ("statement.md", "answer.py")  # of the notebook
 NUMPY = "import numpy as np"
+ARRAY = "from ....geometry.checks import Array\n"
 DESCRIBED = {  # kinds of input and answer, in words
     "point": "a point, an array of shape `(2,)`",
     "points": "points, an array of shape `(n, 2)`",
@@ -169,6 +171,7 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
     body = indent(plain.body, "    ")
     own_imports = [line for line in plain.imports.splitlines() if line != NUMPY]
     array = "Array" if plain.answer in ("point", "points") else "float"
+    uses_arrays = "Array" in (array, *map(type_of, plain.inputs.values()))
     return {
         "signature": f"{plain.name}({', '.join(plain.inputs)})",
         "typed": ", ".join(f"{one}: {type_of(kind)}" for one, kind in plain.inputs.items()),
@@ -180,13 +183,17 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
         "answer_described": DESCRIBED[plain.answer],
         "call": plain.call,
         "result": plain.result,
-        "imports": "\n".join([NUMPY, *own_imports]),
+        "standard_imports": "".join(f"{line}\n" for line in own_imports if is_standard(line)),
+        "imports": "\n".join([NUMPY, *(one for one in own_imports if not is_standard(one))]),
+        "array_import": ARRAY if uses_arrays else "",
         "solution": "\n".join([*(f"    {line}" for line in own_imports), body]),
         "body": body,
         "shapes": ", ".join(used),
         "whole_shapes": "from ...whole_shapes import Integer\n" if "Integer()" in shapes else "",
         "answer_shape": ANSWERS[plain.answer],
-        "inputs": ", ".join(f'"{one}": INPUTS["{k}"]' for one, k in plain.inputs.items()),
+        "inputs": "\n".join(
+            f'        "{one}": INPUTS["{kind}"],' for one, kind in plain.inputs.items()
+        ),
         "given": ", ".join(f"{one}={repr_shape(k)}" for one, k in plain.inputs.items()),
         "example": "\n".join(
             f'            "{one}": {as_source(value)},' for one, value in given.items()
@@ -195,6 +202,15 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
         "slip_messages": "\n".join(f'{one.key} = "{one.text}"' for one in slips),
         "wrong": "\n\n\n".join(wrong_programs(plain, slips)),
     }
+
+
+def is_standard(line: str) -> bool:
+    """Whether a line imports a module of Python itself.
+
+    >>> is_standard("import math"), is_standard("from scipy.spatial import KDTree")
+    (True, False)
+    """
+    return line.split()[1].partition(".")[0] in sys.stdlib_module_names
 
 
 def repr_shape(kind: str) -> str:

@@ -121,35 +121,33 @@ def draw_plain_case(case: Case, outcome: Outcome, truth: Value, title: str, ax: 
     """Draw the inputs, the true answer as a square and the student's as a cross."""
     from ....figures import palette, plane
 
-    value = outcome.value if isinstance(outcome, Answer) else None
-    arrays = [np.atleast_2d(np.asarray(one)) for one in case.given.values() if np.ndim(one) > 0]
-    answers = [np.atleast_2d(np.asarray(one)) for one in (truth, value) if is_drawn(one)]
-    plane.frame(np.vstack([*arrays, *answers, np.zeros((1, 2))]), ax, margin=0.3)
+    value: Value = outcome.value if isinstance(outcome, Answer) else None
+    places = [np.atleast_2d(one) for one in case.given.values() if np.ndim(one) > 0]
+    places += [as_places(one) for one in (truth, value)]
+    plane.frame(np.vstack([*places, np.zeros((1, 2))]), ax, margin=0.3)
     for name, one in case.given.items():
         if np.ndim(one) == 2:
             ax.fill(*np.asarray(one).T, facecolor="#C7CCD4", edgecolor=OBSTACLE, linewidth=1.5)
         elif np.ndim(one) == 1:
             plane.dot(one, name, ax)
-    for one, key, mark, colour, size in (
-        (truth, "picture.true", "s", START, 13),
-        (value, "picture.yours_short", "X", GOAL, 9),
-    ):
-        style: dict[str, Any] = {
-            "linestyle": "none",
-            "color": colour,
-            "markersize": size,
-            "zorder": 5,
-        }
-        label = get_message(key) + ("" if is_drawn(one) else f": {describe(one)}")
-        x, y = np.atleast_2d(np.asarray(one)).T if is_drawn(one) else ([], [])
-        ax.plot(x, y, mark, label=label, **style)
+    draw_answer(truth, get_message("picture.true"), "s", START, ax)
+    draw_answer(value, get_message("picture.yours_short"), "X", GOAL, ax)
     ax.legend(fontsize=palette.TEXT_SIZE, loc="best")
     plane.title(title, ax)
 
 
-def is_drawn(value: Value) -> bool:
-    """Whether an answer is a place, or several, and not a number."""
-    return np.ndim(value) > 0 and np.shape(value)[-1] == 2 and bool(np.isfinite(value).all())
+def draw_answer(value: Value, label: str, mark: str, colour: str, ax: Axes) -> None:
+    """Draw an answer where it is a place, or several; else say it in the legend."""
+    places = as_places(value)
+    label = label if len(places) else f"{label}: {describe(value)}"
+    size = 13 if mark == "s" else 9
+    ax.plot(*places.T, mark, label=label, color=colour, markersize=size, zorder=5)
+
+
+def as_places(value: Value) -> Array:
+    """The places in an answer, (n, 2); none where it is a number or not finite."""
+    is_place = np.ndim(value) > 0 and np.shape(value)[-1] == 2 and np.isfinite(value).all()
+    return np.atleast_2d(np.asarray(value, float)) if is_place else np.zeros((0, 2))
 
 
 def describe(value: Value) -> str:
