@@ -6,7 +6,8 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.course.lessons.shared.drawn_inputs import INPUTS, KINDS, draw_cases
 from kinoedu.course.new_exercise import plain_values
-from kinoedu.course.plain_function import example_of, read_plain_function, usual_slips
+from kinoedu.course.plain_function import example_of, read_plain_function
+from kinoedu.course.plain_slips import usual_slips
 from kinoedu.errors import InvalidParameter
 
 NEAREST = '''

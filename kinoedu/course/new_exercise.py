@@ -21,7 +21,8 @@ from ..errors import InvalidParameter
 from ..messages import catalogue
 from ..support.whole_files import written_whole
 from .lessons import EXERCISES
-from .plain_function import ANSWERS, PlainFunction, PlainSlip, example_of, usual_slips
+from .plain_function import ANSWERS, PlainFunction, example_of
+from .plain_slips import PlainSlip, usual_slips
 from .release import HOUSE, run_notebook
 
 TEMPLATES = "solutions/new_exercise"  # not for students: they contain right and wrong answers
