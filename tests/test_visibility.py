@@ -231,3 +231,27 @@ def test_what_it_is_not_for_is_refused_by_name():
                 function(problem)
     with pytest.raises(InvalidStart):
         ke.Problem(ke.Point(), WORLDS["a room"], (3, 3), (9, 9))
+
+
+def test_between_obstacles_that_touch_in_a_point_only_a_semi_free_path_passes():
+    """The docstrings of both exact planners say so: the free path goes round, or there is none."""
+    left, right = [(0, 5.5), (5, 5), (0, 4.5)], [(5, 5), (9, 4.5), (9, 5.5)]
+    closing = [(5, 5), (10, 4.5), (10, 5.5)]
+    for other, free_path in ((right, True), (closing, False)):
+        problem = ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [left, other]), (5, 1), (5, 9))
+        semi_free, free = ke.plan_by_visibility(problem), ke.plan_by_decomposition(problem)
+        assert semi_free.path.tolist() == [[5, 1], [5, 9]] and semi_free.cost == 8.0
+        assert (free.path is not None) == free_path and free.cost > 14.0
+        assert not problem.is_free_path(problem.start, problem.goal)
+        assert problem.is_semi_free_path(problem.start, problem.goal)
+    for planner in (ke.plan_by_visibility, ke.plan_by_decomposition):
+        assert "touch in a single" in " ".join(planner.__doc__.split())
+
+
+@pytest.mark.parametrize("q", [(3, 3), (-1, 5), (11, 11)])
+def test_an_end_that_is_not_free_is_no_path(q):
+    """A Problem refuses such an end; a record whose end was replaced gets a reason."""
+    problem = ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [box(2, 2)]), (1, 1), (9, 9))
+    for name in ("start", "goal"):
+        plan = ke.plan_by_visibility(problem._replace(**{name: np.array(q, float)}))
+        assert plan.path is None and plan.reason.startswith(f"the {name} is inside an obstacle or")

@@ -24,7 +24,8 @@ def plan_by_decomposition(problem: ProblemRecord | Recorder) -> Plan:
     other where they share a cell. A* finds the shortest path in the roadmap, which is not the
     shortest of all. The problem checks every motion too, because rounding may close a passage
     narrower than floats can represent; `plan.reason` distinguishes this from a world without a
-    path. O(n log n) for n vertices.
+    path. The path is free: it does not pass between obstacles that touch in a single point, as the
+    semi-free path of `plan_by_visibility` does. O(n log n) for n vertices.
 
     Parameters
     ----------

@@ -87,7 +87,8 @@ def plan_by_visibility(problem: ProblemRecord | Recorder) -> Plan:
 
     The path touches the corners at which it turns. No path that keeps off them is as short, but
     some come as close as you like, except where it passes between obstacles that touch in a single
-    point. Complete: where no path is found there is none. O(n^2 log n) for n corners.
+    point: there no free path passes, and `plan_by_decomposition` goes round or finds none.
+    Complete: where no path is found there is none. O(n^2 log n) for n corners.
 
     Parameters
     ----------
