@@ -93,7 +93,7 @@ def add_plan_options(plan: argparse.ArgumentParser) -> None:
         "--save",
         type=Path,
         metavar="FILE",
-        help="write the plan as .json, or its path alone as .csv",
+        help="write the plan as .json, or its path as .csv, .yaml (ROS 2) or .path (OMPL.app)",
     )
     add_robot_options(plan.add_argument_group("robot, start and goal"))
     add_planner_options(plan.add_argument_group("parameters of planners"))
@@ -200,7 +200,9 @@ def parse_planner(text: str) -> str:
 def run_plan(arguments: argparse.Namespace) -> int:
     """Read the scene, plan, draw and save, and print the result in one line."""
     check_writable("--out", arguments.out, arguments.scene, "a picture ends in .png, .svg or .pdf")
-    check_writable("--save", arguments.save, arguments.scene, "a plan ends in .json or .csv")
+    check_writable(
+        "--save", arguments.save, arguments.scene, "a plan ends in .json, .csv, .yaml or .path"
+    )
     from ..files.scenes import read_problem
     from ..geometry.checks import as_generator  # imported here so that --help is quick
 

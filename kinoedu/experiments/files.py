@@ -9,6 +9,10 @@
     file = "maps/maze.map"
     query = 3                 # or start and goal; also robot as in a scene, and clearance
 
+    [problems.paris]          # queries of a MovingAI scenario: paris 0, paris 10
+    scenario = "maps/Paris_1_256-even-1.scen"
+    queries = [0, 10]         # by default all; also robot as in a scene
+
     [problems.rubble]         # a generated world with its arguments; seed stands for rng
     world = "scattered polygons"
     obstacles = 40
@@ -52,6 +56,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import InvalidParameter, KinoeduError, UnreadableScene
+from ..files.scenario_files import read_scenario_problems
 from ..files.scene_robots import ROBOTS
 from ..files.scenes import read_problem
 from ..planners.own import rng_argument
@@ -101,7 +106,9 @@ def parse_toml(text: str) -> Any:
 def experiment_from(table: Field, name: str) -> ExperimentRecord:
     """Experiment from the contents of a file."""
     fields = table.members(("problems", "planners"), ("name", "seeds", "repeat", "time_limit"))
-    problems = {key: problem_from(field) for key, field in named_tables(fields["problems"]).items()}
+    problems: dict[str, ProblemRecord] = {}
+    for key, field in named_tables(fields["problems"]).items():
+        problems |= problems_from(key, field)
     contestants = {
         key: planners_from(field) for key, field in named_tables(fields["planners"]).items()
     }
@@ -121,6 +128,17 @@ def named_tables(table: Field) -> dict[str, Field]:
     if not isinstance(table.value, dict) or not table.value:
         raise table.wrong(f"at least one table [{table.name.partition('.')[2]}.NAME]")
     return table.members((), tuple(table.value))
+
+
+def problems_from(name: str, field: Field) -> dict[str, ProblemRecord]:
+    """The problem of a table, or those of a scenario, each with its number."""
+    if not isinstance(field.value, dict) or "scenario" not in field.value:
+        return {name: problem_from(field)}
+    fields = field.members(("scenario",), ("queries", "robot"))
+    queries = [item.value for item in fields["queries"].items()] if "queries" in fields else None
+    robot = robot_from(fields["robot"]) if "robot" in fields else None
+    found = read_scenario_problems(field.folder / fields["scenario"].text(), queries, robot=robot)
+    return {f"{name} {key.rpartition(' ')[2]}": problem for key, problem in found.items()}
 
 
 def problem_from(field: Field) -> ProblemRecord:

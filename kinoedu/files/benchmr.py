@@ -17,24 +17,20 @@ repairs.
 from __future__ import annotations
 
 import os
-import warnings
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import InvalidPolygon, MendedPolygons, UnknownFormat
+from ..errors import UnknownFormat
 from ..geometry.checks import Array, as_array
-from ..geometry.rings import as_ring
 from ..support.constructors import with_type_names
 from ..support.json_fields import Field, read_json
 from ..support.reading import regular_file
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
+from .mending import mend_polygons
 from .outlines import rectangle
-
-# of the area of the polygon's bounding rectangle: smaller regions at a crossing are rounding errors
-SLIVER = 1e-12
 
 
 @with_type_names
@@ -132,62 +128,3 @@ def flip_y(field: Field, bottom: float) -> Array:
     if len(q) not in (2, 3):
         raise field.wrong("[x, y] or [x, y, theta]")
     return np.append((q[0], bottom - q[1]), -q[2:])
-
-
-def mend_polygons(drawn: list[Array], file: str) -> list[Array]:
-    """Repair the drawn polygons, and warn where a repair was needed."""
-    rings: list[Array] = []
-    first_index: dict[Any, int] = {}
-    notes = []
-    for i, polygon in enumerate(drawn):
-        again = (polygon == np.roll(polygon, -1, axis=0)).all(axis=1)
-        if again.any():
-            notes.append(f"polygon {i} repeats {again.sum()} of its corners, left out")
-        corners = polygon[~again]
-        earlier = first_index.setdefault(frozenset(map(tuple, corners.tolist())), i)
-        if earlier != i and same_ring(drawn[earlier], corners):
-            notes.append(f"polygon {i} is polygon {earlier} again, left out")
-            continue
-        try:
-            rings.append(as_ring(corners, f"polygon {i}"))
-        except InvalidPolygon as error:
-            rings += enclosed_outlines(corners, error)
-            notes.append(f"polygon {i} crosses or touches itself: the region it encloses is solid")
-    if notes:
-        warnings.warn(f"{file}: {'; '.join(notes)}", MendedPolygons, stacklevel=2)
-    return rings
-
-
-def same_ring(a: Array, b: Array) -> bool:
-    """Whether two rings have the same edges, in either orientation."""
-    return edges_of_drawing(a) == edges_of_drawing(b)
-
-
-def edges_of_drawing(ring: Array) -> set[frozenset[Any]]:
-    """The edges of positive length as pairs of ends."""
-    ends = list(map(tuple, ring.tolist()))
-    return {frozenset(pair) for pair in zip(ends, ends[1:] + ends[:1]) if pair[0] != pair[1]}
-
-
-def enclosed_outlines(corners: Array, error: InvalidPolygon) -> list[Array]:
-    """The outlines of the region that a self-crossing ring encloses; raise `error` without area."""
-    import shapely
-
-    if len(corners) < 3:
-        raise error
-    closed = shapely.linestrings(np.vstack([corners, corners[:1]]))
-    faces = shapely.polygonize(shapely.get_parts(shapely.node(closed)))
-    least = SLIVER * np.prod(np.ptp(corners, axis=0))
-    parts = [
-        part
-        for part in shapely.get_parts(shapely.union_all(shapely.get_parts(faces)))
-        if part.area > least
-    ]
-    if not parts:
-        raise error
-    return [
-        as_ring(
-            shapely.get_coordinates(part.exterior)[:-1], "the region enclosed by a repaired polygon"
-        )
-        for part in parts
-    ]

@@ -35,6 +35,7 @@ from ..support.json_fields import Field, JsonObject, read_json
 from ..support.reading import as_path
 from ..support.text import shortened
 from ..support.whole_files import written_whole
+from .path_formats import write_ompl_path, write_ros_path
 from .scenes import as_scene_object, parse_problem
 
 VERSION = 1
@@ -53,8 +54,9 @@ def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
 
     Parameters
     ----------
-    path : a name in .json for the whole plan, from which `read_plan` reads an equal one; or in .csv
-        for the path alone. A CSV file has a row of names (x, y; or x, y, theta; or theta1, theta2,
+    path : a name in .json for the whole plan, from which `read_plan` reads an equal one; or, for
+        the path alone, in .csv, in .yaml for ROS 2 (a nav_msgs/msg/Path in the frame "map") or in
+        .path for OMPL.app. A CSV file has a row of names (x, y; or x, y, theta; or theta1, theta2,
         ... for an arm), and then a row for each configuration of the path, if there is one.
 
     Raises
@@ -62,7 +64,7 @@ def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
     UnknownFormat
         Where the file name extension is another one.
     InvalidParameter
-        Where `plan` is not a Plan.
+        Where `plan` is not a Plan; for ROS 2 and OMPL.app where there is no path in the plane.
     OSError
         Where the file cannot be written.
 
@@ -84,9 +86,16 @@ def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:
     if not isinstance(plan, Plan):
         raise InvalidParameter(f"expected the Plan of a planner, got {shortened(plan)}")
     file = Path(path)
-    writers = {".csv": write_rows, ".json": write_whole_plan}
+    writers = {
+        ".csv": write_rows,
+        ".json": write_whole_plan,
+        ".path": write_ompl_path,
+        ".yaml": write_ros_path,
+    }
     if file.suffix.lower() not in writers:
-        raise UnknownFormat(f"{file}: a plan ends in .json, or in .csv for its path alone")
+        raise UnknownFormat(
+            f"{file}: a plan ends in .json, or in .csv, .yaml or .path for its path alone"
+        )
     with written_whole(file) as part:
         writers[file.suffix.lower()](plan, part)
 

@@ -53,6 +53,7 @@ from ..worlds import PolygonWorld, Terrain
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from .benchmr import is_polygon_map, read_benchmr
+from .mending import mend_scene
 from .meshes import mesh_world
 from .movingai import read_scenario, scenario_beside
 from .scene_robots import MESH_OPTIONS, ROBOTS, describe_for_scene, mesh_options
@@ -62,8 +63,13 @@ VERSION = 1
 FREE, BLOCKED = ".", "@"
 
 
-def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
+def read_scene(path: str | os.PathLike[str], *, repair: bool = False) -> ProblemRecord:
     """Read the problem in a JSON scene.
+
+    Parameters
+    ----------
+    repair : whether polygons with repeated corners, that cross themselves, or that are there twice
+        are repaired; the warning MendedPolygons says which, and how. By default they are refused.
 
     Returns
     -------
@@ -84,7 +90,11 @@ def read_scene(path: str | os.PathLike[str]) -> ProblemRecord:
         raise UnknownFormat(
             f"{file}: a scene ends in .json; maps, pictures and meshes are read by read_world"
         )
-    return read_json(file, "scene", parse_problem)
+    return read_json(
+        file,
+        "scene",
+        lambda scene: parse_problem(mend_scene(scene, str(file)) if repair else scene),
+    )
 
 
 def parse_problem(scene: Field) -> ProblemRecord:
@@ -230,6 +240,7 @@ def read_problem(
     goal: ArrayLike | None = None,
     query: int | None = None,
     clearance: float = 0.0,
+    repair: bool = False,
 ) -> ProblemRecord:
     """Read a problem from any file that kinoedu reads.
 
@@ -241,6 +252,8 @@ def read_problem(
     start, goal : by default those of a polygon map, or of a query for a MovingAI map.
     query : the number of a query, from 0, in the scenario beside a MovingAI map. Default: 0.
     clearance : the distance to keep from obstacles.
+    repair : whether the polygons of a scene are repaired, as by `read_scene`. Those of a polygon
+        map always are.
 
     Returns
     -------
@@ -265,7 +278,7 @@ def read_problem(
             raise InvalidParameter(
                 f"{file}: a scene has its own robot, start, goal and clearance; do not give others"
             )
-        return read_scene(file)
+        return read_scene(file, repair=repair)
     return make_problem(file, read_world(file), robot, start, goal, query, clearance)
 
 

@@ -1,0 +1,122 @@
+"""Scenarios of MovingAI as problems by name, for experiments; and queries as a scenario."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from ..errors import InvalidParameter, UnknownFormat, UnreadableScene
+from ..geometry.checks import integer
+from ..problems import Problem, ProblemRecord
+from ..robots import Point
+from ..robots.kinds import Robot
+from ..support.reading import as_path
+from ..support.text import shortened
+from ..support.whole_files import written_whole
+from .movingai import Query, read_map, read_scenario
+
+BUCKET = 4.0  # lengths of one bucket of a scenario
+
+
+def read_scenario_problems(
+    path: str | os.PathLike[str],
+    queries: Sequence[int] | None = None,
+    *,
+    robot: Robot | None = None,
+) -> dict[str, ProblemRecord]:
+    """Read the queries of a MovingAI scenario as problems by name, as an Experiment takes them.
+
+    The map is beside the scenario, under the name that the scenario says.
+
+    Parameters
+    ----------
+    queries : the numbers of queries, from 0; by default all.
+    robot : by default a point.
+
+    Returns
+    -------
+    dict
+        Each problem under the scenario's name and the number, such as "maze-even-1 3".
+
+    Raises
+    ------
+    UnreadableScene
+        Where a file is missing or damaged, the map has another size, or a number is too large.
+    InvalidParameter
+        Where `queries` are not numbers, each once.
+    InvalidStart, InvalidGoal
+        Where the robot is not free.
+    """
+    file = as_path(path)
+    if file.suffix.lower() != ".scen":
+        raise UnknownFormat(f"{file}: a scenario ends in .scen")
+    found = read_scenario(file)
+    numbers = as_numbers(queries, len(found), file)
+    maps = {name: read_map(map_beside(file, name)) for name in {found[k].map_name for k in numbers}}
+    problems = {}
+    for k in numbers:
+        query = found[k]
+        world = maps[query.map_name]
+        if world.free.shape != (query.rows, query.columns):
+            raise UnreadableScene(
+                f"{file}: query {k} is for a map of {query.columns} x {query.rows} cells, "
+                f"{query.map_name} has {world.free.shape[1]} x {world.free.shape[0]}"
+            )
+        ends = query.start, query.goal
+        problems[f"{file.stem} {k}"] = Problem(Point() if robot is None else robot, world, *ends)
+    return problems
+
+
+def as_numbers(queries: object, count: int, file: Path) -> list[int]:
+    """The numbers of queries, checked."""
+    if queries is None:
+        return list(range(count))
+    if not isinstance(queries, Iterable) or isinstance(queries, str):
+        raise InvalidParameter(f"queries must be a list of numbers, got {shortened(queries)}")
+    numbers = [integer(k, "each of the queries", least=0) for k in queries]
+    if not numbers or len(set(numbers)) < len(numbers):
+        raise InvalidParameter(f"queries must be at least one, each once, got {shortened(numbers)}")
+    if max(numbers) >= count:
+        raise UnreadableScene(f"{file} has queries 0 to {count - 1}, got {max(numbers)}")
+    return numbers
+
+
+def map_beside(file: Path, name: str) -> Path:
+    """The map of a scenario: its own name says it, perhaps with folders that are not here."""
+    return file.with_name(name.replace("\\", "/").rpartition("/")[2])
+
+
+def write_scenario(queries: Sequence[Query], path: str | os.PathLike[str]) -> None:
+    """Write queries as a scenario of MovingAI, from which `read_scenario` reads the same.
+
+    Raises
+    ------
+    UnknownFormat
+        Where the file name extension is not .scen.
+    InvalidParameter
+        Where a query is none, or an end is not the centre of a cell.
+    OSError
+    """
+    file = Path(path)
+    if file.suffix.lower() != ".scen":
+        raise UnknownFormat(f"{file}: a scenario ends in .scen")
+    lines = [line_of(query) for query in queries]
+    with written_whole(file) as part:
+        part.write_text("\n".join(["version 1", *lines, ""]), encoding="utf-8")
+
+
+def line_of(query: Query) -> str:
+    """A query as a line; cells count from the top left corner."""
+    if not isinstance(query, Query) or not math.isfinite(query.length):
+        raise InvalidParameter(f"a scenario holds Query records, got {shortened(query)}")
+    cells = []
+    for q in (query.start, query.goal):
+        column, row = float(q[0]) - 0.5, query.rows - 0.5 - float(q[1])
+        inside = 0 <= column < query.columns and 0 <= row < query.rows
+        if column != int(column) or row != int(row) or not inside:
+            raise InvalidParameter(f"{tuple(map(float, q))} is not the centre of a cell of the map")
+        cells += [int(column), int(row)]
+    fields = int(query.length // BUCKET), query.map_name, query.columns, query.rows, *cells
+    return "\t".join([*map(str, fields), f"{query.length:.8f}"])
