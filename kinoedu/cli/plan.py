@@ -34,10 +34,10 @@ SCENE is one of
 
 PLANNER is one of
 {chr(10).join(f"  {name:<20} {planner.about}" for name, planner in CHOICES.items())}
-  * only among polygons: not in a map or a picture, nor with discs, a radius or a clearance
   mine.py:potential    the function potential of your own file mine.py: f(problem) or
                        f(problem, rng), which returns a path, a Plan or None. The file is run with
                        all your rights on this computer. Its path is checked
+  * only among polygons: not in a map or a picture, nor with discs, a radius or a clearance
 
 x points right and y up, from the lower left corner. The side of a pixel or map cell is one unit; a
 ROS map is in metres.
