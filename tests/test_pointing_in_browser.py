@@ -176,7 +176,7 @@ def test_keys_go_from_node_to_node(light):
             frames(page)
             seen.append(root.get_attribute("data-pointed"))
         assert len(set(seen)) >= 3 and all(seen)
-        assert root.locator(".kinoedu-stage .kinoedu-state").inner_text() == seen[-1]
+        assert root.locator(".kinoedu-state").inner_text() == seen[-1]
         edges_before = int(re.search(r"(\d+) edges", seen[-1])[1])
         page.keyboard.press("Enter")
         frames(page)

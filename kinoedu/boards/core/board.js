@@ -1193,8 +1193,6 @@ class Pointer {
     this.tip = make("div", "kinoedu-tip", view.stage, { "aria-hidden": "true" });
     const over = make("div", "kinoedu-overlay", view.stage);
     this.button = make("button", "kinoedu-pointer", over, { type: "button" });
-    const live = { role: "status", "aria-live": "polite" };
-    this.spoken = make("div", "kinoedu-state", view.stage, live);
     this.button.ariaLabel = words.pointer;
     this.button.addEventListener("keydown", (event) => this.press(event));
     this.button.addEventListener("focus", () => this.choose(this.targets()[0]));
@@ -1366,8 +1364,8 @@ class Pointer {
     view.root.dataset.pointed = text;
     this.tip.hidden = !text;
     if (this.tip.textContent !== text) this.tip.textContent = text;
-    if (document.activeElement === this.button && text !== this.spoken.textContent) {
-      this.spoken.textContent = text;
+    if (document.activeElement === this.button && text !== this.said) {
+      view.state.textContent = this.said = text;
     }
     const [px, py] = target ? this.place(target) : this.at ?? [0, 0];
     this.button.style.transform = `translate(${px - 14}px, ${py - 14}px)`;
