@@ -186,16 +186,14 @@ def push_front(queue: RadixHeap, head: int, entry: int) -> None:
 
 @callable_from_compiled
 def bit_length(number: int) -> int:
-    """The number of bits of an integer of zero or more, by bisection.
+    """The number of bits of an integer of zero or more: the exponent of that number as a float.
+
+    Every bit below a one is cleared first, so that the float is not rounded up to a power of two.
+    There are no branches, which a processor would mispredict.
 
     Examples
     --------
-    >>> [bit_length(number) for number in (0, 1, 2, 3, 4, 2**62)]
-    [0, 1, 2, 2, 3, 63]
+    >>> [bit_length(number) for number in (0, 1, 2, 3, 4, 2**62, 2**63 - 1)]
+    [0, 1, 2, 2, 3, 63, 63]
     """
-    length = 0
-    for half in (32, 16, 8, 4, 2, 1):
-        if number >> half:
-            number >>= half
-            length += half
-    return length + number
+    return max(int(np.float64(number & ~(number >> 1)).view(np.int64) >> 52) - 1022, 0)
