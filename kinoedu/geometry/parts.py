@@ -25,6 +25,7 @@ wherever a record is passed on. These are the records; their fields are listed i
 | `Nearest`, `Closest` | results of a bucket search | spaces/rings.py, spaces/closest.py |
 | `CostTree`, `Corners` | an RRT*; a visibility graph | planners/trees/, planners/exact/ |
 | `Grid`, `Cells`, `Motions` | a grid and its motions | planners/grids/grid.py |
+| `JumpPoints` | the jump points of a grid | planners/grids/jump_points.py |
 | `GraphRecord`, `RadixHeap`, `Labels` | a graph and its search | graphs/ |
 | `Sweep` | the state of a sweep line | decomposition/sweep.py |
 | `Rounded`, `Slide` | shapes and paths in C-space | c_space/ |

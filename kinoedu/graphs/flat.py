@@ -1,13 +1,15 @@
 """The interface between a search and a graph, and a graph in flat arrays.
 
 A search needs two operations: `degree`, the number of edges that leave a node, and `edge`, where
-the k-th of them leads and its weight. A grid computes both without storing edges. A `Graph`
+the k-th of them leads and its weight. With `edges_after` a graph spares a search for shortest paths
+some edges. A grid computes both without storing edges. A `Graph`
 converts itself to a `GraphRecord`, which stores compressed sparse rows as in Y. Saad, "Iterative
 Methods for Sparse Linear Systems", section 3.4.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import singledispatch
 from typing import Any, NamedTuple
 
@@ -36,6 +38,16 @@ def degree(graph: Searchable, u: int) -> int:
 def edge(graph: Searchable, u: int, k: int) -> tuple[int, float]:
     """The end of the k-th edge from u, or -1 where a grid refuses the move; and its weight."""
     raise TypeError("this kind of graph cannot be searched")
+
+
+@generic(1)
+def edges_after(graph: Searchable, before: int, u: int) -> Iterable[int]:
+    """The numbers of the edges from u that a search for shortest paths must examine.
+
+    It has come to u from `before`, -1 for the start. By default all edges; a graph leaves out those
+    of which it knows that another path is as short.
+    """
+    return range(degree(graph, u))
 
 
 @with_type_names

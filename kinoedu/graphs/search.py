@@ -31,7 +31,7 @@ from ..compiled import algorithm, callable_from_compiled, inlined
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
-from .flat import Searchable, degree, edge
+from .flat import Searchable, degree, edge, edges_after
 from .paths import Expansion, Search, Steps, check_ends, path_or_none
 from .radix_heap import (
     NONE,
@@ -94,7 +94,7 @@ def expand(
         n += 1
         if u == goal:
             return n, True
-        for k in range(degree(graph, u)):
+        for k in edges_after(graph, parent[u], u):
             v, weight = edge(graph, u, k)
             if v < 0 or cost[u] + weight >= cost[v] * (1.0 - ROUNDING if settled[v] else 1.0):
                 continue
@@ -285,10 +285,10 @@ def as_heuristic(values: ArrayLike | None, size: int) -> Array:
     if values is None:
         return np.zeros(size)
     try:
-        bounds = np.array(values, np.float64)
+        bounds = np.require(values, np.float64, ["C", "W", "E"])
     except (TypeError, ValueError):
         bounds = np.empty(0)
-    if bounds.shape != (size,) or not (bounds >= 0.0).all():
+    if bounds.shape != (size,) or not bounds.min(initial=0.0) >= 0.0:
         raise InvalidGraph(
             f"the heuristic must be {size} numbers, zero or more, one for each node, got "
             f"{shortened(values)}"

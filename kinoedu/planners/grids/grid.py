@@ -23,8 +23,8 @@ from ...worlds.terrain import TerrainRecord
 from ..answers import plan_along
 from ..problem_input import count_checks, world_size
 from ..tuning import positive
-
-SQRT2 = float(np.sqrt(2.0))
+from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT
+from .jump_points import JumpPoints, fill_in, jump_points
 
 
 class Grid(NamedTuple):
@@ -68,9 +68,7 @@ class Cells(NamedTuple):
     free: NDArray[np.bool_]
 
 
-COLUMN_STEP = (-1, 1, 0, 0, -1, 1, -1, 1)  # the straight moves first
-ROW_STEP = (0, 0, -1, 1, -1, -1, 1, 1)
-STRAIGHT, REFUSED = 4, np.inf
+REFUSED = np.inf
 
 
 @degree.register(Grid)
@@ -146,6 +144,9 @@ def centre(grid: Grid, i: int, j: int) -> Array:
 def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
     """Plan by A* on a grid, with the octile distance as heuristic.
 
+    Where a point moves on a terrain's own cells at uniform cost, A* expands jump points only: see
+    jump_points.py.
+
     The path goes from the start to the nearest grid node that it reaches by a free motion, from
     node to node, and to the goal. Complete for the grid only: where nothing is found, a finer grid
     may have a path.
@@ -188,9 +189,12 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         name = "start" if first < 0 else "goal"
         reason = f"no free motion joins the {name} to a grid node; try a finer spacing"
         return Plan(None, np.inf, reason=reason, problem=problem, planner="A*")
-    numbers, found = astar(grid, first, last, octile(grid, last))
+    graph: Grid | JumpPoints = grid
+    if isinstance(grid.moves, Cells):
+        graph = jump_points(grid.moves.free, grid.side, grid.columns, last)
+    numbers, found = astar(graph, first, last, octile(grid, last))
     tree = Tree(centres(grid, found.expanded), parent_positions(found.expanded, found.parent))
-    # moves that were checked by cells, not by the problem
+    # directions that were examined by cells, not by the problem
     examined = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
         "expanded": len(found.expanded),
@@ -202,7 +206,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     )
     if numbers is None:
         return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
-    nodes = centres(grid, numbers)
+    nodes = centres(grid, fill_in(numbers, grid.columns))
     if first == last and problem.is_free_path(problem.start, problem.goal):
         nodes = nodes[:0]  # both in one cell, whose centre would be a detour
     path = np.concatenate([[problem.start], nodes, [problem.goal]])
@@ -249,7 +253,7 @@ def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
 
 def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
     """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
-    order = np.full(len(parent), -1)
+    order = np.empty(len(parent), np.int64)  # filled in for expanded nodes; parents are expanded
     order[expanded] = np.arange(len(expanded))
     above = parent[expanded]
     return np.where(above >= 0, order[above], -1)
@@ -274,4 +278,8 @@ def octile(grid: Grid, goal: int) -> Array:
     """The octile distance from each node to the goal, (n,): the length without obstacles."""
     across = np.abs(np.arange(grid.columns) - goal % grid.columns).astype(np.float64)
     up = np.abs(np.arange(grid.rows) - goal // grid.columns).astype(np.float64)[:, None]
-    return (grid.side * (np.maximum(across, up) + (SQRT2 - 1.0) * np.minimum(across, up))).ravel()
+    length, less = np.maximum(across, up), np.minimum(across, up)
+    less *= SQRT2 - 1.0  # in place: these arrays are large
+    length += less
+    length *= grid.side
+    return length.ravel()
