@@ -16,7 +16,9 @@ from kinoedu.errors import (
     InvalidWorld,
     KinoeduError,
 )
-from kinoedu.problems import ProblemRecord, Roadmap
+from kinoedu.planners.roadmaps.connecting import join_in_order
+from kinoedu.planners.roadmaps.neighbours import k_closest, visiting_order
+from kinoedu.problems import MOTIONS, ProblemRecord, Roadmap
 from kinoedu.spaces import WrappingSpace
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -354,3 +356,39 @@ def test_a_receding_horizon_says_why_it_stops():
     plan = ke.receding_horizon(problem, max_moves=1, rng=0)
     assert plan.path is None and "moves" in plan.reason and plan.tree is not None
     assert ke.receding_horizon(problem_of(goal=(1, 1)), rng=0).cost == 0.0
+
+
+@pytest.mark.parametrize("n", [0, 1, 700, 6000])
+def test_the_order_in_which_nodes_are_visited_changes_no_edge(n):
+    """The order is a permutation; edges, their costs and the number of checks are those of the
+    order of growth.
+    """
+    problem, nodes = problem_of(), np.random.default_rng(0).uniform(0, 10, (n, 2))
+    order = visiting_order(problem, nodes)
+    assert sorted(order.tolist()) == list(range(n))
+    k = min(5, max(n - 1, 0))
+    first, to = k * np.arange(n + 1), np.empty(0, np.int64)
+    if k:
+        to = k_closest(problem, nodes, k).ravel()
+    results, checks = [], []
+    for turn in (np.arange(n), order, order[::-1].copy()):
+        before = int(problem.query_counts[MOTIONS])
+        results.append(join_in_order(problem, nodes, first, to, turn))
+        checks.append(int(problem.query_counts[MOTIONS]) - before)
+    for edges, costs in results[1:]:
+        assert np.array_equal(edges, results[0][0]) and np.array_equal(costs, results[0][1])
+    assert len(set(checks)) == 1
+
+
+def test_nodes_that_lie_in_a_row_of_buckets_are_visited_together():
+    """In a large set the next node visited is near: within a few buckets on average."""
+    nodes = np.random.default_rng(0).uniform(0, 10, (20_000, 2))
+    visited = nodes[visiting_order(problem_of(), nodes)]
+    apart = np.linalg.norm(np.diff(visited, axis=0), axis=1)
+    assert apart.mean() < 5 * 10 / np.sqrt(len(nodes))
+
+
+def test_questions_to_a_recorder_come_in_the_order_of_growth():
+    """Whoever watches a roadmap sees it grow node by node."""
+    order = visiting_order(ke.Recorder(problem_of()), np.zeros((5000, 2)))
+    assert order.tolist() == list(range(5000))

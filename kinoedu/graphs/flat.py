@@ -116,15 +116,15 @@ def compress_rows(
     for u in range(2, size + 2):
         by_source[u] += by_source[u - 1]
         by_target[u] += by_target[u - 1]
-    arcs = np.empty((directions * m, 2), np.int64)
+    arcs = np.empty(directions * m, np.int64)  # the edge, and the direction as the lowest bit
     for direction in range(directions):
         for e in range(m):
             at = by_target[edges[e, 1 - direction] + 1]
             by_target[edges[e, 1 - direction] + 1] += 1
-            arcs[at, 0], arcs[at, 1] = e, direction
+            arcs[at] = 2 * e + direction
     to, weight = np.empty(directions * m, np.int64), np.empty(directions * m)
     for i in range(len(arcs)):
-        e, direction = arcs[i, 0], arcs[i, 1]
+        e, direction = arcs[i] >> 1, arcs[i] & 1
         at = by_source[edges[e, direction] + 1]
         by_source[edges[e, direction] + 1] += 1
         to[at], weight[at] = edges[e, 1 - direction], weights[e]

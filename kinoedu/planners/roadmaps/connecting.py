@@ -21,7 +21,7 @@ from ...support.text import shortened
 from ..problem_input import new_tree
 from ..trees.near import near_nodes
 from ..tuning import integer, positive
-from .neighbours import k_closest
+from .neighbours import k_closest, visiting_order
 
 Numbers = NDArray[np.int64]
 Rule = object  # a record for whose type `connect_nodes` has a function, such as ClosestRule
@@ -149,23 +149,38 @@ def _(rule: ComponentRule, problem: PlanningProblem, nodes: Array) -> tuple[Numb
     return join_components(problem, nodes, rule.k)
 
 
-@algorithm
 def join_pairs(
     problem: PlanningProblem, nodes: Array, first: Numbers, to: Numbers
 ) -> tuple[Numbers, Array]:
     """Join each node i to those of to[first[i]:first[i + 1]] that a free motion leads to.
 
-    Each pair is checked once. Returns the edges (m, 2) and their costs (m,).
+    Each pair is checked once. Returns the edges (m, 2), in the order of the pairs, and their costs
+    (m,).
     """
-    edges, costs, size = np.empty((len(to), 2), np.int64), np.empty(len(to)), 0
-    for i in range(len(nodes)):
-        for j in to[first[i] : first[i + 1]]:
+    return join_in_order(problem, nodes, first, to, visiting_order(problem, nodes))
+
+
+@algorithm
+def join_in_order(
+    problem: PlanningProblem, nodes: Array, first: Numbers, to: Numbers, order: Numbers
+) -> tuple[Numbers, Array]:
+    """`join_pairs`, which visits the nodes in a given order."""
+    cost_of_pair, size = np.full(len(to), -1.0), 0  # negative: not joined
+    for i in order:
+        for pair in range(first[i], first[i + 1]):
+            j = to[pair]
             tried_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
             if not tried_before and problem.is_free_path(nodes[i], nodes[j]):
-                edges[size, 0], edges[size, 1] = i, j
-                costs[size] = problem.motion_cost(nodes[i], nodes[j])
+                cost_of_pair[pair] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
-    return edges[:size].copy(), costs[:size].copy()
+    edges, costs, size = np.empty((size, 2), np.int64), np.empty(size), 0
+    for i in range(len(nodes)):
+        for pair in range(first[i], first[i + 1]):
+            if cost_of_pair[pair] >= 0.0:
+                edges[size, 0], edges[size, 1] = i, to[pair]
+                costs[size] = cost_of_pair[pair]
+                size += 1
+    return edges, costs
 
 
 @algorithm

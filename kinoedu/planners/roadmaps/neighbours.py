@@ -4,10 +4,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array
+from ...problems import ProblemRecord
 from ...problems.protocols import PlanningProblem
 from ...spaces import RealSpace, WrappingSpace
 from ...spaces.buckets import empty_tree
-from ...spaces.closest import add_nodes, k_closest_in_buckets
+from ...spaces.closest import add_nodes, k_closest_in_buckets, list_by_bucket
+
+FEW = 4096
 
 
 def k_closest(problem: PlanningProblem, nodes: Array, k: int) -> NDArray[np.int64]:
@@ -39,3 +42,17 @@ def k_closest(problem: PlanningProblem, nodes: Array, k: int) -> NDArray[np.int6
     # among many nodes at one place a node may not be among its own neighbours
     others[others.all(axis=1), -1] = False
     return found[others].reshape(len(nodes), k)
+
+
+def visiting_order(problem: PlanningProblem, nodes: Array) -> NDArray[np.int64]:
+    """An order of the nodes (n, d) in which many that are close follow one another, (n,).
+
+    What is read for one of them is then in the processor's caches for the next. Few nodes are there
+    anyway, and keep the order of growth; so do those of a recorder or of a reader's own problem,
+    who sees the order of the questions.
+    """
+    if not isinstance(problem, ProblemRecord) or len(nodes) <= FEW:
+        return np.arange(len(nodes))
+    tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+    add_nodes(tree, nodes)
+    return list_by_bucket(tree)
