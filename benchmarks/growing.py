@@ -180,6 +180,7 @@ def sandbox() -> Sandbox:
 GROWTHS = {
     "nearest neighbours": Growth("points", 2**10, "1", neighbours),
     "RRT": Growth("nodes", 2**10, "1 to 1.5", rrt),
+    "RRT, a million nodes": Growth("nodes", 2**17, "1 to 1.5", rrt),  # four sizes, up to 2**20
     "PRM": Growth("nodes", 2**8, "1", prm),
     "visibility roadmap": Growth("corners", 6 * 2**3, "2, by log n", visibility),
     "trapezoidation": Growth("edges", 6 * 2**4, "1, by log n", trapezoids),
