@@ -1,8 +1,9 @@
 """A* on random bitmaps of 1,000 x 1,000 cells, from the bitmap to the path between opposite
-corners.
+corners; and a hundred queries on one map of a town.
 """
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +11,8 @@ from timing import Contestant, Goal, available, measure, report, run
 from worlds import bitmap
 
 import kinoedu as ke
+from kinoedu.files.movingai import Query, read_scenario
+from kinoedu.planners.grids.jump_points import jump_table
 
 SECONDS = 50
 GOALS = {"scipy": Goal(at_least=4), "pathplanning": Goal(at_least=4)}
@@ -24,12 +27,17 @@ class Case(NamedTuple):
 
 
 def kinoedu() -> Contestant:
-    """The terrain, the problem and the plan."""
+    """The terrain, the problem and the plan, without what it keeps of a map for the next query."""
 
     def contestant(case: Case) -> Callable[[], Any]:
         rows, columns = case.free.shape
         ends = (0.5, 0.5), (columns - 0.5, rows - 0.5)
-        return lambda: ke.plan_on_grid(ke.Problem(ke.Point(), ke.Terrain(case.free), *ends))
+
+        def run() -> Any:
+            jump_table.cache_clear()
+            return ke.plan_on_grid(ke.Problem(ke.Point(), ke.Terrain(case.free), *ends))
+
+        return run
 
     return contestant
 
@@ -113,6 +121,67 @@ def judge(case: Case, answers: dict[str, Any]) -> None:
         assert np.sqrt((steps**2).sum(axis=1)).sum() <= cost * (1 + 1e-12)
 
 
+class Town(NamedTuple):
+    """A map, true where free, and queries between centres of cells."""
+
+    free: np.ndarray
+    queries: list[Query]
+
+
+def town() -> Town:
+    """A hundred queries on a piece of Paris, 256 x 256 cells."""
+    maps = Path(__file__).resolve().parent.parent / "notebooks" / "maps"
+    queries = read_scenario(maps / "Paris_1_256-even-1.scen")
+    free = ke.read_world(maps / "Paris_1_256.map").free
+    return Town(free, queries[:: len(queries) // 100][:100])
+
+
+def kinoedu_in_town() -> Contestant:
+    """One terrain, a problem and a plan for each query."""
+
+    def contestant(case: Town) -> Callable[[], Any]:
+        def run() -> Any:
+            world = ke.Terrain(case.free)
+            return [
+                ke.plan_on_grid(ke.Problem(ke.Point(), world, query.start, query.goal)).cost
+                for query in case.queries
+            ]
+
+        return run
+
+    return contestant
+
+
+def pathplanning_in_town() -> Contestant:
+    """One grid, and its A* for each query."""
+    from pathplanning.core.contracts import DiscreteProblem
+    from pathplanning.planners.search.astar import plan_astar
+    from pathplanning.spaces import Grid2DSearchSpace
+
+    def contestant(case: Town) -> Callable[[], Any]:
+        rows, columns = case.free.shape
+        ends = [
+            [tuple(np.floor(q).astype(int).tolist()) for q in (query.start, query.goal)]
+            for query in case.queries
+        ]
+
+        def run() -> Any:
+            grid = Grid2DSearchSpace(columns, rows, occupancy=~case.free)
+            return [plan_astar(DiscreteProblem(grid, *pair)).path for pair in ends]
+
+        return run
+
+    return contestant
+
+
+def judge_town(case: Town, answers: dict[str, Any]) -> None:
+    """kinoedu's lengths are those of the scenario; pathplanning's paths are no longer."""
+    lengths = [query.length for query in case.queries]
+    assert np.allclose(answers["kinoedu"], lengths, rtol=0.0, atol=1e-6)
+    for path, length in zip(answers.get("pathplanning", []), lengths):
+        assert np.linalg.norm(np.diff(path, axis=0), axis=1).sum() <= length + 1e-6
+
+
 def main(repeats: int = 3) -> None:
     """Three densities, two bitmaps of each."""
     for blocked in (0.1, 0.25, 0.35):
@@ -121,6 +190,9 @@ def main(repeats: int = 3) -> None:
             contestants, [Case(bitmap(seed, blocked)) for seed in range(2)], judge, repeats=repeats
         )
         report(f"A* on 1,000 x 1,000 cells, {blocked:.0%} blocked", seconds, GOALS)
+    contestants = available({"kinoedu": kinoedu_in_town, "pathplanning": pathplanning_in_town})
+    seconds = measure(contestants, [town()], judge_town, repeats=repeats)
+    report("100 queries on a town of 256 x 256 cells", seconds, {})
 
 
 if __name__ == "__main__":

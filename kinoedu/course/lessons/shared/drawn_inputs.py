@@ -5,7 +5,7 @@ ones: zero, whole turns, a point on a vertex of another input.
 """
 
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
