@@ -13,7 +13,7 @@ from ..geometry.parts import box_of
 from ..graphs.flat import GraphRecord, compress_rows
 from ..graphs.search import search
 from ..planners.answers import cost_along
-from ..planners.roadmaps.connecting import join_pairs
+from ..planners.roadmaps.connecting import join_in_order
 from ..planners.roadmaps.prm import distances_to, sample_free
 from ..planners.trees.cost_tree import empty_costs
 from ..planners.trees.informed import Everywhere
@@ -147,7 +147,8 @@ def join_closest(problem: ProblemRecord, nodes: Array, k: int) -> tuple[Numbers,
     tree = empty_tree(len(nodes), len(nodes), lo, hi)
     add_nodes(tree, nodes)
     to = k_closest_in_buckets(problem.space, tree, k)
-    return join_pairs(problem, nodes, k * np.arange(len(nodes) + 1), to.ravel())
+    n = len(nodes)
+    return join_in_order(problem, nodes, k * np.arange(n + 1), to.ravel(), np.arange(n))
 
 
 @compiled

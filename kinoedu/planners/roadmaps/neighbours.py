@@ -53,6 +53,7 @@ def visiting_order(problem: PlanningProblem, nodes: Array) -> NDArray[np.int64]:
     """
     if not isinstance(problem, ProblemRecord) or len(nodes) <= FEW:
         return np.arange(len(nodes))
-    tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+    n = len(nodes)
+    tree = empty_tree(n, n, nodes.min(axis=0), nodes.max(axis=0))
     add_nodes(tree, nodes)
     return list_by_bucket(tree)
