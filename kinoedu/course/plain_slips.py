@@ -5,6 +5,7 @@ arguments exchanged, an angle in degrees, the answer squared.
 """
 
 from collections.abc import Callable
+from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +13,39 @@ import numpy as np
 from .exercise import Case
 from .lessons.shared.drawn_inputs import INPUTS, draw_cases
 from .plain_function import PlainFunction, agree
+
+ROWS = (
+    ("last_of_{name}", "You leave out the last point of {name}. How far do you go?", "{name}[:-1]"),
+    ("first_of_{name}", "You leave out the first point of {name}. Its number is 0.", "{name}[1:]"),
+)
+OF_INPUTS = {  # by the kind of an input: key, what the student reads, what is given in its place
+    "polygon": ROWS,
+    "points": ROWS,
+    "point": (
+        ("axes_of_{name}", "You exchange x and y of {name}. x comes first.", "{name}[::-1]"),
+    ),
+    "angle": (("degrees_{name}", "{name} is in radians already.", "np.radians({name})"),),
+    "count": (
+        ("one_more_{name}", "Your answer fits {name} + 1. Where do you begin?", "{name} + 1"),
+    ),
+}
+OF_ANSWERS = {  # by key: what the student reads, what is returned
+    "sign": ("Your answer has the wrong sign.", "-1.0 * np.asarray({right})"),
+    "square": ("You return the square of the answer.", "{right} ** 2"),
+    "half": ("Your answer is half of the right one.", "0.5 * np.asarray({right})"),
+    "rounded": (
+        "Your answer is rounded. Return it without rounding; round only when you print.",
+        "np.round({right}, 0)",
+    ),
+    "axes": ("You exchange x and y of the answer. x comes first.", "np.asarray({right})[::-1]"),
+    "opposite": ("Your answer is reversed.", "not {right}"),
+}
+FITTING = {  # keys by the kind of answer; for numbers `possible_slips` has them
+    "truth": ("opposite",),
+    "count": (),
+    "point": ("sign", "axes", "half", "rounded"),
+    "points": ("sign", "half", "rounded"),
+}
 
 
 class PlainSlip(NamedTuple):
@@ -65,79 +99,29 @@ def same(one: Any, other: Any) -> bool:
 def possible_slips(plain: PlainFunction) -> list[PlainSlip]:
     """The usual mistakes with inputs and answers of these kinds."""
     names = list(plain.inputs)
+    right = call_with({name: name for name in names})
+    changed = [
+        (key.format(name=name), text.format(name=name), {name: program.format(name=name)})
+        for name, kind in plain.inputs.items()
+        for key, text, program in OF_INPUTS.get(kind, ())
+    ]
+    swapped = [
+        (f"swapped_{one}_{other}", f"You exchange {one} and {other}.", {one: other, other: one})
+        for one, other in combinations(names, 2)
+        if plain.inputs[one] == plain.inputs[other]
+    ]
+    programs = [
+        (key, text, call_with({name: change.get(name, name) for name in names}))
+        for key, text, change in changed + swapped
+    ]
+    programs += [
+        (key, OF_ANSWERS[key][0], OF_ANSWERS[key][1].format(right=right))
+        for key in FITTING.get(plain.answer, ("sign", "square", "half", "rounded"))
+    ]
     head = f"lambda {', '.join(names)}: "
+    return [PlainSlip(key, text, head + program) for key, text, program in programs]
 
-    def with_input(name: str, changed: str) -> str:
-        return f"{head}right({', '.join(changed if one == name else one for one in names)})"
 
-    slips = []
-    for name, kind in plain.inputs.items():
-        if kind in ("polygon", "points"):
-            what = "vertex" if kind == "polygon" else "point"
-            slips += [
-                PlainSlip(
-                    f"last_of_{name}",
-                    f"You leave out the last {what} of {name}. How far does your loop run?",
-                    with_input(name, f"{name}[:-1]"),
-                ),
-                PlainSlip(
-                    f"first_of_{name}",
-                    f"You leave out the first {what} of {name}. Its number is 0, not 1.",
-                    with_input(name, f"{name}[1:]"),
-                ),
-            ]
-        if kind == "point":
-            slips.append(
-                PlainSlip(
-                    f"axes_of_{name}",
-                    f"You exchange x and y of {name}. x comes first.",
-                    with_input(name, f"{name}[::-1]"),
-                )
-            )
-        if kind == "angle":
-            slips.append(
-                PlainSlip(
-                    f"degrees_{name}",
-                    f"{name} is in radians already.",
-                    with_input(name, f"np.radians({name})"),
-                )
-            )
-        if kind == "count":
-            slips.append(
-                PlainSlip(
-                    f"one_more_{name}",
-                    f"Your answer fits {name} + 1. From which number do you count?",
-                    with_input(name, f"{name} + 1"),
-                )
-            )
-    for i, one in enumerate(names):
-        for other in names[i + 1 :]:
-            if plain.inputs[one] == plain.inputs[other]:
-                swap = {one: other, other: one}
-                slips.append(
-                    PlainSlip(
-                        f"swapped_{one}_{other}",
-                        f"You exchange {one} and {other}.",
-                        f"{head}right({', '.join(swap.get(name, name) for name in names)})",
-                    )
-                )
-    call = f"right({', '.join(names)})"
-    answers = {
-        "sign": ("Your answer has the wrong sign.", f"-1.0 * np.asarray({call})"),
-        "square": ("You return the square of the answer.", f"{call} ** 2"),
-        "half": ("Your answer is half of the right one.", f"0.5 * np.asarray({call})"),
-        "rounded": (
-            "Your answer is rounded. Return it without rounding; round only when you print.",
-            f"np.round({call}, 0)",
-        ),
-        "axes": ("You exchange x and y of the answer. x comes first.", f"np.asarray({call})[::-1]"),
-        "opposite": ("Your answer is reversed.", f"not {call}"),
-    }
-    fitting = {
-        "truth": ("opposite",),
-        "count": (),
-        "point": ("sign", "axes", "half", "rounded"),
-        "points": ("sign", "half", "rounded"),
-    }.get(plain.answer, ("sign", "square", "half", "rounded"))
-    slips += [PlainSlip(key, answers[key][0], head + answers[key][1]) for key in fitting]
-    return slips
+def call_with(given: dict[str, str]) -> str:
+    """A call of the right function with these arguments, as Python."""
+    return f"right({', '.join(given.values())})"
