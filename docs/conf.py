@@ -44,6 +44,8 @@ python_maximum_signature_line_length = 80
 toc_object_entries_show_parents = "hide"
 add_module_names = False
 
+templates_path = ["templates"]
+html_additional_pages = {"index": "front.html"}
 html_theme = "furo"
 html_title = "kinoedu"
 html_static_path = ["static"]

@@ -3,6 +3,7 @@ that say what they are.
 """
 
 import ast
+import html
 import importlib.util
 import inspect
 import json
@@ -15,7 +16,7 @@ from docutils import nodes
 from sphinx import addnodes
 
 from kinoedu.boards.core.page_script import CORE, page_script
-from kinoedu.boards.core.recorded import RECORD
+from kinoedu.boards.core.recorded import RECORD, unpack_records
 from kinoedu.browser.bodies import describe_bodies
 from kinoedu.browser.wasm import write_scripts
 from kinoedu.messages import get_message
@@ -28,6 +29,7 @@ FIGURE = re.compile(r"<Figure size (\d+)")
 # in pixels; what is wider cannot be read in the width of a telephone, and is scrolled there
 WIDE = 640
 BOARD = "application/vnd.jupyter.widget-view+json"
+BEGIN_RECORD = '<div class="kinoedu-record">'
 NAME = re.compile(r"ke\.([\w.]+)(?:\(.*\))?$")
 
 
@@ -41,7 +43,7 @@ def setup(app):
     app.connect("builder-inited", write_boards)
     # before Sphinx copies what is linked
     app.connect("doctree-read", lead_to_sources, priority=400)
-    app.connect("build-finished", name_the_entrance)
+    app.connect("html-page-context", add_front_board)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -53,10 +55,22 @@ def add_contents(app, docname, source):
         source[0] += Path(app.confdir, "contents.md").read_text(encoding="utf-8")
 
 
-def name_the_entrance(app, failure):
-    """Who opens the site's folder gets the entrance."""
-    if failure is None:
-        shutil.copy(Path(app.outdir, f"{app.config.root_doc}.html"), Path(app.outdir, "index.html"))
+def add_front_board(app, page, template, context, doctree):
+    """The front page has the first board of the tour that answers."""
+    if page == "index":
+        tour = json.loads(Path(app.srcdir, "notebooks/00_tour.ipynb").read_text(encoding="utf-8"))
+        outputs = [output for cell in tour["cells"] for output in cell.get("outputs", ())]
+        stored = [output["data"] for output in outputs if RECORD in output.get("data", {})]
+        board = next(data for data in stored if is_live(data[RECORD]))
+        text, picture = html.escape("".join(board["text/plain"])), board["image/png"].strip()
+        image = f'<img alt="{text}" src="data:image/png;base64,{picture}">'
+        still = f'<p class="still">{get_message("site.still")}</p>'
+        context["board"] = f"{BEGIN_RECORD}{image}{still}{script_of(board[RECORD])}</div>"
+
+
+def is_live(record):
+    """Whether a page can answer what a notebook stored."""
+    return any("live" in board for board in unpack_records(record))
 
 
 def mark_up(app, what, name, thing, options, lines):
@@ -214,9 +228,13 @@ def widths_of(app):
 def add_record(picture, record):
     """Put what was stored of a board beside its picture, for the page's script."""
     if record is not None:
-        script = f'<script type="application/json">{json.dumps(record)}</script>'
-        picture.insert(0, nodes.raw("", '<div class="kinoedu-record">', format="html"))
-        picture += nodes.raw("", f"{script}</div>", format="html")
+        picture.insert(0, nodes.raw("", BEGIN_RECORD, format="html"))
+        picture += nodes.raw("", f"{script_of(record)}</div>", format="html")
+
+
+def script_of(record):
+    """What was stored of a board, in a page."""
+    return f'<script type="application/json">{json.dumps(record)}</script>'
 
 
 def section_of(node):
