@@ -188,7 +188,7 @@ def test_pictures_are_sharp_small_and_keep_their_colours():
 
 
 def test_a_picture_with_many_colours_keeps_them():
-    levels = np.random.default_rng(0).integers(0, 255, (90, 90, 3), np.uint8)
+    levels = np.random.default_rng(0).integers(0, 255, (300, 300, 3), np.uint8)
     assert style.keep_few_colours(Image.fromarray(levels)).mode == "RGB"
 
 

@@ -20,7 +20,8 @@ from . import palette
 INLINE = ("inline", "module://matplotlib_inline.backend_inline")
 SHARP = 2  # pixels of a picture for one of the page
 COLOURS = 256  # of a stored picture; one of more than MANY keeps all of them
-MANY = 4096
+MANY = 2**16
+TOGETHER = 4096  # colours that are compared at once
 
 SETTINGS: dict[str, Any] = {
     "font.size": palette.TEXT_SIZE,
@@ -86,7 +87,9 @@ def keep_few_colours(picture: Image.Image) -> Image.Image:
         return picture
     levels = np.column_stack([found >> 16, (found >> 8) & 255, found & 255])
     kept = levels[np.argsort(-counts, kind="stable")[:COLOURS]]
-    nearest = ((levels[:, None] - kept) ** 2).sum(axis=2).argmin(axis=1)
+    parts = np.split(levels, range(TOGETHER, len(levels), TOGETHER))
+    found_near = [((part[:, None] - kept) ** 2).sum(axis=2).argmin(axis=1) for part in parts]
+    nearest = np.concatenate(found_near)
     small = Image.fromarray(nearest[which].reshape(numbers.shape).astype(np.uint8))
     small.putpalette(kept.ravel().tolist())
     return small
