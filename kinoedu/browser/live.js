@@ -3,8 +3,8 @@
 // drawing that Python would send, and says it in the same words.
 //
 // The page's script begins with `LIVE`, what kinoedu/browser/bodies.py says of the bodies, and
-// `WORKER`, the text of worker.js. A body's module is a script beside this one, which is loaded when
-// its first board is shown. So pages work from a disk too, where a script may load nothing else.
+// `WORKER`, the text of worker.js. A body's module is a script beside this one, which is loaded
+// when a board first needs it. So pages work from a disk too, where nothing else may be loaded.
 
 const HERE = document.currentScript?.src ?? "";
 const FOUND = 0, NOT_FOUND = 1, START_NOT_FREE = 2, GOAL_NOT_FREE = 3, RING_FAULT = 4;
@@ -29,7 +29,9 @@ function startWorker() {
   made.onmessage = ({ data }) => {
     const { resolve, reject } = heard.get(data.ask);
     heard.delete(data.ask);
-    if (data.error) { modules.delete(data.name); reject(new Error(data.error)); } else resolve(data);
+    if (!data.error) { resolve(data); return; }
+    modules.delete(data.name);
+    reject(new Error(data.error));
   };
   return made;
 }
@@ -140,7 +142,8 @@ function arranged(record, key) {
 // A choice of planners, a button for another seed, and one that puts the board into the address.
 function controlsOf(answers) {
   const row = document.createElement("div"), menu = document.createElement("select");
-  for (const [name, { planner }] of Object.entries(LIVE.bodies)) menu.add(new Option(planner, name));
+  const planners = Object.entries(LIVE.bodies);
+  planners.forEach(([name, { planner }]) => menu.add(new Option(planner, name)));
   menu.value = answers.body;
   menu.setAttribute("aria-label", LIVE.words["board.planner"]);
   menu.addEventListener("change", () => { answers.body = menu.value; answers.answer(); });

@@ -1,5 +1,5 @@
-/* What compiled bodies need besides themselves: memory, numba's few functions, and the random numbers
-   of numpy's default_rng(seed): SeedSequence and PCG64, so that one seed gives one plan everywhere.
+/* What compiled bodies need besides themselves: memory, numba's few functions, and the random
+   numbers of numpy's default_rng(seed), so that one seed gives one plan everywhere.
 
    M. E. O'Neill, "PCG: a family of simple fast space-efficient statistically good algorithms for
    random number generation" (2014); numpy/random/bit_generator.pyx for the seeding. */
@@ -30,8 +30,9 @@ void *NRT_Allocate(int64_t size) { return malloc(size); }
 void NRT_Free(void *memory) { free(memory); }
 
 /* The strides of an array in another shape, without a copy: for arrays without gaps. */
-int numba_attempt_nocopy_reshape(int64_t nd, const int64_t *dims, const int64_t *strides, int64_t newnd,
-                                 const int64_t *newdims, int64_t *newstrides, int64_t item, int fortran) {
+int numba_attempt_nocopy_reshape(int64_t nd, const int64_t *dims, const int64_t *strides,
+                                 int64_t newnd, const int64_t *newdims, int64_t *newstrides,
+                                 int64_t item, int fortran) {
     int64_t step = item;
     if (fortran) return 0;
     for (int64_t k = nd - 1; k >= 0; k--) {

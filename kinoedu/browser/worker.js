@@ -1,10 +1,10 @@
 // Answers scenes beside the page, so that dragging never waits for a plan.
 //
 // The page sends {name, module} once for each body, with the bytes of its WebAssembly, and then
-// {name, ask, scene, settings, seed}. The worker answers {ask, took, facts, layers}, or {ask, error}.
+// {name, ask, scene, settings, seed}. The answer is {ask, took, facts, layers} or {ask, error}.
 //
-// A body is a function that numba compiled: its arguments are the fields of `SceneArrays`, each array
-// with its shape and strides, then the settings and the generator. See kinoedu/browser/scenes.py.
+// A body is a function that numba compiled: its arguments are the fields of `SceneArrays`, each
+// array with its shape and strides, then settings and generator. See kinoedu/browser/scenes.py.
 
 const instances = new Map();
 const FIELDS = [["facts", 1], ["edges", 2], ["others", 2], ["dots", 2], ["path", 2]];  // of `Shown`
