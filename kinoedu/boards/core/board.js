@@ -1176,7 +1176,8 @@ class View {
     this.last = text;
     clearTimeout(this.speaking);
     this.speaking = setTimeout(() => {
-      this.state.textContent = text;
+      // what is pointed at by keys is spoken in the same place
+      if (document.activeElement !== this.pointer.button) this.state.textContent = text;
       this.canvas.ariaLabel = text;
     }, QUIET);
   }
