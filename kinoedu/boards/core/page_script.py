@@ -31,4 +31,4 @@ def page_script(live: JsonObject | None = None) -> str:
     }
     constants = "\n".join(f"const {name} = {json.dumps(value)};" for name, value in values.items())
     board = board.replace("export default", "const widget =")
-    return f"(() => {{\n{constants}\n{board}\n{player}\n{answers}}})();\n"
+    return f"(() => {{\n{constants}\n{board}\n{answers}\n{player}}})();\n"
