@@ -65,7 +65,7 @@ def test_every_blank_of_a_text_is_filled(make):
             assert layer.notes.shape == (len(layer.rows), len(layer.names))
 
 
-@pytest.mark.parametrize("name", set(SAYING) - {"code"})
+@pytest.mark.parametrize("name", sorted(set(SAYING) - {"code"}))
 def test_boards_say_something(name):
     assert saying_layers(SAYING[name]())
 
