@@ -23,7 +23,7 @@ from ..planners.trees.rrt_star import grow_shortest, neighbour_radii
 from ..problems import ProblemRecord
 from ..robots.round import RoundRobot
 from ..spaces import RealSpace
-from ..spaces.buckets import GrowingTree, empty_tree
+from ..spaces.buckets import GrowingTree, empty_tree, sparse_tree
 from ..spaces.closest import add_nodes, k_closest_in_buckets
 from .scenes import (
     FOUND,
@@ -53,7 +53,7 @@ def show_rrt(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> S
     if status != FOUND:
         return show_nothing(status, 0, 0, 0)
     room = int(settings[3]) + 1
-    tree = empty_tree(room, room, problem.space.lo, problem.space.hi)
+    tree = empty_tree(room, problem.space.lo, problem.space.hi)
     at_goal, iterations = grow(problem, tree, settings[1], settings[2], int(settings[4]), rng)
     return show_tree(problem, tree, at_goal, iterations)
 
@@ -70,7 +70,7 @@ def show_rrt_star(scene: SceneArrays, settings: Array, rng: np.random.Generator)
         return show_nothing(status, 0, 0, 0)
     eta, most = settings[1], int(settings[3])
     space, radii = problem.space, neighbour_radii(settings[5], 2, most + 2, eta)
-    costs = empty_costs(empty_tree(most + 1, most + 1, space.lo, space.hi), 0)
+    costs = empty_costs(empty_tree(most + 1, space.lo, space.hi), 0)
     sampler = Everywhere(settings[2])
     at_goal, iterations = grow_shortest(problem, costs, sampler, eta, radii, int(settings[4]), rng)
     return show_tree(problem, costs.tree, at_goal, iterations)
@@ -88,8 +88,8 @@ def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generat
         return show_nothing(status, 0, 0, 0)
     room, space = int(settings[2]), problem.space
     owner = np.empty(room, np.int64)
-    one = empty_tree(room, roomy_size(room), space.lo, space.hi)
-    other = empty_tree(room, roomy_size(room), space.lo, space.hi)
+    one = sparse_tree(room, roomy_size(room), space.lo, space.hi)
+    other = sparse_tree(room, roomy_size(room), space.lo, space.hi)
     at_start, at_goal, iterations = grow_both(
         problem, one, other, owner, settings[1], int(settings[3]), rng
     )
@@ -144,7 +144,7 @@ def show_prm(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> S
 def join_closest(problem: ProblemRecord, nodes: Array, k: int) -> tuple[Numbers, Array]:
     """The edges of a roadmap that joins each node to its k closest nodes, and their costs."""
     lo, hi = box_of(nodes)
-    tree = empty_tree(len(nodes), len(nodes), lo, hi)
+    tree = empty_tree(len(nodes), lo, hi)
     add_nodes(tree, nodes)
     to = k_closest_in_buckets(problem.space, tree, k)
     n = len(nodes)

@@ -12,7 +12,7 @@ from ..problems.protocols import PlanningProblem, ProblemLike
 from ..problems.recorder import unwrap_recorder
 from ..robots.round import RoundRobot
 from ..spaces import diameter
-from ..spaces.buckets import GrowingTree, empty_tree
+from ..spaces.buckets import GrowingTree, sparse_tree
 from ..worlds.polygon_world import PolygonWorldRecord
 from .tuning import positive
 
@@ -126,11 +126,11 @@ def as_step_size(problem: PlanningProblem, value: object, name: str) -> float:
 
 
 def new_tree(problem: PlanningProblem, capacity: int, expected: int | None = None) -> GrowingTree:
-    """An empty tree for configurations of the problem; `expected` as in `empty_tree`."""
+    """An empty tree for configurations of the problem; `expected` as in `sparse_tree`."""
     space, nodes = getattr(problem, "space", None), capacity if expected is None else expected
     if space is None:
-        return empty_tree(capacity, nodes, problem.start, problem.start)
-    return empty_tree(capacity, nodes, space.lo, space.hi)
+        return sparse_tree(capacity, nodes, problem.start, problem.start)
+    return sparse_tree(capacity, nodes, space.lo, space.hi)
 
 
 def check_exact(problem: PlanningProblem, planner: str) -> None:

@@ -38,11 +38,14 @@ class GrowingTree(NamedTuple):
 
 
 @callable_from_compiled
-def empty_tree(capacity: int, expected: int, lo: Array, hi: Array) -> GrowingTree:
-    """A tree without nodes, for configurations between lo and hi, shapes (d,).
+def empty_tree(capacity: int, lo: Array, hi: Array) -> GrowingTree:
+    """A tree without nodes, for configurations between lo and hi, shapes (d,)."""
+    return sparse_tree(capacity, capacity, lo, hi)
 
-    The buckets are made for the expected number of nodes; it has room for `capacity`.
-    """
+
+@callable_from_compiled
+def sparse_tree(capacity: int, expected: int, lo: Array, hi: Array) -> GrowingTree:
+    """An empty tree with room for `capacity` nodes, whose buckets are made for fewer."""
     width, height = hi[0] - lo[0], hi[1] - lo[1] if len(lo) > 1 else 0.0
     buckets = max(expected / NODES_PER_BUCKET, 1.0)
     cell = max(math.sqrt(width * height / buckets), max(width, height) / buckets) or 1.0

@@ -31,7 +31,7 @@ def k_closest(problem: PlanningProblem, nodes: Array, k: int) -> NDArray[np.int6
         np.fill_diagonal(apart, np.inf)
         return np.argsort(apart, axis=1, kind="stable")[:, :k]
     if nodes.shape[1] <= 2 or isinstance(space, WrappingSpace):
-        tree = empty_tree(len(nodes), len(nodes), nodes.min(axis=0), nodes.max(axis=0))
+        tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
         add_nodes(tree, nodes)
         return k_closest_in_buckets(space, tree, k)
     from scipy.spatial import cKDTree
@@ -53,7 +53,6 @@ def visiting_order(problem: PlanningProblem, nodes: Array) -> NDArray[np.int64]:
     """
     if not isinstance(problem, ProblemRecord) or len(nodes) <= FEW:
         return np.arange(len(nodes))
-    n = len(nodes)
-    tree = empty_tree(n, n, nodes.min(axis=0), nodes.max(axis=0))
+    tree = empty_tree(len(nodes), nodes.min(axis=0), nodes.max(axis=0))
     add_nodes(tree, nodes)
     return list_by_bucket(tree)
