@@ -68,8 +68,7 @@ def cut_ears(ring: Array) -> HalfEdges:
         follow(mesh, i, (i + 1) % n)
     edge = 0
     for inner in range(n, size, 2):
-        while not is_ear(ring, mesh, edge):
-            edge = mesh.after[edge]
+        edge = find_ear(ring, mesh, edge)
         outer, last = inner + 1, mesh.after[edge]
         mesh.origin[inner], mesh.origin[outer] = mesh.origin[mesh.after[last]], mesh.origin[edge]
         follow(mesh, mesh.before[edge], outer)
@@ -78,6 +77,17 @@ def cut_ears(ring: Array) -> HalfEdges:
         follow(mesh, inner, edge)
         edge = mesh.after[outer]
     return mesh
+
+
+@compiled
+def find_ear(ring: Array, mesh: HalfEdges, begin: int) -> int:
+    """The first half-edge, from `begin` on, that is followed by an ear; a simple ring has two."""
+    edge = begin
+    while not is_ear(ring, mesh, edge):
+        edge = mesh.after[edge]
+        if edge == begin:  # the ring is not simple
+            break
+    return edge
 
 
 @compiled

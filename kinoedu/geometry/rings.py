@@ -120,12 +120,19 @@ def ring_orientation(ring: Array) -> int:
 
     It is the orientation at the leftmost vertex, the lowest of several.
     """
+    low = leftmost_corner(ring)
+    before, after = ring[low - 1], ring[(low + 1) % len(ring)]
+    return orientation_sign(before[0], before[1], ring[low, 0], ring[low, 1], after[0], after[1])
+
+
+@compiled
+def leftmost_corner(ring: Array) -> int:
+    """The number of the leftmost vertex, the lowest of several; it is a corner of the hull too."""
     low = 0
     for i in range(1, len(ring)):
         if ring[i, 0] < ring[low, 0] or (ring[i, 0] == ring[low, 0] and ring[i, 1] < ring[low, 1]):
             low = i
-    before, after = ring[low - 1], ring[(low + 1) % len(ring)]
-    return orientation_sign(before[0], before[1], ring[low, 0], ring[low, 1], after[0], after[1])
+    return low
 
 
 @compiled

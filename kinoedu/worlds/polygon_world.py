@@ -14,7 +14,7 @@ from ..geometry.checks import Array, as_array, as_list, as_point
 from ..geometry.convex import convex_parts, hull_of, is_on_convex
 from ..geometry.ear_clipping import cut_into_convex_parts
 from ..geometry.parts import Parts, box_of, join_parts, make_parts
-from ..geometry.rings import as_ring
+from ..geometry.rings import as_ring, leftmost_corner
 from ..support.constructors import Constructor, with_type_names
 from .occupancy import Occupancy, make_occupancy, no_occupancy
 from .parts_index import PartsIndex, index_parts
@@ -159,10 +159,7 @@ def cut_pockets(outline: Array, hull: Array) -> Parts:
     A pocket begins and ends at corners of the boundary that lie on the hull.
     """
     n, parts = len(outline), Parts(np.empty((0, 2)), np.zeros(1, np.int64), np.empty(0))
-    begin = 0
-    while not is_on_convex(outline[begin], hull):
-        begin += 1
-    corner = begin
+    corner = begin = leftmost_corner(outline)
     for step in range(1, n + 1):
         end = begin + step
         if is_on_convex(outline[end % n], hull):

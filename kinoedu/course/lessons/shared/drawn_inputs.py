@@ -127,7 +127,7 @@ def draw_plain_case(case: Case, outcome: Outcome, truth: Value, title: str, ax: 
     plane.frame(np.vstack([*places, np.zeros((1, 2))]), ax, margin=0.3)
     for name, one in case.given.items():
         if np.ndim(one) == 2:
-            ax.fill(*np.asarray(one).T, facecolor="#C7CCD4", edgecolor=OBSTACLE, linewidth=1.5)
+            ax.fill(*np.asarray(one).T, facecolor=palette.SHAPE, edgecolor=OBSTACLE, linewidth=1.5)
         elif np.ndim(one) == 1:
             plane.dot(one, name, ax)
     draw_answer(truth, get_message("picture.true"), "s", START, ax)
