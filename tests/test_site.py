@@ -243,7 +243,7 @@ def test_pages_fit_a_telephone(browser_page, site):
 
 
 def test_recorded_boards_play(browser_page):
-    """A picture gives place to its board, which is scrubbed; nothing is dragged."""
+    """A picture gives place to its board, which is scrubbed; only live ones are dragged."""
     page, address = browser_page
     page.goto(f"{address}/notebooks/09_trees.html", wait_until="load")
     records = page.locator(".kinoedu-record")
@@ -260,8 +260,26 @@ def test_recorded_boards_play(browser_page):
         board.locator(".kinoedu-slider").press("Home")
         board.locator(".kinoedu-slider").press("ArrowRight")
         page.wait_for_function("board => board.dataset.step === '1'", arg=board.element_handle())
-        assert board.locator(".kinoedu-thing").count() == 0
+        is_live = record.locator(".kinoedu-live").count() > 0
+        assert (board.locator(".kinoedu-thing").count() > 0) == is_live
     keep(page, "site_recorded")
+
+
+def test_the_site_begins_with_a_board_that_answers(browser_page):
+    """Its goal is moved by the keyboard, and the plan is another one."""
+    page, address = browser_page
+    page.goto(f"{address}/index.html", wait_until="load")
+    board = page.locator(".kinoedu-board[data-paints]").first
+    board.wait_for()
+    status = board.locator("[role=status]")
+    page.wait_for_function("e => e.textContent !== ''", arg=status.element_handle())
+    before = status.inner_text()
+    board.locator(".kinoedu-thing[aria-label^=goal]").press("Shift+ArrowLeft")
+    page.wait_for_function(
+        "([e, before]) => e.textContent !== before", arg=[status.element_handle(), before]
+    )
+    assert "RRT" in status.inner_text()
+    keep(page, "site_front")
 
 
 def test_words_are_found(browser_page):
