@@ -16,6 +16,10 @@ from kinoedu.errors import InvalidParameter
 HOUSE = Path(__file__).resolve().parent.parent
 NAME, LESSON = "halfway_there", "77_midpoints"
 ROOM = "kinoedu/course/lessons/midpoints"
+COPIED_TESTS = (
+    *("test_course.py", "test_bank.py", "test_release.py"),
+    *("judged_programs.py", "nbval.cfg"),
+)
 # called without the fixture of its file, which compiles everything
 WORDS = "import test_course as t; t.test_every_word_is_there_and_used()"
 MARKS = (
@@ -36,10 +40,7 @@ def house(tmp_path_factory):
     )
     for room in ("tests/lessons", "exercises", "docs"):
         (copy / room).mkdir(parents=True)
-    tests = [
-        f"tests/{name}"
-        for name in ("test_course.py", "test_bank.py", "test_release.py", "nbval.cfg")
-    ]
+    tests = [f"tests/{name}" for name in COPIED_TESTS]
     for name in ("pyproject.toml", "docs/rendering.py", *tests):
         shutil.copy(HOUSE / name, copy / name)
     return copy

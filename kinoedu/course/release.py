@@ -35,6 +35,8 @@ FOR_STUDENTS = (
     "docs/files.md",
     "docs/function_names.md",
     "docs/glossary.md",
+    "docs/mesh_up.png",
+    "docs/own_code.md",
     "docs/package.md",  # pip needs it to install the kit
     "docs/policies.md",
 )
