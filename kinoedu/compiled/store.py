@@ -42,6 +42,7 @@ UPPER_ROOMS = (
     "figures",
     "files",
     "grading",
+    "slides",
 )
 STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
 IMPORTED = time.time()  # sources changed later than this do not run in this process
