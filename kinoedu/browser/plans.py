@@ -29,29 +29,26 @@ from .scenes import (
     FOUND,
     GOAL_NOT_FREE,
     NOT_FOUND,
+    REASON,
     RING_FAULT,
     START_NOT_FREE,
     SceneArrays,
     Shown,
     find_fault,
     show_nothing,
+    without_obstacles,
     world_of_scene,
 )
 
-REASON = 5
 Numbers = NDArray[np.int64]
 
 
 @algorithm
 def show_rrt(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
     """A tree of RRT."""
-    ring, fault = find_fault(scene)
-    if ring >= 0:
-        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
-    problem = problem_of(scene, settings[0])
-    status = find_end_in_contact(problem)
-    if status != FOUND:
-        return show_nothing(status, 0, 0, 0)
+    refused, problem = pose_problem(scene, settings[0])
+    if refused.facts[0] != FOUND:
+        return refused
     room = int(settings[3]) + 1
     tree = empty_tree(room, problem.space.lo, problem.space.hi)
     at_goal, iterations = grow(problem, tree, settings[1], settings[2], int(settings[4]), rng)
@@ -61,13 +58,9 @@ def show_rrt(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> S
 @algorithm
 def show_rrt_star(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
     """A tree of RRT*."""
-    ring, fault = find_fault(scene)
-    if ring >= 0:
-        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
-    problem = problem_of(scene, settings[0])
-    status = find_end_in_contact(problem)
-    if status != FOUND:
-        return show_nothing(status, 0, 0, 0)
+    refused, problem = pose_problem(scene, settings[0])
+    if refused.facts[0] != FOUND:
+        return refused
     eta, most = settings[1], int(settings[3])
     space, radii = problem.space, neighbour_radii(settings[5], 2, most + 2, eta)
     costs = empty_costs(empty_tree(most + 1, space.lo, space.hi), 0)
@@ -79,13 +72,9 @@ def show_rrt_star(scene: SceneArrays, settings: Array, rng: np.random.Generator)
 @algorithm
 def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
     """The two trees of RRT-Connect."""
-    ring, fault = find_fault(scene)
-    if ring >= 0:
-        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
-    problem = problem_of(scene, settings[0])
-    status = find_end_in_contact(problem)
-    if status != FOUND:
-        return show_nothing(status, 0, 0, 0)
+    refused, problem = pose_problem(scene, settings[0])
+    if refused.facts[0] != FOUND:
+        return refused
     room, space = int(settings[2]), problem.space
     owner = np.empty(room, np.int64)
     one = sparse_tree(room, roomy_size(room), space.lo, space.hi)
@@ -113,13 +102,9 @@ def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generat
 @algorithm
 def show_prm(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
     """A roadmap of PRM, and the shortest path in it."""
-    ring, fault = find_fault(scene)
-    if ring >= 0:
-        return show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
-    problem = problem_of(scene, settings[0])
-    status = find_end_in_contact(problem)
-    if status != FOUND:
-        return show_nothing(status, 0, 0, 0)
+    refused, problem = pose_problem(scene, settings[0])
+    if refused.facts[0] != FOUND:
+        return refused
     n = int(settings[1])
     sampled = sample_free(problem, n, 100 * n, rng)
     nodes = np.concatenate((np.stack((problem.start, problem.goal)), sampled))
@@ -149,6 +134,20 @@ def join_closest(problem: ProblemRecord, nodes: Array, k: int) -> tuple[Numbers,
     to = k_closest_in_buckets(problem.space, tree, k)
     n = len(nodes)
     return join_in_order(problem, nodes, k * np.arange(n + 1), to.ravel(), np.arange(n))
+
+
+@compiled
+def pose_problem(scene: SceneArrays, clearance: float) -> tuple[Shown, ProblemRecord]:
+    """What is shown where a scene cannot be planned, else with the status FOUND; and its problem.
+
+    A scene with a fault of a ring has the problem of its empty box, which nobody plans.
+    """
+    ring, fault = find_fault(scene)
+    if ring >= 0:
+        refused = show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
+        return refused, problem_of(without_obstacles(scene), clearance)
+    problem = problem_of(scene, clearance)
+    return show_nothing(find_end_in_contact(problem), 0, 0, 0), problem
 
 
 @compiled

@@ -14,8 +14,9 @@ from ..geometry.parts import Parts
 from ..geometry.rings import SIMPLE, RingFault, counter_clockwise, find_ring_fault
 from ..worlds.polygon_world import PolygonWorldRecord, Rings, world_of_rings
 
-# what a body says of its answer: facts[STATUS]; a greater status is that of a fault of a ring
+# the status of an answer, facts[0]; RING_FAULT and the fault's kind make one number
 FOUND, NOT_FOUND, START_NOT_FREE, GOAL_NOT_FREE, RING_FAULT = 0, 1, 2, 3, 4
+REASON = 5  # the place of the reason among the facts
 
 
 class SceneArrays(NamedTuple):
@@ -79,6 +80,17 @@ def find_fault(scene: SceneArrays) -> tuple[int, RingFault]:
         if fault.kind != SIMPLE:
             return k, fault
     return -1, RingFault(SIMPLE, -1, -1)
+
+
+@compiled
+def without_obstacles(scene: SceneArrays) -> SceneArrays:
+    """The same scene in its empty box."""
+    box = np.empty((4, 2))
+    for k in range(4):
+        box[k, 0] = scene.lo[0] if k in (0, 3) else scene.hi[0]
+        box[k, 1] = scene.lo[1] if k < 2 else scene.hi[1]
+    first, discs = np.array([0, 4]), np.empty((0, 3))
+    return SceneArrays(box, first, discs, scene.handles, scene.free, scene.lo, scene.hi)
 
 
 @compiled
