@@ -6,8 +6,10 @@ import os
 import shutil
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import pytest
@@ -33,8 +35,10 @@ from kinoedu.compiled.numba_thread import WatchedCall
 from kinoedu.compiled.store import UPPER_ROOMS, Request, is_digested, source_digest
 from kinoedu.course.exercise import Exercise
 from kinoedu.errors import DuplicateKind, InvalidParameter
+from kinoedu.geometry.checks import Array
 from kinoedu.planners.trees.rrt import grow
 from kinoedu.robots.round import RoundRobot
+from kinoedu.support.threads import raise_in
 from kinoedu.worlds.polygon_world import PolygonWorldRecord
 
 TESTS = Path(__file__).resolve().parent
@@ -746,6 +750,81 @@ def test_records_of_a_users_file_work_both_ways_and_are_never_stale(
     assert 6.0 < low < high <= 10.0
     assert loaded == [False, True]
     assert not list(Path(cache).rglob("*grow*.code"))
+
+
+# ---- into and out of machine code ---------------------------------------------------------------
+
+
+class Middle(NamedTuple):
+    """A result with an array inside a named tuple."""
+
+    point: Array
+    i: int
+
+
+class Drawn(NamedTuple):
+    """A result with a named tuple inside."""
+
+    middle: Middle
+    x: float
+
+
+@compiled
+def draw(rng: np.random.Generator, scale: Array) -> Drawn:
+    """Arrays, named tuples and a generator go in and out."""
+    return Drawn(Middle(scale * rng.random(), rng.integers(0, 5)), rng.random())
+
+
+def stop_draws(times: int) -> tuple[int, list[str]]:
+    """How many of the threads that draw stop when told, and what the others raise."""
+    scale, pause = np.arange(3.0), np.random.default_rng(1)
+    stops, others = [], []
+
+    def draw_until_stopped() -> None:
+        try:
+            rng = np.random.default_rng(0)
+            while True:
+                draw(rng, scale)
+        except StopThread:
+            stops.append(1)
+        except BaseException as error:
+            others.append(repr(error))
+
+    with running(COMPILED_FIRST):
+        draw(np.random.default_rng(0), scale)
+        for _ in range(times):
+            thread = threading.Thread(target=draw_until_stopped)
+            thread.start()
+            time.sleep(5e-4 * pause.random())
+            raise_in(cast(int, thread.ident), StopThread)
+            thread.join()
+    return len(stops), others
+
+
+class StopThread(BaseException):
+    """What stops a thread."""
+
+
+@needs_compiler
+def test_a_thread_is_stopped_on_its_way_into_and_out_of_machine_code() -> None:
+    """numba's own way ends the process: it calls Python functions there, and does not look."""
+    code = "import json, test_compiled as t; print(json.dumps(t.stop_draws(1000)))"
+    assert run(code) == [1000, []]
+
+
+@needs_compiler
+def test_machine_code_draws_numpys_numbers() -> None:
+    """A result comes back with its classes; the generator goes on where machine code left it."""
+    rng, other = np.random.default_rng(3), np.random.default_rng(3)
+    with running(COMPILED_FIRST):
+        drawn = draw(rng, np.arange(3.0))
+    with running(INTERPRETED):
+        expected = draw(other, np.arange(3.0))
+    assert type(drawn) is Drawn and type(drawn.middle) is Middle
+    assert type(drawn.middle.point) is np.ndarray
+    assert drawn.middle.point.tolist() == expected.middle.point.tolist()
+    assert (drawn.middle.i, drawn.x) == (expected.middle.i, expected.x)
+    assert rng.random() == other.random()
 
 
 # ---- importing ---------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ from numba.extending import (
 )
 from numba.np.arrayobj import raise_with_shape_context
 
-from . import choices
+from . import boxing, choices
 from .choices import Function
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
@@ -43,6 +43,7 @@ def compile_entry(function: TieredFunction, kinds: tuple[Kind, ...]) -> CompileR
     """
     register_choices()
     shorten_message_about_shapes()
+    boxing.use_c_functions_alone()
     entry = borrowing(function.py_func) if function.is_algorithm else function.py_func
     dispatcher = numba.njit(**OPTIONS, pipeline_class=EntryCompiler)(entry)
     signature = tuple(map(numba_type, kinds))
