@@ -215,7 +215,7 @@ def drag(page, board, begin, end):
 
 
 SAYS = """([board, text]) => document.querySelectorAll('.kinoedu-board')[board]
-    .querySelector('[role=status]').textContent === text"""
+    ?.querySelector('[role=status]')?.textContent === text"""
 
 
 def lab_text(name, start, goal, polygon, seed):
