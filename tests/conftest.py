@@ -2,10 +2,17 @@
 not.
 """
 
+import os
 import subprocess
 import sys
 
 import pytest
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """One process more than cores, because many tests wait for a browser, a kernel or a clock."""
+    asked = os.environ.get("PYTEST_XDIST_AUTO_NUM_WORKERS")
+    return int(asked) if asked else (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(tryfirst=True)
