@@ -13,6 +13,7 @@ import kinoedu as ke
 from kinoedu.boards import board, code_board
 from kinoedu.boards.code.searches import draw_search_state
 from kinoedu.boards.core.drawing import dots, encode_drawing
+from kinoedu.boards.planning.lit import CODE
 from kinoedu.boards.tracing.moments import rows_over_time
 from kinoedu.boards.tracing.variables import Variable, note_variables
 from kinoedu.errors import InvalidParameter
@@ -360,7 +361,14 @@ def own(problem, rng):
 
 
 @pytest.mark.parametrize(
-    ("planner", "head"), [("rrt", "def grow(problem, tree,"), (own, "def own(")]
+    ("planner", "head"),
+    [
+        (own, "def own("),
+        ("rrt", "def grow(problem, tree,"),
+        ("rrt_connect", "def extend(problem, tree,"),
+        ("rrt_star", "def grow_shortest(problem, costs,"),
+        ("prm", "def join_in_order(problem, nodes,"),
+    ],
 )
 def test_a_planners_lines_are_shown_on_its_board(planner, head):
     """The box "code" makes each line a step; without it the steps are as before."""
@@ -374,12 +382,15 @@ def test_a_planners_lines_are_shown_on_its_board(planner, head):
     assert made.canvas.drawing.text == before.text
 
 
-def test_the_lit_rrt_is_the_rrt():
-    """Tracing changes no answer."""
-    made = board(walled(), planner="rrt")
+@pytest.mark.parametrize("planner", CODE)
+def test_the_lit_planner_is_the_planner(planner):
+    """Tracing changes no answer, and all points that the picture names are drawn."""
+    made = board(walled(), planner=planner, samples=400)
     length = made.plan.cost
     made.code.value = True
     assert made.plan.length == pytest.approx(length)
+    look, noted = CODE[planner][1], made.canvas.drawing.listing.values
+    assert {*look.points, *look.circles} <= {name for values in noted for name in values}
 
 
 def test_a_notebook_stores_the_code_in_its_picture():

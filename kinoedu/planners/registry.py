@@ -101,6 +101,7 @@ ROWS = (
         TREE,
         ALL,
         {"max_nodes": 500},
+        board=("step_size",),
     ),
     Planner(
         "rrt_star",
@@ -109,6 +110,7 @@ ROWS = (
         TREE,
         (POINT,),
         {"max_nodes": 200},
+        board=("step_size", "nodes"),
     ),
     Planner(
         "informed_rrt_star",

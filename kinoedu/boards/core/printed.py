@@ -23,6 +23,7 @@ from .scene import Scene
 Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
 DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
+LINE_HEIGHT = 0.2  # inches, of a line of code
 ENOUGH = 64_000  # bytes, so that a notebook with a dozen boards stays small
 
 
@@ -54,23 +55,36 @@ def make_page(
     width: float, height: float, listing: Listing | None, step: int | None
 ) -> tuple[Figure, Axes]:
     """A figure and the axes of the picture; the code stands to the right of it."""
-    beside = 0.0 if listing is None else 0.115 * max(map(len, listing.lines)) + 0.3
+    texts, lit = write_listing(listing, step)
+    beside = 0.115 * max(map(len, texts)) + 0.3 if texts else 0.0
+    height = max(height, LINE_HEIGHT * (len(texts) + 1))
     figure = Figure(figsize=(width + beside, height), dpi=DPI[0], layout="constrained")
     FigureCanvasAgg(figure)
-    if listing is None:
+    if not texts:
         return figure, figure.add_subplot()
     ax, page = figure.subplots(1, 2, width_ratios=(width, beside))
-    print_listing(listing, len(listing.ran) if step is None else step, page)
+    print_lines(texts, lit, page)
     return figure, ax
 
 
-def print_listing(listing: Listing, step: int, page: Axes) -> None:
-    """Write the code, with the line that has just run lit, and the variables after it below."""
-    page.set_axis_off()
+def write_listing(listing: Listing | None, step: int | None) -> tuple[list[str], int]:
+    """The lines of the code, and the variables after a step below them; and which line is lit.
+
+    The step is the last one where it is None; no line is lit before the first step.
+    """
+    if listing is None:
+        return [], -1
+    step = len(listing.ran) if step is None else step
     lit = listing.ran[step - 1] if 0 < step <= len(listing.ran) else -1
     values = listing.values[step - 1] if 0 < step <= len(listing.values) else {}
     room = max(map(len, listing.lines))
-    texts = [*listing.lines, "", *(clip(f"{n} = {text}", room) for n, text in values.items())]
+    below = (clip(f"{name} = {text}", room) for name, text in values.items())
+    return [*listing.lines, "", *below], lit
+
+
+def print_lines(texts: list[str], lit: int, page: Axes) -> None:
+    """Write lines of code, one of them lit."""
+    page.set_axis_off()
     font: palette.Style = {"fontfamily": "monospace", "fontsize": palette.TEXT_SIZE - 1}
     page.set(xlim=(0.0, 1.0), ylim=(max(len(texts), 16), -1.0))
     for number, text in enumerate(texts):

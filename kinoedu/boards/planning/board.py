@@ -13,7 +13,6 @@ from ...messages import get_message
 from ...planners import rrt
 from ...planners.problem_input import world_size
 from ...planners.registry import PLANNERS
-from ...planners.trees.rrt import grow
 from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
 from ...support.json_fields import JsonObject
@@ -22,6 +21,7 @@ from ..core.drawing import Drawing
 from ..core.framed import Framed, control_style, make_length_slider, make_menu, title_of
 from ..core.scene import Scene
 from ..tracing.code_run import CodeRun, Look
+from .lit import CODE
 from .live import describe_live
 from .own import Attempt, draw_attempt, try_planner
 from .plans import check_in_plane, draw_plan, make_problem_canvas, problem_in
@@ -29,8 +29,6 @@ from .plans import check_in_plane, draw_plan, make_problem_canvas, problem_in
 OWN = "own"
 CONTROLS = ("seed", "step_size", "samples", "code")
 SETTINGS = {"step_size": "step_size", "samples": "nodes"}  # the setting of each control
-# the function of a planner whose lines are shown, and what is drawn of its variables
-CODE = {"rrt": (grow, Look({"q_near": "tree.nodes[near]"}, lines=(("q_near", "q_rand"),)))}
 ON_BOARD = {name: planner for name, planner in PLANNERS.items() if planner.board is not None}
 
 
@@ -47,12 +45,14 @@ def board(
     Parameters
     ----------
     problem : a Problem in the plane.
-    planner : "rrt", "prm", "astar", or a function of yours, `f(problem)` or `f(problem, rng)`, that
-        returns a path (n, 2), a Plan or None. The questions that yours asks are recorded and drawn
-        in order, its path is compared with our RRT's, and it is stopped after two seconds. With
-        the box "code" the lines of RRT, or of yours, are shown beside the picture as they run.
+    planner : "rrt", "rrt_connect", "rrt_star", "prm", "astar", or a function of yours, `f(problem)`
+        or `f(problem, rng)`, that returns a path (n, 2), a Plan or None. The questions that yours
+        asks are recorded and drawn in order, its path is compared with our RRT's, and it is stopped
+        after two seconds. With the box "code" the lines of the planner are shown beside the picture
+        as they run; A* on a grid has no such box.
     step_size : the first value of the control for the longest edge of a tree.
-    samples : the first value of the control for the number of a roadmap's samples.
+    samples : the first value of the control for the number of a roadmap's samples, and of RRT*'s
+        nodes.
     rng : the first seed.
 
     Returns
