@@ -4,6 +4,7 @@ import importlib.util
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -19,7 +20,7 @@ COURSE = PACKAGE if (PACKAGE / TOUR).is_file() else PACKAGE.parent
 
 
 def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
-    """Run JupyterLab at the tour until it is stopped.
+    """Run JupyterLab at the tour until it is stopped, by Ctrl-C or by SIGTERM.
 
     The lessons' functions are compiled meanwhile, those of the first lessons first. Without a
     display the address is only printed.
@@ -47,6 +48,7 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
     silent = subprocess.DEVNULL
     warm = [sys.executable, "-m", "kinoedu", "warm", "--behind"]
     warming = subprocess.Popen(warm, cwd=PACKAGE.parent, stdin=silent, stdout=silent, stderr=silent)
+    before = signal.signal(signal.SIGTERM, lambda *_: server.terminate())
     try:
         address = address_of(server)
         if address:
@@ -60,6 +62,7 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
         server.wait()
         return 130
     finally:
+        signal.signal(signal.SIGTERM, before)
         warming.terminate()
         warming.wait()
 

@@ -408,7 +408,9 @@ def test_our_own_functions_are_found_in_the_menu():
     """board(problem, planner=ke.prm) is board(problem, "prm"); anything else is refused."""
     assert board(walled(), planner=ke.prm, samples=100).planner.value == "prm"
     for planner in ("rtt", 5, None):
-        with pytest.raises(InvalidParameter, match="planner must be one of rrt, rrt_connect, rrt_star, prm, astar"):
+        with pytest.raises(
+            InvalidParameter, match="planner must be one of rrt, rrt_connect, rrt_star, prm, astar"
+        ):
             board(walled(), planner=planner)
     with pytest.raises(KinoeduError):
         board("problem")

@@ -4,6 +4,7 @@ One lesson runs whole. Of the others, whose cells nbval runs, only what their bo
 """
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -199,6 +200,25 @@ def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
     assert kinoedu.lab.open_lab(browser=False) == 3
     assert [process.poll() is None for process in started] == [False, False]
     assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--behind"]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a process without asking it")
+def test_a_terminated_lab_leaves_no_server_behind():
+    """As where a container or a service manager stops it."""
+    endless = [sys.executable, "-c", "import time; time.sleep(600)"]
+    code = (
+        "import kinoedu.lab as lab; lab.address_of = lambda server: print(server.pid); "
+        f"lab.lab_command = lambda browser: {endless!r}; raise SystemExit(lab.open_lab())"
+    )
+    running = subprocess.Popen(
+        [sys.executable, "-u", "-c", code], stdout=subprocess.PIPE, text=True, cwd=HOUSE
+    )
+    number = int(running.stdout.readline())
+    running.terminate()
+    assert running.wait() != 0
+    with pytest.raises(ProcessLookupError):
+        os.kill(number, 0)
+    running.stdout.close()
 
 
 def test_without_jupyterlab_a_line_says_what_to_install(monkeypatch):
