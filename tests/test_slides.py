@@ -6,10 +6,12 @@ import re
 from html import unescape
 from pathlib import Path
 
+import nbformat
 import pytest
 from lab_driver import CHROMIUM, FLAGS, needs_chromium
 
 from kinoedu.cli import main
+from kinoedu.slides.exporter import PageWithBoards
 from kinoedu.slides.markdown import cut_into_blocks, to_html
 from kinoedu.slides.page import lessons_with_slides, make_slides
 from kinoedu.slides.rule import MOST_WORDS, cut_into_slides, without_documentation
@@ -177,3 +179,39 @@ def test_a_browser_shows_every_slide(lesson, tmp_path):
         assert page.locator("section:not([hidden]) aside").is_visible()
         browser.close()
     assert complaints == []
+
+
+def test_an_exported_notebook_has_boards_that_play(tmp_path):
+    """nbconvert's page shows the stored picture until the board itself is there."""
+    needs_chromium()
+    from playwright.sync_api import sync_playwright
+
+    page_text, _ = PageWithBoards().from_filename(str(HOUSE / "notebooks" / "09_trees.ipynb"))
+    (tmp_path / "trees.html").write_text(page_text, encoding="utf-8")
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
+        page, errors = browser.new_page(), []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.route("**/*", lambda r: r.continue_() if r.request.url[:5] == "file:" else r.abort())
+        page.goto((tmp_path / "trees.html").as_uri(), wait_until="domcontentloaded")
+        record = page.locator(".kinoedu-record").nth(1)
+        record.scroll_into_view_if_needed()
+        record.locator(".kinoedu-board[data-paints]").wait_for()
+        assert not record.locator("> img").is_visible()
+        before = record.locator("canvas").first.screenshot()
+        record.locator("input[type=range]").first.focus()
+        page.keyboard.press("Home")
+        page.wait_for_timeout(200)
+        assert record.locator("canvas").first.screenshot() != before
+        browser.close()
+    assert errors == []
+
+
+def test_a_notebook_without_boards_is_exported_as_ever():
+    """Without a player; and no export changes the notebook."""
+    plain = nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell("# Nothing")])
+    assert "kinoedu" not in PageWithBoards().from_notebook_node(plain)[0]
+    book = nbformat.read(HOUSE / "notebooks" / "09_trees.ipynb", as_version=4)
+    kept = nbformat.writes(book)
+    PageWithBoards().from_notebook_node(book)
+    assert nbformat.writes(book) == kept
