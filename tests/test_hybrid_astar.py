@@ -9,6 +9,7 @@ import shapely
 
 import kinoedu as ke
 from kinoedu.errors import InvalidParameter
+from kinoedu.planners.driving.lattice import lattices_for
 from kinoedu.problems import Recorder
 from kinoedu.robots import Trajectory
 from kinoedu.robots import trajectory as trajectories
@@ -123,24 +124,58 @@ def test_a_recorder_sees_the_same_search() -> None:
     assert there.stats == plan.stats
 
 
-def test_out_of_a_tight_place_and_turned_round() -> None:
-    """Between two cars at a kerb, 0.3 to spare at either end: planned out, driven in."""
-    cars = [
-        [(5.8, 0), (6.7, 0), (6.7, 1.3), (5.8, 1.3)],
-        [(10.3, 0), (11.5, 0), (11.5, 1.3), (10.3, 1.3)],
-    ]
-    world, parked, road = ke.PolygonWorld(ROOM, cars), (7.0 + 0.5, 0.6, 0.0), (12.0, 3.0, 0.0)
-    out = ke.hybrid_astar(ke.Problem(CAR, world, parked, road), spacing=0.02, step_size=0.1)
+KERB = [
+    [(5.8, 0), (6.7, 0), (6.7, 1.3), (5.8, 1.3)],
+    [(10.3, 0), (11.5, 0), (11.5, 1.3), (10.3, 1.3)],
+]
+PARKED, ROAD = (7.5, 0.6, 0.0), (12.0, 3.0, 0.0)
+
+
+@pytest.mark.parametrize("speeds", [(-1.0, 1.0), (-0.5, 1.0, 3.0)])
+@pytest.mark.parametrize("ends", [(PARKED, ROAD), (ROAD, PARKED)], ids=["out", "in"])
+def test_a_tight_place_needs_no_parameter(
+    ends: tuple[tuple[float, ...], ...], speeds: tuple[float, ...]
+) -> None:
+    """Between two cars at a kerb, 0.3 to spare at either end: out, and in. What is searched from
+    the goal is driven from the start, at the car's own speeds.
+    """
+    problem = ke.Problem(ke.Car(3, 1, 2, speeds=speeds), ke.PolygonWorld(ROOM, KERB), *ends)
+    plan = ke.hybrid_astar(problem, max_nodes=5000)
     solid = shapely.union_all(
-        [shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), *map(shapely.Polygon, cars)]
+        [shapely.box(-50, -50, 70, 70) - shapely.Polygon(ROOM), *map(shapely.Polygon, KERB)]
     )
-    check(out, out.problem, solid)
-    back = out.trajectory.reversed
-    assert np.allclose(back.poses, out.path[::-1], rtol=0, atol=1e-9) and math.isclose(
-        back.length, out.cost
-    )
-    assert is_clear(back.at(np.linspace(0, back.duration, 3000)), CAR, solid)
-    assert np.allclose(back.reversed.poses, out.path, rtol=0, atol=1e-9)
+    check(plan, problem, solid)
+    assert plan.stats["searches"] > 2
+    assert np.array_equal(plan.tree.nodes[0], PARKED)  # of the last search
+
+
+def test_what_is_given_is_not_refined() -> None:
+    """One search from either end, or from the start alone if the car cannot reverse."""
+    walls = [*KERB, [(6.7, 1.3), (10.3, 1.3), (10.3, 1.5), (6.7, 1.5)]]
+    for speeds, searches in (((-1.0, 1.0), 2), ((1.0,), 1)):
+        car = ke.Car(3, 1, 2, speeds=speeds)
+        problem = ke.Problem(car, ke.PolygonWorld(ROOM, walls), PARKED, ROAD)
+        for given in ({"spacing": 0.5}, {"step_size": 0.5}):
+            plan = ke.hybrid_astar(problem, **given)
+            assert plan.path is None and plan.stats["searches"] == searches
+        ever = ke.hybrid_astar(problem, max_nodes=300)
+        assert ever.path is None and ever.stats["searches"] > searches
+
+
+def test_cells_become_smaller_as_fast_as_two_moves_shift_the_car() -> None:
+    """A move to the left and one back to the right shift the car by half a cell of each lattice.
+    Lattices whose cells cannot be numbered are left out.
+    """
+    lattices = lattices_for(PROBLEM, None, None, 3)
+    shifts = []
+    for lattice in lattices:
+        d, phi = lattice.step_size, CAR.max_steering
+        there = CAR.move(CAR.move((0, 0, 0), 1, phi, d), -1, -phi, d)
+        shifts.append(abs(there[1]) / lattice.side)
+    assert len(lattices) == 5 and 0.5 < min(shifts) <= max(shifts) < 0.6
+    wide = ke.PolygonWorld([(0, 0), (1e8, 0), (1e8, 1e8), (0, 1e8)])
+    far = ke.Problem(CAR, wide, (4, 4, 0), (16, 4, 0))
+    assert 1 <= len(lattices_for(far, None, None, 3)) < 5
 
 
 def test_one_who_is_there_stays() -> None:
@@ -167,7 +202,7 @@ def test_no_way_is_an_answer_with_its_reason() -> None:
             and plan.cost == math.inf
             and "finer spacing" in plan.reason
         )
-    assert walled.stats["nodes"] > 100 and few.stats["nodes"] <= 7
+    assert walled.stats["nodes"] > 100 and few.stats["nodes"] <= 14
 
 
 def test_bad_input_is_refused_by_name() -> None:

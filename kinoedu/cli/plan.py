@@ -150,7 +150,7 @@ def add_planner_options(how: argparse._ArgumentGroup) -> None:
         type=float,
         metavar="D",
         help="the side of a cell (default: astar the map's own, or a hundredth of the world; "
-        "hybrid-astar a quarter of the wheelbase)",
+        "hybrid-astar a quarter of the wheelbase, and finer where it is tight)",
     )
     how.add_argument(
         "--iterations",

@@ -141,10 +141,15 @@ def as_car_problem(
     weight = wheelbases * inner.robot.wheelbase
     if turn_weight is not None:
         weight = positive(turn_weight, "turn_weight")
-    in_se2 = inner._replace(space=SE2(inner.world.lo, inner.world.hi, turn_weight=weight))
+    space = SE2(inner.world.lo, inner.world.hi, turn_weight=weight)
+    return record_as(problem, inner._replace(space=space))
+
+
+def record_as(problem: ProblemRecord | Recorder, changed: ProblemRecord) -> CarProblem:
+    """The changed problem of a car, with a recorder that writes the same log if there is one."""
     if not isinstance(problem, Recorder):
-        return in_se2
-    recorder = Recorder(in_se2)
+        return changed
+    recorder = Recorder(changed)
     recorder.log = problem.log
     return recorder
 

@@ -12,6 +12,9 @@
 The heuristic is the length of the shortest curve to the goal. When such a curve is free, the drive
 that it completes is as short as any that the queue can still lead to.
 
+Where a search runs out of cells, finer ones follow. A car that can reverse is also searched for
+from the goal, and the drive turned round: out of a tight place there are many ways, into it few.
+
 D. Dolgov, S. Thrun, M. Montemerlo, J. Diebel, "Path planning for autonomous vehicles in unknown
 semi-structured environments" (2010).
 """
@@ -22,43 +25,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...compiled import algorithm, compiled
-from ...errors import InvalidParameter
-from ...geometry.checks import Array
+from ...compiled import algorithm
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
-from ...robots.trajectory import TrajectoryRecord
+from ...problems.recorder import unwrap_recorder
+from ...robots.car import CarRobot
+from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ..problem_input import count_checks
-from ..tuning import integer, positive
-from .common import DrivenGrowth, add_drive, begin_tree, check_car, copy_tree
+from ..tuning import integer
+from .common import DrivenGrowth, add_drive, begin_tree, check_car, copy_tree, record_as
+from .lattice import Lattice, cell_of, lattices_for
 from .trajectories import controls_along
-
-
-class Lattice(NamedTuple):
-    """The cells of poses and the moves between them.
-
-    Cells are squares of side `side` from (x, y), `columns` of them in a row, each divided into
-    `headings` headings. moves (m, 2) are controls (v, phi); each is held for a drive of length
-    `step_size`.
-    """
-
-    x: float
-    y: float
-    side: float
-    columns: int
-    headings: int
-    moves: Array
-    step_size: float
-
-
-@compiled
-def cell_of(lattice: Lattice, q: Array) -> int:
-    """The number of the cell that a free pose lies in."""
-    i = math.floor((q[0] - lattice.x) / lattice.side)
-    j = math.floor((q[1] - lattice.y) / lattice.side)
-    heading = math.floor((q[2] + math.pi) / (2.0 * math.pi) * lattice.headings) % lattice.headings
-    return int((j * lattice.columns + i) * lattice.headings + heading)
 
 
 @algorithm
@@ -95,34 +73,50 @@ def drive_by_cells(problem: CarProblem, growth: DrivenGrowth, lattice: Lattice) 
     return -1, expanded
 
 
+class Search(NamedTuple):
+    """A search of one lattice, from the start or, where `backward`, from the goal.
+
+    tree : the drives from that end. last : the node where the curve to the other end begins, or -1.
+    expanded : how many nodes were expanded. full : whether it ended because the tree was full.
+    """
+
+    backward: bool
+    lattice: Lattice
+    tree: DrivenTree
+    last: int
+    expanded: int
+    full: bool
+
+
 def hybrid_astar(
     problem: ProblemRecord | Recorder,
     *,
     spacing: float | None = None,
     step_size: float | None = None,
     angles: int = 3,
-    max_nodes: int = 200_000,
+    max_nodes: int = 100_000,
 ) -> Plan:
     """Plan by hybrid A*: the shortest drive over cells of poses that ends in a curve to the goal.
 
-    No random numbers are used. Complete for its lattice only: where nothing is found, a finer
-    spacing may help, or more nodes where they ran out. To park in a tight place, plan out of it,
-    with a spacing much finer than the step size, and reverse the trajectory by its `reversed`.
-    O(n log n) for n nodes.
+    No random numbers are used. Searches from the start and, for a car that can reverse, from the
+    goal take turns; by default they become finer by themselves where it is tight. Complete for
+    their lattices only. O(n log n) for n nodes.
 
     Parameters
     ----------
     problem : a Problem of a Car, or a Recorder of one.
-    spacing : the side of a cell; by default a quarter of the wheelbase.
+    spacing : the side of a cell. By default it is refined, from a quarter of the wheelbase.
     step_size : the length of each move; by default 1.5 times the spacing, so that a move leaves
-        its cell. There are as many headings as moves at full steering in a full turn.
+        its cell. There are as many headings as moves at full steering in a full turn. Where one of
+        both is given, nothing is refined.
     angles : how many steering angles are tried, from full right to full left, forward and, if the
         car can reverse, backward.
-    max_nodes : stop at this many nodes.
+    max_nodes : stop each search at this many nodes.
 
     Returns
     -------
-    Plan with its `tree` and its `trajectory`, which ends at the goal up to rounding. Without a path
+    Plan with its `trajectory`, which ends at the goal up to rounding, and the `tree` of the last
+    search, whose root is the goal if it began there. `stats` count all searches. Without a path
     `plan.reason` says why.
 
     Raises
@@ -140,54 +134,99 @@ def hybrid_astar(
     (array([16.,  4.,  0.]), True)
     """
     inner = check_car(problem, "hybrid_astar")
-    side = 0.25 * inner.robot.wheelbase if spacing is None else positive(spacing, "spacing")
-    length = 1.5 * side if step_size is None else positive(step_size, "step_size")
-    lattice = lattice_for(inner, side, length, integer(angles, "angles", least=2))
-    growth = begin_tree(inner, integer(max_nodes, "max_nodes", least=1) + len(lattice.moves))
-    before = count_checks(inner)
-    last, expanded = drive_by_cells(problem, growth, lattice)
-    tree = copy_tree(growth)
-    built: dict[str, Any] = {"tree": tree, "problem": problem, "planner": "hybrid A*"}
-    stats = {
-        "nodes": len(tree.nodes),
-        "expanded": int(expanded),
+    lattices = lattices_for(inner, spacing, step_size, integer(angles, "angles", least=2))
+    limit, before = integer(max_nodes, "max_nodes", least=1), count_checks(inner)
+    searches, drive = search_by_turns(problem, lattices, limit)
+    last, expanded = searches[-1], sum(search.expanded for search in searches)
+    built: dict[str, Any] = {"tree": last.tree, "problem": problem, "planner": "hybrid A*"}
+    built["stats"] = {
+        "nodes": sum(len(search.tree.nodes) for search in searches),
+        "expanded": expanded,
         "checks": count_checks(inner) - before,
+        "searches": len(searches),
     }
-    if last < 0:
+    if drive is None:
+        finest = min(search.lattice.side for search in searches)
         reason = (
-            f"none of {expanded:,} poses has a free curve to the goal; allow more nodes, or a "
-            f"finer spacing than {side:.3g}"
+            f"none of {expanded:,} poses has a free curve to the other end; allow more nodes, or a "
+            f"finer spacing than {finest:.3g}"
         )
-        return Plan(None, math.inf, reason=reason, stats=stats, **built)
-    numbers = extract_path(tree.parent, last)[1:]
-    controls, durations = controls_along(inner.robot, tree.nodes[last], inner.goal)
-    trajectory = TrajectoryRecord(
-        inner.start.copy(),
+        return Plan(None, math.inf, reason=reason, **built)
+    return Plan(drive.poses, drive.length, trajectory=drive, **built)
+
+
+def search_by_turns(
+    problem: ProblemRecord | Recorder, lattices: list[Lattice], max_nodes: int
+) -> tuple[list[Search], TrajectoryRecord | None]:
+    """Search from the start and from the goal, ever finer, until a free drive is found.
+
+    It is the turn of the end whose last search had the fewest nodes: there it is tight, and a finer
+    search costs little. Where a search was full, a finer one would come less far.
+
+    Returns
+    -------
+    The searches in order, and the drive from the start to the goal, or None.
+    """
+    searches, drive = list[Search](), None
+    both_ways = unwrap_recorder(problem).robot.both_ways
+    turns = [(0, 0, False), (0, 0, True)] if both_ways else [(0, 0, False)]
+    while drive is None and turns:
+        _, level, backward = heappop(turns)
+        search = search_lattice(problem, lattices[level], backward, max_nodes)
+        searches.append(search)
+        drive = drive_along(unwrap_recorder(problem), search)
+        if not search.full and level + 1 < len(lattices):
+            heappush(turns, (len(search.tree.nodes), level + 1, backward))
+    return searches, drive
+
+
+def search_lattice(
+    problem: ProblemRecord | Recorder, lattice: Lattice, backward: bool, max_nodes: int
+) -> Search:
+    """Search one lattice; `backward` from the goal."""
+    inner = unwrap_recorder(problem)
+    if backward:
+        inner = turn_round(inner)
+    growth = begin_tree(inner, max_nodes + len(lattice.moves))
+    last, expanded = drive_by_cells(record_as(problem, inner), growth, lattice)
+    tree = copy_tree(growth)
+    full = len(tree.nodes) > max_nodes
+    return Search(backward, lattice, tree, int(last), int(expanded), full)
+
+
+def drive_along(problem: ProblemRecord, search: Search) -> TrajectoryRecord | None:
+    """The drive that a search found, from the start to the goal; None where there is none.
+
+    It is checked as it is driven, since a drive turned round is rounded otherwise.
+    """
+    if search.last < 0:
+        return None
+    car, tree, here = problem.robot, search.tree, problem
+    if search.backward:
+        here = turn_round(problem)
+    numbers = extract_path(tree.parent, search.last)[1:]
+    controls, durations = controls_along(car, tree.nodes[search.last], here.goal)
+    drive = TrajectoryRecord(
+        here.start.copy(),
         np.concatenate([tree.controls[numbers], controls]),
         np.concatenate([tree.durations[numbers], durations]),
-        inner.robot.wheelbase,
+        car.wheelbase,
     )
-    return Plan(trajectory.poses, trajectory.length, trajectory=trajectory, stats=stats, **built)
+    if search.backward:
+        drive = shift_gears(car, drive.reversed._replace(start=problem.start.copy()))
+    moves = zip(drive.poses, drive.controls, drive.durations)
+    free = all(problem.is_free_drive(q, v, phi, t) for q, (v, phi), t in moves)
+    return drive if free else None
 
 
-def lattice_for(problem: ProblemRecord, side: float, step_size: float, angles: int) -> Lattice:
-    """The cells that cover a world, and the car's moves.
+def turn_round(problem: ProblemRecord) -> ProblemRecord:
+    """The problem from the goal to the start."""
+    return problem._replace(start=problem.goal, goal=problem.start)
 
-    Raises
-    ------
-    InvalidParameter
-        Where there are too many cells to number them.
-    """
-    car, (lo, hi) = problem.robot, (problem.space.lo, problem.space.hi)
-    gears = {float(car.speeds.max()), float(car.speeds.min())}
-    steering = np.linspace(-car.max_steering, car.max_steering, angles)
-    moves = [(v, phi) for v in sorted(gears, reverse=True) for phi in steering]
-    headings = max(1.0, 2.0 * math.pi * car.radius / step_size)
-    columns, rows = (hi - lo)[:2] / side + 1.0
-    if columns * rows * headings > 1e18:
-        raise InvalidParameter(
-            f"a spacing of {side:g} and a step size of {step_size:g} make too many cells to be "
-            "counted; choose larger ones"
-        )
-    x, y = float(lo[0]), float(lo[1])
-    return Lattice(x, y, side, math.ceil(columns), math.ceil(headings), np.array(moves), step_size)
+
+def shift_gears(car: CarRobot, drive: TrajectoryRecord) -> TrajectoryRecord:
+    """The same drive at the car's highest speeds forward and backward."""
+    lengths = drive.controls[:, 0] * drive.durations
+    speeds = np.where(lengths > 0.0, car.speeds.max(), car.speeds.min())
+    controls = np.stack([speeds, drive.controls[:, 1]], axis=1)
+    return drive._replace(controls=controls, durations=lengths / speeds)
