@@ -855,3 +855,17 @@ def test_the_folder_depends_only_on_sources_that_are_compiled(tmp_path: Path) ->
     assert is_digested(rrt)
     assert not is_digested(Exercise)
     assert not is_digested(Cat)
+
+
+def test_machine_code_of_two_processes_has_no_symbol_in_common():
+    """A function's symbol contains a count; two processes count from different numbers."""
+    script = (
+        "from kinoedu.compiled import compiler\n"
+        "from numba.core.bytecode import FunctionIdentity as identity\n"
+        "print(identity.from_function(compiler.fail_by_shape).unique_id)"
+    )
+    first, second = (
+        int(subprocess.run([sys.executable, "-c", script], capture_output=True, check=True).stdout)
+        for _ in range(2)
+    )
+    assert abs(first - second) > 1_000_000

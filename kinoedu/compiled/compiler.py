@@ -6,6 +6,8 @@ of their own, which saves most of numba's compilation time.
 
 import functools
 import inspect
+import itertools
+import secrets
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -13,6 +15,7 @@ from typing import Any
 import numba
 from numba import _dynfunc, types
 from numba.core import cgutils, cpu
+from numba.core.bytecode import FunctionIdentity
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.lowering import Lower
@@ -32,6 +35,10 @@ from .machine import OPTIONS, numba_type
 from .tiers import TieredFunction
 
 INLINED = {"forceinline": True, "error_model": "numpy"}
+# numba counts functions from 1, and the count is a part of their symbols. Code from two processes
+# that is loaded into a third must not have equal symbols: LLVM would take one function's constants
+# for the other's.
+FunctionIdentity._unique_ids = itertools.count(secrets.randbits(48))
 registered = {"generics": 0, "callable": 0}
 methods_known: set[str] = set()
 
