@@ -9,6 +9,7 @@ from .path_poses import poses_along
 from .plans import read_plan, write_plan
 from .scenario_files import read_scenario_problems, write_scenario
 from .scenes import read_problem, read_scene, write_scene
+from .tpcap import read_tpcap
 from .world_files import write_world
 from .worlds import read_world
 
@@ -23,6 +24,7 @@ __all__ = [
     "read_problem",
     "read_scenario_problems",
     "read_scene",
+    "read_tpcap",
     "read_world",
     "ros_path_text",
     "write_ompl_app",

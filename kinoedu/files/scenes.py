@@ -57,6 +57,7 @@ from .mending import mend_scene
 from .meshes import mesh_world
 from .movingai import read_scenario, scenario_beside
 from .scene_robots import MESH_OPTIONS, ROBOTS, describe_for_scene, mesh_options
+from .tpcap import read_tpcap
 from .worlds import read_world
 
 VERSION = 1
@@ -244,7 +245,8 @@ def read_problem(
 ) -> ProblemRecord:
     """Read a problem from any file that kinoedu reads.
 
-    A JSON scene is a whole problem. A map, a picture or a mesh is only a world.
+    A JSON scene or a parking case (`read_tpcap`) is a whole problem. A map, a picture or a mesh is
+    only a world.
 
     Parameters
     ----------
@@ -253,7 +255,7 @@ def read_problem(
     query : the number of a query, from 0, in the scenario beside a MovingAI map. Default: 0.
     clearance : the distance to keep from obstacles.
     repair : whether the polygons of a scene are repaired, as by `read_scene`. Those of a polygon
-        map always are.
+        map, or a parking case, always are.
 
     Returns
     -------
@@ -273,12 +275,14 @@ def read_problem(
         world, own_start, own_goal = read_benchmr(file)
         start, goal = own_start if start is None else start, own_goal if goal is None else goal
         return make_problem(file, world, robot, start, goal, query, clearance)
-    if file.suffix.lower() == ".json":
+    if file.suffix.lower() in (".json", ".csv"):
         if (robot, start, goal, query, clearance) != (None, None, None, None, 0.0):
             raise InvalidParameter(
                 f"{file}: a scene has its own robot, start, goal and clearance; do not give others"
             )
-        return read_scene(file, repair=repair)
+        return (
+            read_tpcap(file) if file.suffix.lower() == ".csv" else read_scene(file, repair=repair)
+        )
     return make_problem(file, read_world(file), robot, start, goal, query, clearance)
 
 
