@@ -12,7 +12,9 @@ import numpy as np
 
 from ...compiled import generic
 from ...geometry.checks import Array
+from ...problems import ProblemRecord, Recorder
 from ...problems.protocols import PlanningProblem
+from ...spaces.between import sample_between
 
 TRIES = 1000  # draws until one falls where it may help; the last is taken as it is
 
@@ -51,15 +53,33 @@ def sample_everywhere(
 def sample_informed(
     sampler: Informed, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
-    """A uniform sample of the q with |start - q| + |q - goal| < shortest, in the plane an ellipse.
+    """The goal or, once there is a path, a sample of where a shorter one may pass."""
+    if shortest < np.inf:
+        return sample_shorter(problem, shortest, rng)
+    return problem.goal if rng.random() < sampler.goal_bias else problem.sample(rng)
 
-    Samples are rejected until one fits, which works for any distance.
+
+@generic(1)
+def sample_shorter(problem: PlanningProblem, length: float, rng: np.random.Generator) -> Array:
+    """A uniform sample of the q with |start - q| + |q - goal| < length, in the plane an ellipse.
+
+    Samples of a reader's own problem are rejected until one fits, which works for any distance.
     """
-    if shortest == np.inf and rng.random() < sampler.goal_bias:
-        return problem.goal
     q = problem.sample(rng)
     for _ in range(TRIES):
-        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) < shortest:
+        if problem.distance(problem.start, q) + problem.distance(q, problem.goal) < length:
             break
         q = problem.sample(rng)
     return q
+
+
+@sample_shorter.register(ProblemRecord)
+def sample_in_space(problem: ProblemRecord, length: float, rng: np.random.Generator) -> Array:
+    """Drawn from the ellipse itself, where the space has one."""
+    return sample_between(problem.space, problem.start, problem.goal, length, rng)
+
+
+@sample_shorter.register(Recorder)
+def sample_as_recorded(problem: Recorder, length: float, rng: np.random.Generator) -> Array:
+    """The sample of the recorded problem; nothing is recorded."""
+    return sample_shorter(problem.problem, length, rng)
