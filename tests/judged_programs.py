@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from kinoedu.course import EXERCISES, check
-from kinoedu.course.bank import read_bank
+from kinoedu.course.bank import read_bank, read_variants
 from kinoedu.course.withheld import NotInTheKit
 from kinoedu.figures.plane import plane_figure
 
@@ -30,7 +30,7 @@ ENDLESS = {
 
 
 def right_programs(house: Path):
-    """Yield the names of the exercises and of their right programs, and the programs."""
+    """Yield the names of the exercises and of their variants, and the right programs."""
     for notebook in sorted((house / "solutions").glob("*.ipynb")):
         defined = {}
         for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
@@ -43,25 +43,32 @@ def right_programs(house: Path):
                 exec(compile(source, notebook.name, "exec"), defined)
         for exercise in EXERCISES.values():
             if exercise.lesson == notebook.stem:
-                yield exercise.name, "right", defined[exercise.name]
+                yield exercise.name, "", defined[exercise.name]
+    for bank in sorted((house / "solutions" / "bank").glob("*.py")):
+        for right in read_variants(bank):
+            yield right.exercise, right.variant, right.function
 
 
 def wrong_programs(house: Path):
-    """Yield a wrong program for each exercise; with a known misconception, where there is one."""
+    """Yield a wrong program for each exercise, and one for a variant of it where there are any.
+
+    It has a known misconception, where there is one.
+    """
     chosen = {}
     for bank in sorted((house / "solutions" / "bank").glob("*.py")):
         for item in read_bank(bank):
-            if item.slip and not chosen.setdefault(item.exercise, item).slip:
-                chosen[item.exercise] = item
+            form = item.exercise, bool(item.variant)
+            if item.slip and not chosen.setdefault(form, item).slip:
+                chosen[form] = item
             elif item.name not in ENDLESS:
-                chosen.setdefault(item.exercise, item)
+                chosen.setdefault(form, item)
     for item in chosen.values():
-        yield item.exercise, item.name, item.function
+        yield item.exercise, item.variant, item.function
 
 
-def judged(name: str, program) -> dict:
+def judged(name: str, variant: str, program) -> dict:
     """What `check` says about a program, with the kinds of things in its picture."""
-    feedback = check(program, name)
+    feedback = check(program, name, variant=variant)
     failure = feedback.report.failure
     found = {
         "right": feedback.report.is_right,
@@ -77,13 +84,13 @@ def judged(name: str, program) -> dict:
 
 
 def judge_all(programs) -> dict[str, dict]:
-    """What `check` says about each program, by exercise and name; or what the kit lacks for it."""
+    """What `check` says about each program, by exercise and variant; or what the kit lacks."""
     found = {}
-    for exercise, name, program in programs:
+    for exercise, variant, program in programs:
         try:
-            found[f"{exercise}-{name}"] = judged(exercise, program)
+            found[f"{exercise}-{variant}"] = judged(exercise, variant, program)
         except NotInTheKit as error:
-            found[f"{exercise}-{name}"] = {"right": False, "lacks": str(error)}
+            found[f"{exercise}-{variant}"] = {"right": False, "lacks": str(error)}
     return found
 
 

@@ -5,6 +5,8 @@ grades follow it.
 """
 
 import json
+import re
+from math import pi
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +14,14 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.course import EXERCISES, check
-from kinoedu.course.judging import judge_outcomes, run_case
+from kinoedu.course.bank import Solutions, read_variants
+from kinoedu.course.exercise import ValueExercise
+from kinoedu.course.feedback import Feedback
+from kinoedu.course.judging import judge_outcomes, judge_until_failure, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import search_breadth_first
+from kinoedu.course.shapes import Numbers
+from kinoedu.course.trivial import find_trivial_kinds
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import draw_cases, read_assignment
 from kinoedu.grading.collect.submissions import Submission
@@ -34,6 +41,18 @@ NO_SANDBOX = sandbox.explain_no_sandbox()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 SECRET = b"a secret of the tests, no course's"
 GRAPHS, BUGS = "04_graph_search", "02_bug_algorithms"
+HOUSE = Path(__file__).resolve().parent.parent
+CHANGED = [  # variants with another right answer
+    find(exercise.name, change.key)
+    for exercise in EXERCISES.values()
+    if isinstance(exercise, ValueExercise)
+    for change in exercise.changes
+]
+ANSWERS = [
+    right
+    for file in sorted((HOUSE / "solutions" / "bank").glob("*.py"))
+    for right in read_variants(file)
+]
 
 
 def tree(choose):
@@ -101,8 +120,75 @@ def test_a_tree_by_no_contract_is_no_misconception(variant):
         assert (report.failure.verdict.rule, report.failure.slip) == ("contract", "")
 
 
+@pytest.fixture(scope="module")
+def usual_answers():
+    """The solutions to the usual forms, by the name of the exercise."""
+    notebooks = {one.lesson: None for one in CHANGED}
+    return {
+        name: answer
+        for lesson in notebooks
+        for name, answer in Solutions(HOUSE / "solutions" / f"{lesson}.ipynb").right.items()
+    }
+
+
+@pytest.mark.parametrize("exercise", CHANGED, ids=lambda one: f"{one.name}-{one.variant}")
+def test_a_changed_exercise_accepts_its_own_answer_alone(exercise, usual_answers):
+    """The usual answer and those to other variants are refused, and the message is the contract.
+
+    The usual answer earns nothing, whatever it is right for.
+    """
+    cases = list(exercise.cases(np.random.default_rng(0)))
+
+    def judge(function):
+        return judge_until_failure(exercise, cases, lambda case: run_case(exercise, function, case))
+
+    answers = {one.variant: one.function for one in ANSWERS if one.exercise == exercise.name}
+    assert set(answers) == set(exercise.variants)
+    for variant, function in answers.items():
+        assert judge(function).is_right == (variant == exercise.variant), variant
+    refused = judge(usual_answers[exercise.name])
+    assert not refused.is_right
+    assert (refused.failure.verdict.rule, refused.failure.slip) == ("contract", "")
+    assert exercise.contract in repr(Feedback(refused))
+    assert "usual form" in repr(Feedback(refused))
+
+
+def test_the_usual_answer_to_a_changed_exercise_earns_nothing():
+    """It is right for two kinds of input, and no kind counts that it is right for."""
+    exercise, usual = find("heading_distance", "sum"), EXERCISES["heading_distance"]
+    cases = draw_cases("heading_distance", SECRET, "sum").cases
+    trivial = find_trivial_kinds(exercise, cases)
+    assert frozenset({"place", "heading"}) in trivial
+    outcomes = [run_case(exercise, usual.right_answer, case) for case in cases]
+    report = judge_outcomes(exercise, cases, outcomes, trivial)
+    assert set(report.passed) == {"place", "heading"}
+    assert report.score == 0.0
+
+
+EXAMPLE = re.compile(r"`(\w+)\((.*?)\)` is `(.*?)`")
+
+
+@pytest.mark.parametrize("exercise", CHANGED, ids=lambda one: f"{one.name}-{one.variant}")
+def test_the_example_of_a_contract_is_right(exercise):
+    """Each contract has an example; those that are calls are computed here."""
+    if "problem" in exercise.given.fields:
+        assert "eturn" in exercise.contract or "joined" in exercise.contract
+        return
+    name, given, wanted = EXAMPLE.search(exercise.contract).groups()
+    assert name == exercise.name
+    shapes = exercise.given.fields.values()
+    values = eval(f"[{given}]", {"pi": pi})  # a text of the course's own
+    arguments = [
+        np.array(value, float) if isinstance(shape, Numbers) else value
+        for shape, value in zip(shapes, values, strict=True)
+    ]
+    assert exercise.same(exercise.right_answer(*arguments), np.array(eval(wanted, {"pi": pi})))
+
+
 @pytest.mark.parametrize(
-    "exercise", [one for one in EXERCISES.values() if one.variants], ids=lambda one: one.name
+    "exercise",
+    [EXERCISES[name] for name in ("bfs_tree", "bug1", "bug2")],
+    ids=lambda one: one.name,
 )
 def test_every_contract_has_words_of_its_own(exercise):
     """A program that breaks the contract gets its text."""
@@ -124,7 +210,7 @@ def test_an_unknown_contract_is_refused():
     with pytest.raises(InvalidParameter, match="left, right"):
         find("bug2", "backwards")
     with pytest.raises(InvalidParameter, match="none"):
-        find("halton", "left")
+        find("radical_inverse", "left")
 
 
 def test_contracts_follow_from_secret_and_student():
@@ -142,7 +228,7 @@ def test_contracts_follow_from_secret_and_student():
         choose_contract(EXERCISES["bug2"], b"another", student) for student in students
     ]
     assert first != [choose_contract(EXERCISES["bug1"], SECRET, student) for student in students]
-    assert choose_contracts(read_assignment("01_geometry"), SECRET, "ann") == ()
+    assert choose_contracts(read_assignment("14_moving_and_uncertain"), SECRET, "ann") == ()
     task = apply_contracts(read_assignment(GRAPHS), (("bfs_tree", "largest"),))
     assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == [
         "largest"
@@ -190,8 +276,8 @@ def test_each_student_gets_their_own_notebook(tmp_path):
     rows = (tmp_path / "variants.csv").read_text(encoding="utf-8").splitlines()
     assert rows[0] == "student,assignment,question,variant"
     assert {row.rpartition(",")[2] for row in rows[1:]} == {"smallest", "largest"}
-    with pytest.raises(InvalidParameter, match="no exercise of 01_geometry"):
-        write_variants(["01_geometry"], students, SECRET, tmp_path)
+    with pytest.raises(InvalidParameter, match="no exercise of 14_moving"):
+        write_variants(["14_moving_and_uncertain"], students, SECRET, tmp_path)
 
 
 def test_forgotten_contracts_are_refused(tmp_path):

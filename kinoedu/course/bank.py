@@ -2,12 +2,13 @@
 
 Each program is wrong for a reason of its own. A bank is a Python file that only instructors have,
 beside the solutions. It holds functions marked `@wrong("name_of_the_exercise")`, and small changes
-of a right answer, made with `Solutions.changed`.
+of a right answer, made with `Solutions.changed`. It also has a right program for each variant that
+has another right answer, made with `Solutions.varied`.
 """
 
 import json
 import runpy
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,13 +17,23 @@ from typing import Any, NamedTuple
 class Wrong(NamedTuple):
     """A wrong program, its exercise, and the misconception that a check must recognise, or "".
 
-    `read_bank` fills in the name that the program has in its bank.
+    `read_bank` fills in the name that the program has in its bank. `variant` is the variant of the
+    exercise for which it was written, or "".
     """
 
     exercise: str
     slip: str
     function: Callable[..., Any]
     name: str = ""
+    variant: str = ""
+
+
+class Right(NamedTuple):
+    """A right program for a variant of an exercise."""
+
+    exercise: str
+    variant: str
+    function: Callable[..., Any]
 
 
 def wrong(exercise: str, slip: str = "") -> Callable[[Callable[..., Any]], Wrong]:
@@ -63,7 +74,12 @@ class Solutions:
         return defined
 
     def changed(
-        self, exercise: str, *changes: tuple[str, str], slip: str = "", within: str = ""
+        self,
+        exercise: str,
+        *changes: tuple[str, str],
+        slip: str = "",
+        within: str = "",
+        variant: str = "",
     ) -> Wrong:
         """Make a wrong answer from the right one by replacing parts of its text.
 
@@ -71,13 +87,22 @@ class Solutions:
         ----------
         changes : pairs of an old text, which must occur exactly once, and a new one.
         within : the function that begins the changed cell, if it is not the exercise's own.
+        variant : the variant for which the answer is written.
 
         Raises
         ------
         ValueError
             Where an old text does not occur exactly once.
         """
-        within = within or exercise
+        function = self.run_changed(within or exercise, changes)[exercise]
+        return Wrong(exercise, slip, function, variant=variant)
+
+    def varied(self, exercise: str, variant: str, *changes: tuple[str, str]) -> Right:
+        """Make a right answer to a variant from the usual one, as `changed` makes a wrong one."""
+        return Right(exercise, variant, self.run_changed(exercise, changes)[exercise])
+
+    def run_changed(self, within: str, changes: Sequence[tuple[str, str]]) -> dict[str, Any]:
+        """Execute all sources with one of them changed, and return what they define."""
         source = self.sources[within]
         for old, new in changes:
             if source.count(old) != 1:
@@ -85,7 +110,7 @@ class Solutions:
                     f"{old!r} must occur once in {within}, not {source.count(old)} times"
                 )
             source = source.replace(old, new)
-        return Wrong(exercise, slip, self.run({**self.sources, within: source})[exercise])
+        return self.run({**self.sources, within: source})
 
 
 def read_bank(path: str | PathLike[str]) -> list[Wrong]:
@@ -99,3 +124,13 @@ def read_bank(path: str | PathLike[str]) -> list[Wrong]:
     """
     found = runpy.run_path(str(path)).items()
     return [item._replace(name=name) for name, item in found if isinstance(item, Wrong)]
+
+
+def read_variants(path: str | PathLike[str]) -> list[Right]:
+    """Read the right answers to variants of a bank, which is executed as by `read_bank`.
+
+    Returns
+    -------
+    list of Right
+    """
+    return [item for item in runpy.run_path(str(path)).values() if isinstance(item, Right)]

@@ -69,6 +69,18 @@ class Slip(NamedTuple):
     answer: Callable[..., object] = not_in_the_kit
 
 
+class Change(NamedTuple):
+    """A variant with another right answer: its key, and what it makes of a program.
+
+    Called with a program for the usual form and the arguments of a case, it returns the answer of
+    the same program for the variant. So the right program gives the variant's right answer, and
+    each misconception gives the misconception in the variant. Students get the key alone.
+    """
+
+    key: str
+    answer: Callable[..., object] = not_in_the_kit
+
+
 class Exercise(ABC):
     """One function that students write. Subclasses are listed in `kinoedu.course.lessons`.
 
@@ -194,9 +206,21 @@ NO_ANSWER = (ValueError, ZeroDivisionError, NotInTheKit)  # of a misconception
 
 
 class ValueExercise(Exercise):
-    """An exercise whose right answer is a reference value up to rounding, or a ValueError."""
+    """An exercise whose right answer is a reference value up to rounding, or a ValueError.
+
+    Attributes
+    ----------
+    changes : the variants that have another right answer; `variants` are their names.
+    """
 
     tolerance: ClassVar[float] = 1e-6
+    changes: ClassVar[tuple[Change, ...]] = ()
+
+    def __init_subclass__(cls) -> None:
+        """Name the variants."""
+        super().__init_subclass__()
+        if "changes" in vars(cls):
+            cls.variants = tuple(change.key for change in cls.changes)
 
     @staticmethod
     @abstractmethod

@@ -1,8 +1,9 @@
 """The kit for students: the lessons without answers, and the results that `check` needs of them.
 
 Three things are taken out of the lessons: the bodies of withheld functions, the programs of known
-misconceptions, and then whatever nothing else uses. What the withheld functions return is recorded
-for the cases of `check`, which are the same for everybody; hidden cases are not among them.
+misconceptions and of variants, and then whatever nothing else uses. What the withheld functions
+return is recorded for the cases of `check`, which are the same for everybody; hidden cases are not
+among them.
 """
 
 import ast
@@ -21,6 +22,7 @@ Sources = dict[str, str]  # by the path of a file in the folder of the lessons
 Name = tuple[str, str]  # the path of a file, and a name that it defines; "" for other statements
 Place = tuple[int, int]  # a line, from 1, and a byte of it
 Edit = tuple[Place, Place, str]  # where a text begins and ends, and the new text
+NAMED_PROGRAMS = ("Slip", "Change")  # students get the names alone
 
 
 def take_out_answers(sources: Sources) -> Sources:
@@ -37,7 +39,7 @@ def take_out_answers(sources: Sources) -> Sources:
 
 
 def cut_answers(text: str) -> str:
-    r"""A source without the bodies of withheld functions and the programs of misconceptions.
+    r"""A source without bodies of withheld functions, and programs of misconceptions and variants.
 
     Raises
     ------
@@ -60,8 +62,8 @@ def cut_answers(text: str) -> str:
             if ast.get_docstring(node) is None:
                 raise ValueError(f"{node.name} is withheld, and needs a docstring")
             edits.append((end_of(node.body[0]), end_of(node), ""))
-        elif isinstance(node, ast.Call) and ast.unparse(node.func) == "Slip":
-            edits.append((place_of(node), end_of(node), f"Slip({ast.unparse(node.args[0])})"))
+        elif isinstance(node, ast.Call) and (name := ast.unparse(node.func)) in NAMED_PROGRAMS:
+            edits.append((place_of(node), end_of(node), f"{name}({ast.unparse(node.args[0])})"))
     return edit(text, edits)
 
 

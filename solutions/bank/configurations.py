@@ -13,7 +13,8 @@ from kinoedu.course.bank import Solutions, wrong
 from kinoedu.geometry.displacements import displacement, rotation
 from kinoedu.spaces import circle_distance, torus_distance
 
-changed = Solutions(Path(__file__).parents[1] / "05_configuration_spaces.ipynb").changed
+lesson = Solutions(Path(__file__).parents[1] / "05_configuration_spaces.ipynb")
+changed, varied = lesson.changed, lesson.varied
 
 # Degrees of freedom
 
@@ -782,3 +783,31 @@ def angles_for_a_target():
 def nowhere():
     """A coordinate is nan."""
     return 1, 1.1, (math.nan, 0)
+
+
+# Variants
+
+ROOT = "math.hypot(*(circle_distance(x, y) for x, y in zip(a, b)))"
+sum_of_arcs = varied(
+    "torus_distance", "sum", (ROOT, "sum(circle_distance(x, y) for x, y in zip(a, b))")
+)
+largest_arc = varied(
+    "torus_distance", "largest", (ROOT, "max(circle_distance(x, y) for x, y in zip(a, b))")
+)
+sum_of_differences = changed(
+    "torus_distance", (ROOT, "sum(abs(a - b))"), variant="sum", slip="no_wrap"
+)
+sum_of_squares = changed(
+    "torus_distance",
+    (ROOT, "sum(circle_distance(x, y) ** 2 for x, y in zip(a, b))"),
+    variant="sum",
+    slip="square",
+)
+largest_difference = changed(
+    "torus_distance", (ROOT, "max(abs(a - b))"), variant="largest", slip="no_wrap"
+)
+sum_for_the_largest = changed(
+    "torus_distance",
+    (ROOT, "sum(circle_distance(x, y) for x, y in zip(a, b))"),
+    variant="largest",
+)

@@ -9,7 +9,8 @@ import numpy as np
 
 from kinoedu.course.bank import Solutions, wrong
 
-changed = Solutions(Path(__file__).parents[1] / "03_decomposition.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "03_decomposition.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 
 def height(x, edge):
@@ -616,3 +617,24 @@ def with_an_obstacle():
 def beyond_the_range():
     """The coordinates are too large."""
     return [(0, 2e6), (5, 0), (5, 3e6), (9, 5e6), (5, 9e6), (5, 4e6)]
+
+
+# Variants
+
+BOTH_ENDS = "zip(levels[::2], levels[1::2])"
+top_down = varied("free_intervals", "top_down", (f"list({BOTH_ENDS})", f"list({BOTH_ENDS})[::-1]"))
+each_from_above = varied(
+    "free_intervals", "upper_end_first", (BOTH_ENDS, "zip(levels[1::2], levels[::2])")
+)
+all_from_the_top = changed(
+    "free_intervals",
+    (f"list({BOTH_ENDS})", "list(zip(levels[:-1], levels[1:]))[::-1]"),
+    variant="top_down",
+    slip="hollow",
+)
+upper_ends_of_all = changed(
+    "free_intervals",
+    (BOTH_ENDS, "zip(levels[1:], levels[:-1])"),
+    variant="upper_end_first",
+    slip="hollow",
+)

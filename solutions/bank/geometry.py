@@ -18,7 +18,8 @@ from kinoedu.geometry import (
     point_segment_distance,
 )
 
-changed = Solutions(Path(__file__).parents[1] / "01_geometry.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "01_geometry.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 
 def edges(polygon):
@@ -451,3 +452,24 @@ def far_away():
 def flat():
     """The polygon has no area."""
     return (1, 0), [(0, 0), (4, 0), (2, 0)]
+
+
+# Variants
+
+round_clockwise = varied("polygon_tangent", "clockwise", ("return vector /", "return -vector /"))
+NEITHER = "vector = b - a if 0.0 < t < 1.0 else np.array([-y, x])"
+outward = varied(
+    "polygon_tangent", "outward", (NEITHER, "vector = q - a - min(max(t, 0), 1) * (b - a)")
+)
+inward = changed(
+    "polygon_tangent",
+    (NEITHER, "vector = a + min(max(t, 0), 1) * (b - a) - q"),
+    variant="outward",
+    slip="clockwise",
+)
+outward_from_an_end = changed(
+    "polygon_tangent", (NEITHER, "vector = np.array([x, y])"), variant="outward"
+)
+clockwise_along_the_edge = changed(
+    "polygon_tangent", (NEITHER, "vector = a - b"), variant="clockwise"
+)

@@ -5,10 +5,14 @@ Each is a mistake that students make; `slip` is the misconception that a check m
 
 import math
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
+
+solutions = Solutions(Path(__file__).parents[1] / "06_sampling.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 
 def whole_root(n, d):
@@ -817,3 +821,15 @@ def beyond_the_square(*_):
 def two_corners(*_):
     """Gives two points."""
     return [(1 / 32, 0), (1 / 16, 1)]
+
+
+# Variants
+
+from_ten = varied("halton", "from_ten", ("range(1, n + 1)", "range(10, n + 10)"))
+from_the_last = varied("halton", "reversed", ("range(1, n + 1)", "range(n, 0, -1)"))
+from_nine = changed(
+    "halton", ("range(1, n + 1)", "range(9, n + 9)"), variant="from_ten", slip="from_zero"
+)
+down_to_zero = changed(
+    "halton", ("range(1, n + 1)", "range(n - 1, -1, -1)"), variant="reversed", slip="from_zero"
+)

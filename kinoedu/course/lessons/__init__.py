@@ -5,13 +5,13 @@ pictures of failing cases, and the messages that students read. `shared` is code
 lessons use.
 """
 
-import functools
 from importlib import import_module
 from pkgutil import iter_modules
 
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ..exercise import Exercise
+from ..variants import make_variant
 
 ROOMS = [room.name for room in iter_modules(__path__) if room.name != "shared"]
 
@@ -60,12 +60,6 @@ def find(name: str, variant: str = "") -> Exercise:
             )
         )
     return make_variant(type(exercise), variant) if variant else exercise
-
-
-@functools.cache
-def make_variant(kind: type[Exercise], variant: str) -> Exercise:
-    """The variant of an exercise, made once: results are cached with the object."""
-    return kind(variant)
 
 
 __all__ = ["EXERCISES", "find"]

@@ -1,13 +1,14 @@
 """The exercise `torus_distance`. Bullo & Smith, chapter 3."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ....geometry.checks import Array
 from ....spaces import circle_distance, torus_distance
-from ...exercise import Case, Slip
+from ...exercise import Case, Change, Slip
 from ...shapes import Number, Numbers, Record
 from .angles import TURN, BetweenAngles
 
@@ -35,6 +36,10 @@ class TorusDistance(BetweenAngles):
         Slip("long", lambda a, b: np.linalg.norm((b - a) % TURN)),
     )
     reference = staticmethod(torus_distance)
+    changes = (
+        Change("sum", lambda distance, a, b: sum(measure_each(distance, a, b))),
+        Change("largest", lambda distance, a, b: max(measure_each(distance, a, b))),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Two angles first, with small numbers; then any number of angles."""
@@ -72,6 +77,11 @@ class TorusDistance(BetweenAngles):
             yield case_of(
                 "joints", np.round(rng.uniform(-pi, pi, d), 2), np.round(rng.uniform(-pi, pi, d), 2)
             )
+
+
+def measure_each(distance: Callable[..., float], a: Array, b: Array) -> list[float]:
+    """The distance for each angle alone."""
+    return [distance(a[i : i + 1], b[i : i + 1]) for i in range(len(a))]
 
 
 def case_of(kind: str, a: ArrayLike, b: ArrayLike) -> Case:

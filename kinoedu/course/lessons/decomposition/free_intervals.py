@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 from ...withheld import withheld
@@ -46,6 +46,10 @@ class FreeIntervals(ValueExercise):
         Slip("upside_down", lambda *given: free_stretches(*given)[::-1, ::-1]),
     )
     reference = staticmethod(free_stretches)
+    changes = (
+        Change("top_down", lambda intervals, *given: intervals(*given)[::-1]),
+        Change("upper_end_first", lambda intervals, *given: intervals(*given)[:, ::-1]),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Squared paper first; then bays, an obstacle, and several obstacles."""

@@ -8,7 +8,7 @@ import numpy as np
 from ....geometry import polygon_tangent
 from ....geometry.checks import Array
 from ....geometry.polygons import nearest_on_ring
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ..shared.pictures import draw_tangent
@@ -50,6 +50,10 @@ class PolygonTangent(ValueExercise):
         Slip("vertex_at_edge", lambda q, polygon: vertex_tangent(q, polygon)),
     )
     reference = staticmethod(polygon_tangent)
+    changes = (
+        Change("clockwise", lambda tangent, q, polygon: np.negative(tangent(q, polygon))),
+        Change("outward", lambda tangent, q, polygon: turn_right(tangent(q, polygon))),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Polygons to draw by hand, then stars of every kind, then many vertices."""
@@ -104,6 +108,11 @@ def vertex_tangent(q: Array, polygon: Array) -> Array:
         return polygon_tangent(q, polygon)
     vector = turn_left(q - (a if t < 0.5 else b))
     return vector / np.linalg.norm(vector)
+
+
+def turn_right(v: Array) -> Array:
+    """Turn a vector by a quarter turn to the right."""
+    return -turn_left(v)
 
 
 def unscaled_tangent(q: Array, polygon: Array) -> Array:

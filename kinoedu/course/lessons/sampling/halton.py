@@ -6,7 +6,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....sampling import halton, van_der_corput
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Value
 from ...whole_shapes import Integer
@@ -52,6 +52,10 @@ class Halton(ValueExercise):
         ),
     )
     reference = staticmethod(halton)
+    changes = (
+        Change("from_ten", lambda points, n, primes: points(n + 9, primes)[9:]),
+        Change("reversed", lambda points, n, primes: points(n, primes)[::-1]),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield one prime, two, and more; then other primes in any order.
