@@ -25,7 +25,8 @@ from kinoedu.geometry import (
 
 FULL = 2 * np.pi
 solutions = Solutions(Path(__file__).parents[1] / "07_collision_detection.ipynb")
-changed, touched_link = solutions.changed, solutions.right["link_in_contact"]
+changed, varied = solutions.changed, solutions.varied
+touched_link = solutions.right["link_in_contact"]
 
 
 def edges(polygon):
@@ -796,3 +797,27 @@ def sum_of_angles(q, P):
         u, v = a - q, b - q
         total += math.atan2(u[0] * v[1] - u[1] * v[0], u @ v)
     return abs(total) > 1.0
+
+
+# Variants
+
+obstacle_moves = varied("c_obstacle", "obstacle_moves", ("a - b for a", "b - a for a"))
+HULL = "convex_hull([a - b for a in obstacle for b in robot])"
+box_round = """convex_hull(
+        [(x, y) for x in WHERE[:, 0] for y in WHERE[:, 1]]
+    )"""
+bounding_box = varied(
+    "c_obstacle",
+    "bounding_box",
+    (HULL, box_round.replace("WHERE", "np.array([a - b for a in obstacle for b in robot])")),
+)
+box_of_the_obstacle = changed(
+    "c_obstacle",
+    (HULL, box_round.replace("WHERE", "obstacle")),
+    variant="bounding_box",
+    slip="unchanged",
+)
+moves_by_the_sum = changed("c_obstacle", ("a - b", "a + b"), variant="obstacle_moves")
+mirrored_obstacle = changed(
+    "c_obstacle", (HULL, "-obstacle"), variant="obstacle_moves", slip="unchanged"
+)

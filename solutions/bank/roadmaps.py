@@ -14,7 +14,8 @@ import shapely
 
 from kinoedu.course.bank import Solutions, wrong
 
-changed = Solutions(Path(__file__).parents[1] / "08_roadmaps.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "08_roadmaps.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 
 def turns(ring):
@@ -879,4 +880,24 @@ hundred_tries = changed(
     "sampled_roadmap",
     ("while len(nodes) < n + 2:", "for _ in range(10 * n):"),
     ("if problem.is_free(q):", "if problem.is_free(q) and len(nodes) < n + 2:"),
+)
+
+
+# Variants
+
+NEAR = "if problem.distance(nodes[i], nodes[j]) <= r]"
+FREE_OF_NEAR = "[(i, j) for i, j in near if problem.is_free_path(nodes[i], nodes[j])]"
+long_edges = varied("radius_neighbours", "long_edges", (NEAR, NEAR.replace("if", "if 0.75 * r <")))
+far_from_start = varied(
+    "radius_neighbours", "far_from_start", ("<= r]", "<= (2 * r if i == 0 else r)]")
+)
+long_edges_through_walls = changed(
+    "radius_neighbours",
+    (NEAR, NEAR.replace("if", "if 0.75 * r <")),
+    (FREE_OF_NEAR, "near"),
+    variant="long_edges",
+    slip="blind",
+)
+all_far_from_each_other = changed(
+    "radius_neighbours", ("<= r]", "<= 2 * r]"), variant="far_from_start"
 )

@@ -12,7 +12,8 @@ import numpy as np
 
 from kinoedu.course.bank import Solutions, wrong
 
-changed = Solutions(Path(__file__).parents[1] / "10_terrains.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "10_terrains.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 # RRT on a terrain
 
@@ -794,3 +795,23 @@ short_pieces_left_out = changed(
 )
 whole_costs = changed("cost_along", ("cost[int(y), int(x)]", "int(cost[int(y), int(x)])"))
 steep_is_upright = changed("cost_along", ("int(x)]", "int(x if abs(b[0] - a[0]) > 0.1 else a[0])]"))
+
+
+# Variants
+
+by_speed = varied("cost_along", "speed", ("* cost[int(y), int(x)]", "/ cost[int(y), int(x)]"))
+squared_costs = varied(
+    "cost_along", "squared", ("cost[int(y), int(x)]", "cost[int(y), int(x)] ** 2")
+)
+speed_of_the_transposed = changed(
+    "cost_along",
+    ("* cost[int(y), int(x)]", "/ cost.T[int(y) % len(cost.T), int(x) % len(cost)]"),
+    variant="speed",
+)
+speed_from_the_top = changed(
+    "cost_along",
+    ("* cost[int(y), int(x)]", "/ cost[::-1][int(y), int(x)]"),
+    variant="speed",
+    slip="upside_down",
+)
+square_of_the_whole = changed("cost_along", ("return total", "return total**2"), variant="squared")

@@ -11,7 +11,8 @@ import numpy as np
 from kinoedu.course.bank import Solutions, wrong
 
 solutions = Solutions(Path(__file__).parents[1] / "09_trees.ipynb")
-changed, right = solutions.changed, solutions.right
+changed, varied = solutions.changed, solutions.varied
+right = solutions.right
 
 
 def nearest(problem, nodes, q):
@@ -415,4 +416,28 @@ at_a_thousand_places = changed(
         "problem.is_free_path(a, q)",
         "all(problem.is_free(a + s * (q - a)) for s in np.linspace(0, 1, 1000))",
     ),
+)
+
+
+# Variants
+
+backwards_along_the_path = varied(
+    "follow", "backwards", ("gone = [path[0]]", "path = path[::-1]\n    gone = [path[0]]")
+)
+backwards_unchecked = changed(
+    "follow",
+    ("gone = [path[0]]", "path = path[::-1]\n    gone = [path[0]]"),
+    (" or not problem.is_free_path(a, q)", ""),
+    variant="backwards",
+    slip="trusting",
+)
+backwards_to_the_corner = changed(
+    "follow",
+    ("gone = [path[0]]", "path = path[::-1]\n    gone = [path[0]]"),
+    ("problem.is_free_path(a, q)", "problem.is_free_path(a, b)"),
+    variant="backwards",
+    slip="asking_beyond",
+)
+turned_round_at_the_end = changed(
+    "follow", ("return gone", "return gone[::-1]"), variant="backwards"
 )

@@ -7,7 +7,7 @@ import numpy as np
 from ....geometry import convex_hull, minkowski_difference, minkowski_sum
 from ....geometry.checks import Array
 from ....geometry.minkowski import corner_pairs
-from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Change, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Value
 from ...withheld import withheld
@@ -53,6 +53,10 @@ class CObstacle(ValueExercise):
         Slip("all", lambda robot, obstacle: (obstacle[:, None] - robot).reshape(-1, 2)),
     )
     reference = staticmethod(difference_of)
+    changes = (
+        Change("obstacle_moves", lambda grown, *given: np.negative(grown(*given))),
+        Change("bounding_box", lambda grown, *given: bounding_box(np.asarray(grown(*given)))),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Boxes on squared paper first."""

@@ -1,12 +1,12 @@
 """The exercise `radius_neighbours`. Bullo & Smith, chapter 5; LaValle, section 5.6."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip
+from ...exercise import Case, Change, Slip
 from ...shapes import Number, Record
 from ...withheld import withheld
 from ..shared.planned import ProblemShape
@@ -23,6 +23,18 @@ def join_by_radius(problem: Any, nodes: Array, r: float) -> Pairs:
     )
 
 
+def leave_out_short(joined: Callable[..., Pairs], problem: Any, nodes: Array, r: float) -> Pairs:
+    """Return the pairs that a program joins, without those at most three quarters of r apart."""
+    pairs, short = (joined(problem, nodes, reach).tolist() for reach in (r, 0.75 * r))
+    return np.array([pair for pair in pairs if pair not in short], np.int64).reshape(-1, 2)
+
+
+def join_start_far(joined: Callable[..., Pairs], problem: Any, nodes: Array, r: float) -> Pairs:
+    """Return the pairs that a program joins, and with node 0 those at most twice r apart."""
+    pairs, far = (joined(problem, nodes, reach) for reach in (r, 2.0 * r))
+    return np.vstack([pairs[pairs.min(axis=1) > 0], far[far.min(axis=1) == 0]])
+
+
 class RadiusNeighbours(RuleExercise):
     """Find the pairs that the r-radius rule joins."""
 
@@ -30,6 +42,10 @@ class RadiusNeighbours(RuleExercise):
     kinds = ("pair", "wall", "many", "torus")
     given = Record(problem=ProblemShape(), nodes=NODES, r=Number())
     reference = staticmethod(join_by_radius)
+    changes = (
+        Change("long_edges", lambda joined, p, q, r: leave_out_short(joined, p, q, r)),
+        Change("far_from_start", lambda joined, p, q, r: join_start_far(joined, p, q, r)),
+    )
     source = staticmethod(join_by_radius)
     slips = (
         Slip("strict", lambda p, q, r: join_by_radius(p, q, np.nextafter(r, 0.0))),

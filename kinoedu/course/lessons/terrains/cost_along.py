@@ -7,7 +7,7 @@ import numpy as np
 from ....collision.costs import cost_on_terrain, integral
 from ....geometry.checks import Array
 from ....messages import get_message
-from ...exercise import Axes, Case, Given, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Given, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...withheld import withheld
@@ -56,6 +56,10 @@ class CostAlong(ValueExercise):
         return integrate(cost, a, b)
 
     source = reference
+    changes = (
+        Change("speed", lambda paid, cost, a, b: paid(1.0 / cost, a, b)),
+        Change("squared", lambda paid, cost, a, b: paid(cost * cost, a, b)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield motions over two cells first; no motion runs along a side of a cell."""

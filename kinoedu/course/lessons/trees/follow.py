@@ -10,7 +10,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....planners import receding_horizon
 from ....problems.protocols import PlanningProblem
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...tasks import StudentProblem
@@ -103,6 +103,9 @@ class Follow(ValueExercise):
         Slip("each_within", restart_horizon),
         Slip("asking_beyond", check_beyond),
     )
+    changes = (
+        Change("backwards", lambda followed, p, path, horizon: followed(p, path[::-1], horizon)),
+    )
 
     @staticmethod
     @withheld
@@ -128,6 +131,9 @@ class Follow(ValueExercise):
         )
         yield make_case(
             "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
+        )
+        yield make_case(
+            "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(9, 5), (9, 1), (1, 1)], 2.0
         )
         for turn in range(14):
             path = np.round(rng.uniform(0.5, 9.5, (int(rng.integers(4, 8)), 2)), 1)
@@ -164,10 +170,10 @@ class Follow(ValueExercise):
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge the first row and equal rows by rules of their own, then the rest."""
         verdict = super().value_verdict(case, value)
-        rows, path = np.asarray(value), case.given["path"]
-        if verdict.is_right or (len(rows) > 0 and rows.shape[1:] != path.shape[1:]):
+        rows, truth = np.asarray(value), self.truth(case)
+        if verdict.is_right or (len(rows) > 0 and rows.shape[1:] != truth.shape[1:]):
             return verdict
-        if len(rows) == 0 or np.abs(rows[0] - path[0]).max() > self.tolerance:
+        if len(rows) == 0 or np.abs(rows[0] - truth[0]).max() > self.tolerance:
             return verdict._replace(rule="begins")
         repeated = len(rows) > 1 and not np.diff(rows, axis=0).any(axis=1).all()
         return verdict._replace(rule="repeated") if repeated else verdict
