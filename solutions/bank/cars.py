@@ -13,7 +13,8 @@ from kinoedu.course.bank import Solutions, wrong
 from kinoedu.curves.arcs import drive_arc
 from kinoedu.curves.dubins import all_dubins_curves
 
-changed = Solutions(Path(__file__).parents[1] / "12_the_car.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "12_the_car.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 # One control
 
@@ -599,4 +600,33 @@ def swapped():
 
 tiny_errors_are_zero = changed(
     "order_of_error", ("np.log(errors)", "np.log(np.maximum(errors, 1e-13))")
+)
+
+
+# Variants
+
+MOVES = "x, y = x + h * v * math.cos(theta), y + h * v * math.sin(theta)"
+TURNS = "theta += h * v * math.tan(phi) / L"
+midpoint = varied(
+    "euler",
+    "midpoint",
+    (MOVES, f"{TURNS} / 2\n        {MOVES}"),
+    (f"        {TURNS}\n", f"        {TURNS} / 2\n"),
+)
+new_heading = varied(
+    "euler",
+    "new_heading",
+    (f"        {MOVES}\n        {TURNS}\n", f"        {TURNS}\n        {MOVES}\n"),
+)
+turns_before_the_midpoint = changed(
+    "euler",
+    (f"        {MOVES}\n        {TURNS}\n", f"        {TURNS}\n        {MOVES}\n"),
+    variant="midpoint",
+    slip="midpoint",
+)
+half_way_for_the_end = changed(
+    "euler",
+    (MOVES, f"{TURNS} / 2\n        {MOVES}"),
+    (f"        {TURNS}\n", f"        {TURNS} / 2\n"),
+    variant="new_heading",
 )

@@ -16,7 +16,8 @@ from kinoedu.curves.arcs import drive_arc
 from kinoedu.geometry import point_in_polygon
 from kinoedu.worlds.polygon_world import rings_of
 
-changed = Solutions(Path(__file__).parents[1] / "13_kinodynamic_planning.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "13_kinodynamic_planning.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 # How far poses are apart
 
@@ -938,3 +939,23 @@ five_turns_at_most = changed(
     ),
 )
 less_than_a_thousand = changed("fastest_drive", ("time.get(v, math.inf)", "time.get(v, 1000.0)"))
+
+
+# Variants
+
+WHOLE = "math.sqrt((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2 + (radian * turn) ** 2)"
+sum_of_parts = varied(
+    "heading_distance", "sum", (WHOLE, "math.dist(a[:2], b[:2]) + abs(radian * turn)")
+)
+larger_part = varied(
+    "heading_distance", "larger", (WHOLE, "max(math.dist(a[:2], b[:2]), abs(radian * turn))")
+)
+sum_with_signs = changed(
+    "heading_distance", (WHOLE, "math.dist(a[:2], b[:2]) + radian * turn"), variant="sum"
+)
+larger_without_wrap = changed(
+    "heading_distance",
+    (WHOLE, "max(math.dist(a[:2], b[:2]), radian * abs(b[2] - a[2]))"),
+    variant="larger",
+    slip="no_wrap",
+)

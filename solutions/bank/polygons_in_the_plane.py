@@ -6,10 +6,14 @@ Each is a mistake that students make; `slip` is the misconception that a check m
 import math
 import random
 from collections import deque
+from pathlib import Path
 
 import numpy as np
 
-from kinoedu.course.bank import wrong
+from kinoedu.course.bank import Solutions, wrong
+
+solutions = Solutions(Path(__file__).parents[1] / "11_polygons_in_the_plane.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 
 def turned_until_free(problem, x, y, headings):
@@ -616,3 +620,17 @@ def too_far_away():
 def corner_on_the_chord():
     """Fills the gap between two chords, and so touches one."""
     return (0, 0), (9, 0), [(-3, 0), (12, 0), (5, 1)]
+
+
+# Variants
+
+BOTH_HALVES = "A[i, j] = A[j, i] = "
+above_the_diagonal = varied("adjacency_matrix", "upper_half", (BOTH_HALVES, "A[j, i] = "))
+contacts = varied("adjacency_matrix", "contact", (BOTH_HALVES, BOTH_HALVES + "not "))
+lower_half = changed("adjacency_matrix", (BOTH_HALVES, "A[i, j] = "), variant="upper_half")
+contact_with_itself = changed(
+    "adjacency_matrix",
+    (BOTH_HALVES, BOTH_HALVES + "not "),
+    ("np.zeros((n, n), int)", "np.eye(n, dtype=int)"),
+    variant="contact",
+)

@@ -7,7 +7,7 @@ import numpy as np
 
 from ....curves import integrators
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip
+from ...exercise import Axes, Case, Change, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
 from ...whole_shapes import Integer
@@ -51,6 +51,21 @@ def by_rule(
     return mistaken
 
 
+def with_later_heading(
+    poses: Callable[..., Value],
+    share: float,
+    pose: Array,
+    v: float,
+    phi: float,
+    t: float,
+    wheelbase: float,
+    n: int,
+) -> Value:
+    """Poses by a rule whose steps use their heading after this fraction of the step's turn."""
+    later = np.array([0.0, 0.0, share * t / n * v * math.tan(phi) / wheelbase])
+    return np.asarray(poses(pose + later, v, phi, t, wheelbase, n)) - later
+
+
 def by_first_heading(
     pose: Array, v: float, phi: float, t: float, wheelbase: float, n: int
 ) -> Value:
@@ -80,6 +95,10 @@ class Euler(PoseExercise):
         Slip("last_only", lambda *given: euler_poses(*given)[-1:]),
     )
     reference = staticmethod(euler_poses)
+    changes = (
+        Change("midpoint", lambda poses, *given: with_later_heading(poses, 0.5, *given)),
+        Change("new_heading", lambda poses, *given: with_later_heading(poses, 1.0, *given)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """One step first, then the worked example."""

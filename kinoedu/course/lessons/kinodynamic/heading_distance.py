@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ....geometry.checks import Array
 from ....spaces.angles import angle_difference, wrap_angle
 from ....spaces.wrapping import weighted_distance
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...withheld import withheld
@@ -31,6 +31,14 @@ def measure_with(turn: Callable[[float, float, float], float]) -> Callable[..., 
     return lambda a, b, radian: math.hypot(b[0] - a[0], b[1] - a[1], turn(a[2], b[2], radian))
 
 
+def measure_apart(
+    distance: Callable[..., float], a: Array, b: Array, radian: float
+) -> tuple[float, float]:
+    """Return the distance of the places with equal headings, then of the headings at one place."""
+    turned = np.array([a[0], a[1], b[2]])
+    return distance(turned, b, radian), distance(a, turned, radian)
+
+
 def measure_short_way(a: float, b: float) -> float:
     """Return the size of the angle between two headings, the short way."""
     return abs(angle_difference(wrap_angle(a), wrap_angle(b)))
@@ -47,6 +55,10 @@ class HeadingDistance(ValueExercise):
     source = staticmethod(measure_distance)
     shown = staticmethod(weighted_distance)
     reference = staticmethod(measure_distance)
+    changes = (
+        Change("sum", lambda distance, *given: sum(measure_apart(distance, *given))),
+        Change("larger", lambda distance, *given: max(measure_apart(distance, *given))),
+    )
     slips = (
         Slip("no_wrap", measure_with(lambda a, b, radian: radian * (b - a))),
         Slip("one_way", measure_with(lambda a, b, radian: radian * ((b - a) % TURN))),

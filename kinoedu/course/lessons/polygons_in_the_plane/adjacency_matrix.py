@@ -9,7 +9,7 @@ from ....geometry.checks import Array
 from ....problems.protocols import PlanningProblem
 from ....robots import Disk, RigidPolygon
 from ....worlds import PolygonWorld, scattered
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...tasks import ProblemShape
@@ -64,6 +64,11 @@ def chain_nodes(problem: PlanningProblem, nodes: Array) -> Matrix:
     return np.triu(np.tril(matrix, 1), -1)
 
 
+def swap_entries(matrix: Matrix) -> Matrix:
+    """Swap ones and zeros outside the diagonal."""
+    return 1 - np.eye(len(matrix), dtype=np.int64) - matrix
+
+
 class AdjacencyMatrix(ValueExercise):
     """Compute the matrix of free motions between configurations."""
 
@@ -93,9 +98,13 @@ class AdjacencyMatrix(ValueExercise):
         ),
         Slip(
             "contact",
-            lambda problem, nodes: 1 - np.eye(len(nodes)) - find_free_motions(problem, nodes),
+            lambda problem, nodes: swap_entries(find_free_motions(problem, nodes)),
         ),
         Slip("chained", chain_nodes),
+    )
+    changes = (
+        Change("upper_half", lambda matrix, problem, nodes: np.triu(matrix(problem, nodes))),
+        Change("contact", lambda matrix, problem, nodes: swap_entries(matrix(problem, nodes))),
     )
 
     @staticmethod
