@@ -6,6 +6,7 @@ grades follow it.
 
 import json
 import re
+import runpy
 from math import pi
 from pathlib import Path
 
@@ -352,3 +353,12 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
     regrade = ["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new")]
     assert main([*regrade, "--workers", "1"]) == 0
     assert "0 scores changed" in capsys.readouterr().out
+
+
+def test_the_page_of_variants_lists_all():
+    """As they are: python docs/variants.py writes it anew. Lessons 1 to 13 have some."""
+    page = HOUSE / "docs" / "variants.md"
+    written = runpy.run_path(str(HOUSE / "docs" / "variants.py"))["written"]()
+    assert page.read_text(encoding="utf-8") == written, "run python docs/variants.py"
+    lessons = sorted({one.lesson for one in EXERCISES.values()})
+    assert re.findall("^## (.*)$", written, re.MULTILINE) == lessons[:13]

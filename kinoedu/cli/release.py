@@ -18,9 +18,9 @@ students see are stored.
                                               wrong answers and tests, and with recorded results in
                                               place of the answers in the lessons' code
 
-With --variants each student gets their own exercises: where several answers are right, students are
-asked for different ones. Then grade with --variants. STUDENTS is a file with an id on each line,
-spelled as in the column student of grades.csv.
+With --variants each student gets their own exercises: students are asked for different answers,
+such as distances in different metrics. Then grade with --variants. STUDENTS is a file with an id on
+each line, spelled as in the column student of grades.csv.
 
   python start.py release 02_bug_algorithms --variants students.txt --out handouts
 
