@@ -441,3 +441,25 @@ backwards_to_the_corner = changed(
 turned_round_at_the_end = changed(
     "follow", ("return gone", "return gone[::-1]"), variant="backwards"
 )
+twice_the_horizon = varied(
+    "follow", "double_speed", ("gone = [path[0]]", "gone, horizon = [path[0]], 2 * horizon")
+)
+twice_for_each_motion = changed(
+    "follow",
+    ("problem.steer(a, b, horizon)", "problem.steer(a, b, 2 * horizon)"),
+    variant="double_speed",
+)
+twice_the_horizon_unchecked = changed(
+    "follow",
+    ("gone = [path[0]]", "gone, horizon = [path[0]], 2 * horizon"),
+    (" or not problem.is_free_path(a, q)", ""),
+    variant="double_speed",
+    slip="trusting",
+)
+checks_whole_motions_at_double_speed = changed(
+    "follow",
+    ("gone = [path[0]]", "gone, horizon = [path[0]], 2 * horizon"),
+    ("problem.is_free_path(a, q)", "problem.is_free_path(a, b)"),
+    variant="double_speed",
+    slip="asking_beyond",
+)

@@ -105,6 +105,7 @@ class Follow(ValueExercise):
     )
     changes = (
         Change("backwards", lambda followed, p, path, horizon: followed(p, path[::-1], horizon)),
+        Change("double_speed", lambda followed, p, path, horizon: followed(p, path, 2.0 * horizon)),
     )
 
     @staticmethod
@@ -130,7 +131,7 @@ class Follow(ValueExercise):
             "blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
         )
         yield make_case(
-            "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
+            "blocked", in_room((1, 1), (9, 5), box(7, 0, 8, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
         )
         yield make_case(
             "blocked", in_room((1, 1), (9, 5), box(5, 0, 6, 3)), [(9, 5), (9, 1), (1, 1)], 2.0
