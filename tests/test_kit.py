@@ -128,7 +128,7 @@ def test_what_answers_use_is_not_in_the_kit_but_for_a_short_list():
 
 
 def test_no_body_of_a_withheld_function_is_in_the_kit():
-    """Nor a program of a misconception; the signatures and docstrings are."""
+    """Nor a program of a misconception or a variant; the signatures and docstrings are."""
     marked = 0
     for path, text in SOURCES.items():
         kept = KIT[path]
@@ -158,12 +158,13 @@ def test_an_answer_goes_with_its_helpers_and_their_imports():
     helpers += "def other(x):\n    return math.pi\n"
     answer = "from .helpers import half, other\n\n\n@withheld\ndef answer(x):\n    'The answer.'\n"
     answer += "    # a hint\n    return half(x)\n\n\n"
-    answer += "slips = (Slip('sign', lambda x: -half(x)),)\nlist = [answer, other]\n"
+    answer += "slips = (Slip('sign', lambda x: -half(x)),)\n"
+    answer += "changes = (Change('less', lambda f, x: f(half(x))),)\nlist = [answer, other]\n"
     kit = take_out_answers({"a/helpers.py": helpers, "a/answer.py": answer})
     assert kit["a/helpers.py"] == "import math\n\n\ndef other(x):\n    return math.pi\n"
     assert kit["a/answer.py"] == (
         "from .helpers import other\n\n\n@withheld\ndef answer(x):\n    'The answer.'\n\n\n"
-        "slips = (Slip('sign'),)\nlist = [answer, other]\n"
+        "slips = (Slip('sign'),)\nchanges = (Change('less'),)\nlist = [answer, other]\n"
     )
 
 

@@ -10,7 +10,7 @@ from ...exercise import Case, Change, Slip
 from ...shapes import Number, Record
 from ...withheld import withheld
 from ..shared.planned import ProblemShape
-from .halls import WALL, draw_free_nodes, make_hall, measure_distances
+from .halls import GRAZING, WALL, draw_free_nodes, make_hall, measure_distances
 from .joining import allow_contact, check_samples, ignore_wrap, keep_free
 from .rules import NODES, ROUND, Pairs, RuleExercise, draw_worlds, make_case, make_pairs
 
@@ -79,6 +79,7 @@ class RadiusNeighbours(RuleExercise):
         yield make_case("wall", make_hall(WALL), ((5, 3), (11, 3)), 8.0)
         yield make_case("wall", make_hall(WALL), ((5, 3), (11, 3), (8, 8)), 8.0)
         yield from make_pairs(8.0)
+        yield make_case("wall", make_hall(WALL), GRAZING, 4.0)
         for i in range(ROUND):
             at = rng.integers(1, 5, 2)
             yield make_case(
