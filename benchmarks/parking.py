@@ -1,9 +1,9 @@
 """Which cars park within ten seconds: the twenty cases of TPCAP, and bench-mr's car parks and
 warehouse. A table, not a race.
 
-Each planner plans again and again from one generator until it has a path; seconds are those of the
-processor. Every path is replayed from its controls and judged by shapely in fine steps before it
-counts.
+Each planner plans again and again from one generator, each time with twice the nodes or iterations,
+until it has a path; seconds are those of the processor. Every path is replayed from its controls
+and judged by shapely in fine steps before it counts.
 """
 
 import json
@@ -75,14 +75,16 @@ def bench_mr() -> Iterator[Case]:
         yield case_of(f"bench-mr {name}", ke.Problem(car, world, start, goal), hulls)
 
 
-PLANNERS: dict[str, Callable[[ProblemRecord, np.random.Generator], Plan]] = {
-    "rrt (curves)": lambda problem, rng: ke.rrt(problem, max_nodes=3000, rng=rng),
-    "rrt_connect (curves)": lambda problem, rng: ke.rrt_connect(problem, max_nodes=3000, rng=rng),
-    "kinodynamic_rrt": lambda problem, rng: ke.kinodynamic_rrt(
-        problem, max_iterations=5000, rng=rng
+PLANNERS: dict[str, Callable[[ProblemRecord, int, np.random.Generator], Plan]] = {
+    "rrt (curves)": lambda problem, turn, rng: ke.rrt(problem, max_nodes=3000 * turn, rng=rng),
+    "rrt_connect (curves)": lambda problem, turn, rng: ke.rrt_connect(
+        problem, max_nodes=3000 * turn, rng=rng
     ),
-    "sst": lambda problem, rng: ke.sst(problem, rng=rng),
-    "hybrid_astar": lambda problem, rng: ke.hybrid_astar(problem),
+    "kinodynamic_rrt": lambda problem, turn, rng: ke.kinodynamic_rrt(
+        problem, max_iterations=5000 * turn, rng=rng
+    ),
+    "sst": lambda problem, turn, rng: ke.sst(problem, max_iterations=5000 * turn, rng=rng),
+    "hybrid_astar": lambda problem, turn, rng: ke.hybrid_astar(problem),
 }
 
 
@@ -90,13 +92,14 @@ def first_path(
     planner: Callable[..., Plan], case: Case, seconds: float
 ) -> tuple[Plan | None, float]:
     """The first plan with a path, and how long it took; None when time is up."""
-    rng, began = np.random.default_rng(0), time.process_time()
+    rng, began, turn = np.random.default_rng(0), time.process_time(), 1
     while True:
-        plan, took = planner(case.problem, rng), time.process_time() - began
+        plan, took = planner(case.problem, turn, rng), time.process_time() - began
         if plan.path is not None and took <= seconds:
             return plan, took
         if took > seconds:
             return None, took
+        turn *= 2
 
 
 def judge(case: Case, plan: Plan) -> None:
@@ -127,7 +130,7 @@ def main(seconds: float = 10.0) -> None:
     """
     cases = [*tpcap(), *bench_mr()]
     for planner in PLANNERS.values():
-        planner(cases[0].problem, np.random.default_rng(0))  # compiles
+        planner(cases[0].problem, 1, np.random.default_rng(0))  # compiles
     print(f"\n| case | {' | '.join(PLANNERS)} |\n|---|{'---|' * len(PLANNERS)}")
     for case in cases:
         row = []
