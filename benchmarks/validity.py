@@ -37,7 +37,7 @@ DRIVING = {
     ),
     "kinodynamic PRM": lambda problem, seed: ke.kinodynamic_prm(problem, n=700, rng=seed),
     "SST": lambda problem, seed: ke.sst(problem, max_iterations=10_000, rng=seed),
-    "hybrid A*": lambda problem, seed: ke.hybrid_astar(problem, max_nodes=20_000),
+    "hybrid A*": lambda problem, seed: ke.hybrid_astar(problem, max_nodes=5_000),
 }
 ONE_WAY = {"RRT", *DRIVING}  # those that plan for a car which only goes forward
 SEMI_FREE = ("visibility",)
