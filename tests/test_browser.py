@@ -6,23 +6,31 @@ import shutil
 
 import numpy as np
 import pytest
+import shapely
 from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 
 import kinoedu as ke
+from kinoedu.boards import curves_board, distance_board
+from kinoedu.boards.car.curves import pose_in
 from kinoedu.boards.core.page_script import BROWSER, CORE, page_script
 from kinoedu.boards.core.recorded import pack_records
+from kinoedu.boards.core.scene import move_parts
+from kinoedu.boards.core.shown import answer_by, draw_shown
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.live import describe_live, list_settings
 from kinoedu.boards.planning.plans import draw_plan, make_problem_scene
-from kinoedu.browser.bodies import BODIES, describe_bodies
+from kinoedu.browser.bodies import BODIES, PLANNED, describe_bodies
 from kinoedu.browser.scenes import pack_scene
 from kinoedu.browser.wasm import write_scripts
-from kinoedu.errors import KinoeduError
+from kinoedu.curves import dubins_path, reeds_shepp_path
+from kinoedu.errors import InvalidPolygon, KinoeduError
+from kinoedu.geometry.rings import as_ring, find_ring_fault
 from kinoedu.messages import get_message
 from kinoedu.planners.registry import PLANNERS
 
 ROOM = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (5.0, 9.0), (0.0, 10.0)]
 CONTROLS = {"step_size": 0.7, "nodes": 150}
+CURVES_AGREE = 1e-12  # of coordinates up to 40
 PROBLEMS = 50  # of each body; the first seed of each problem is its number
 
 
@@ -54,34 +62,38 @@ def short_settings(problem, name):
     """The numbers that a body takes, with few nodes where there is no path."""
     few = {"max_nodes": 300.0, "max_iterations": 1000.0}
     numbers = list_settings(problem, name, CONTROLS)
-    return [few.get(key, n) for key, n in zip(BODIES[name].settings, numbers, strict=True)]
+    return [few.get(key, n) for key, n in zip(PLANNED[name].settings._fields, numbers, strict=True)]
 
 
 def ask(name, problem, seed):
     """What a body shows, run by Python."""
     scene = pack_scene(make_problem_scene(problem))
-    settings = np.array(short_settings(problem, name))
+    settings = PLANNED[name].settings(*short_settings(problem, name))
     return BODIES[name].function(scene, settings, np.random.default_rng(seed))
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", PLANNED)
 def test_a_body_shows_what_the_board_shows(name):
-    """The same layers, to the last bit, for 12 problems."""
+    """The same layers, to the last bit, and the same words, for 12 problems."""
     for seed in range(12):
         problem = make_problem(seed)
         keywords = {"step_size": 0.7, "max_nodes": 300, "max_iterations": 1000}
         keywords = {"n": 150} if name == "prm" else keywords
-        drawing = draw_plan(PLANNERS[name].function(problem, rng=seed, **keywords))
+        theirs = draw_plan(PLANNERS[name].function(problem, rng=seed, **keywords))
         shown = ask(name, problem, seed)
-        layers = [getattr(shown, look.field) for look in BODIES[name].layers]
-        rows = [
-            np.column_stack(
-                [part for part in (layer.rows, layer.notes, layer.when) if part is not None]
-            )
-            for layer in drawing.layers
-        ]
-        for mine, theirs in zip(filter(len, layers), rows, strict=True):
-            np.testing.assert_array_equal(mine, theirs)
+        status, *facts = shown.facts
+        mine = draw_shown(PLANNED[name], int(status), facts, shown)
+        for drawn, wanted in zip(mine.layers, theirs.layers, strict=True):
+            assert same_layer(drawn, wanted)
+        assert (mine.text, mine.total, mine.unit) == (theirs.text, theirs.total, theirs.unit)
+
+
+def same_layer(a, b):
+    """Whether all fields of two layers are equal, every number to its last bit."""
+    return all(
+        np.array_equal(x, y) if isinstance(x, np.ndarray) else x == y
+        for x, y in zip(a, b, strict=True)
+    )
 
 
 def test_only_what_a_page_can_answer_is_called_live():
@@ -102,13 +114,107 @@ def test_a_board_says_what_a_page_needs():
     board = ke.board(make_problem(1), "prm", samples=200, step_size=0.5, rng=4)
     (record,) = board.record()
     assert record["live"]["body"] == "prm" and record["live"]["seed"] == 4
-    assert set(record["live"]["settings"]) == set(BODIES)
+    assert set(record["live"]["settings"]) == set(PLANNED)
     assert record["live"]["settings"]["prm"] == [0.1, 200.0, 10.0]
     assert record["live"]["settings"]["rrt"][:2] == [0.1, 0.5]
     board.code.value = True
     board.planner.value = "rrt"
     assert "live" not in board.record()[0]
-    assert set(ON_BOARD) - set(BODIES) <= {"astar"}
+    assert set(ON_BOARD) - set(PLANNED) <= {"astar"}
+
+
+# ---- bodies of other boards
+
+
+def nearest_case(seed):
+    """A polygon, of every fourth clockwise, and q beside it, in it, at a vertex or on an edge."""
+    rng = np.random.default_rng(seed)
+    ring, at = star(rng)[:: -1 if seed % 4 == 0 else 1], rng.uniform(0.0, 10.0, 2)
+    while find_ring_fault(ring).kind:
+        ring = star(rng)
+    if seed % 5 == 1:
+        at = ring[0]
+    if seed % 5 == 2:
+        at = (ring[0] + ring[1]) / 2.0
+    if seed % 5 == 3:
+        at = ring.mean(axis=0)
+    return distance_board(ring, at).record()[0]
+
+
+def crossing_case(seed):
+    """A polygon with a vertex where an edge is crossed."""
+    record = distance_board([(0, 0), (4, 0), (4, 4), (0, 4)], (seed, 9)).record()[0]
+    record["scene"]["polygons"][0]["rings"][0][2] = [1.0 + 0.1 * seed, -2.0 - seed]
+    return record
+
+
+def curves_case(seed):
+    """Two poses, near and far."""
+    rng = np.random.default_rng(seed)
+    far = [0.5, 3.0, 12.0][seed % 3]
+    poses = np.column_stack([rng.uniform(-far, far, (2, 2)), rng.uniform(-np.pi, np.pi, 2)])
+    return curves_board(*poses, rng.uniform(0.5, 2.0)).record()[0]
+
+
+CASES = {"nearest": [nearest_case, crossing_case], "curves": [curves_case]}
+
+
+def shown_natively(record):
+    """What the body of a live board shows of its scene, run by Python."""
+    live = record["live"]
+    body, free = BODIES[live["body"]], free_of(record)
+    settings = body.settings(*live["settings"][live["body"]])
+    return body.function(
+        pack_scene(record["scene"], free), settings, np.random.default_rng(live["seed"])
+    )
+
+
+def free_of(record):
+    """The bitmap of a record, or None."""
+    if record["scene"]["size"] is None:
+        return None
+    rows, columns = record["scene"]["size"]
+    bits = np.frombuffer(base64.b64decode(record["bitmap"]), np.uint8)
+    return np.unpackbits(bits, count=rows * columns).reshape(rows, columns).astype(bool)
+
+
+def test_the_nearest_point_is_that_of_shapely():
+    """The distance, and where the line to it ends."""
+    for seed in range(PROBLEMS):
+        record = nearest_case(seed)
+        shape = shapely.Polygon(record["scene"]["polygons"][0]["rings"][0])
+        here, shown = shapely.Point(record["scene"]["handles"][0]["at"]), shown_natively(record)
+        assert shown.facts[1] == pytest.approx(shape.distance(here), abs=1e-12)
+        assert (shown.facts[0] == 0) == (shown.facts[1] == 0.0) == (len(shown.way) == 0)
+        for *_, x, y in shown.way:
+            assert shape.exterior.distance(shapely.Point(x, y)) < 1e-12
+
+
+def test_curves_of_a_body_are_those_of_the_library():
+    """Words, lengths, and every drawn piece, from pose to pose."""
+    for seed in range(PROBLEMS):
+        record = curves_case(seed)
+        shown, (radius,) = shown_natively(record), record["live"]["settings"]["curves"]
+        poses = [pose_in(record["scene"], name) for name in "ab"]
+        dubins, both = dubins_path(*poses, radius), reeds_shepp_path(*poses, radius)
+        text = answer_by("curves", (radius,), record["scene"]).text
+        assert dubins.word in text and both.word in text
+        assert shown.facts[2] == dubins.length and shown.facts[4] == both.length
+        for rows, end in ((shown.forward, dubins.length), (shown.driven, None)):
+            if end is not None:
+                assert rows[-1, 2:] == pytest.approx(poses[1][:2], abs=1e-8)
+        drawn = sum(np.hypot(*(rows[:, 2:] - rows[:, :2]).T).sum() for rows in shown[2:4])
+        assert drawn == pytest.approx(both.length, rel=0.01)
+
+
+def test_a_board_says_what_is_wrong_with_a_ring():
+    """In the words of the function that makes rings."""
+    scene = crossing_case(0)["scene"]
+    with pytest.raises(InvalidPolygon) as told:
+        answer_by("nearest", (), scene)
+    with pytest.raises(InvalidPolygon) as wanted:
+        as_ring(scene["polygons"][0]["rings"][0])
+    assert str(told.value) == str(wanted.value)
 
 
 # ---- in Chromium
@@ -116,7 +222,7 @@ def test_a_board_says_what_a_page_needs():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """A page with two boards, its scripts, and the modules."""
+    """A page with live boards, its scripts, and the modules."""
     needs_chromium()
     pytest.importorskip("ziglang", reason="the compiler of the site is not installed")
     place = tmp_path_factory.mktemp("page")
@@ -127,6 +233,7 @@ def folder(tmp_path_factory):
     world = ke.PolygonWorld(ROOM, [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 5), 1)])
     problem = ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1))
     boards = [ke.board(problem, "rrt", step_size=0.5), ke.board(problem, "prm", samples=200)]
+    boards += [distance_board(SQUARE, (8, 8)), curves_board((0, 0, 0), (0, 4, 0), 2.0)]
     records = [json.dumps(pack_records(board.record())) for board in boards]
     text = "".join(
         '<div class="kinoedu-record"><p class="still"></p>'
@@ -146,35 +253,37 @@ def page(folder):
 
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        opened = browser.new_page(viewport={"width": 760, "height": 1400})
+        opened = browser.new_page(viewport={"width": 760, "height": 3400})
         faults, asked = [], []
         opened.on("console", lambda message: faults.append(message.text))
         opened.on("pageerror", lambda error: faults.append(str(error)))
         opened.on("request", lambda request: asked.append(request.url))
         opened.goto((folder / "index.html").as_uri())
-        opened.wait_for_selector(".kinoedu-board[data-paints]")
+        opened.wait_for_function(
+            "document.querySelectorAll('.kinoedu-board[data-paints]').length === 4"
+        )
         yield opened
         assert faults == []
         assert all(url.startswith((folder.as_uri(), "blob:null/")) for url in asked)
         browser.close()
 
 
-RUN = """([source, module, cases]) => new Promise((resolve) => {
+RUN = """([source, module, fields, cases]) => new Promise((resolve) => {
     const worker = new Worker(URL.createObjectURL(new Blob([source])));
-    const answers = [];
+    const answers = [], bytesOf = (numbers) => Array.from(new Uint8Array(numbers.buffer));
     worker.onmessage = ({ data }) => {
-        const bytes = (numbers) => Array.from(new Uint8Array(numbers.buffer));
         answers.push(data.error ?? [data.facts.map(String),
-            Object.values(data.layers).map(({ numbers }) => bytes(numbers))]);
+            Object.values(data.layers).map(({ numbers }) => bytesOf(numbers))]);
         if (answers.length === cases.length) { worker.terminate(); resolve(answers); }
     };
     const letters = atob(module);
-    worker.postMessage({ name: "body", module: Uint8Array.from(letters, (c) => c.charCodeAt(0)) });
+    const bytes = Uint8Array.from(letters, (c) => c.charCodeAt(0));
+    worker.postMessage({ name: "body", fields, module: bytes });
     cases.forEach((one, k) => worker.postMessage({ ...one, name: "body", ask: k }));
 })"""
 
 
-@pytest.mark.parametrize("name", BODIES)
+@pytest.mark.parametrize("name", PLANNED)
 def test_webassembly_gives_the_same_bits(page, folder, name):
     """Every number of what 50 problems show, their worlds and random numbers included."""
     cases, wanted = [], []
@@ -186,31 +295,71 @@ def test_webassembly_gives_the_same_bits(page, folder, name):
             {"scene": scene, "settings": settings, "seed": 1000 * seed + 2**31 * (seed % 2)}
         )
         shown = BODIES[name].function(
-            pack_scene(scene), np.array(settings), np.random.default_rng(cases[-1]["seed"])
+            pack_scene(scene),
+            BODIES[name].settings(*settings),
+            np.random.default_rng(cases[-1]["seed"]),
         )
         wanted.append([list(layer.tobytes()) for layer in shown[1:]])
-    module = (folder / "live" / f"{name}.js").read_text(encoding="ascii").split('"')[3]
-    assert base64.b64decode(module)[:4] == b"\0asm"
-    source = (folder / "worker.js").read_text(encoding="utf-8")
-    given = page.evaluate(RUN, [source, module, cases])
+    given = run_in_page(page, folder, name, cases)
     assert [layers for _, layers in given] == wanted
 
 
-def place_on_page(page, board, x, y):
-    """Where a point of the world is on the page."""
+def run_in_page(page, folder, name, cases):
+    """The facts as texts, and the bytes of the layers, of each case."""
+    module = (folder / "live" / f"{name}.js").read_text(encoding="ascii").split('"')[3]
+    assert base64.b64decode(module)[:4] == b"\0asm"
+    source = (folder / "worker.js").read_text(encoding="utf-8")
+    return page.evaluate(RUN, [source, module, list(BODIES[name].shows._fields), cases])
+
+
+def case_for_page(record):
+    """What a page asks its worker of a live board."""
+    live = record["live"]
+    return {"scene": record["scene"], "settings": live["settings"][live["body"]], "seed": 0}
+
+
+EXACT = [(name, make) for name in CASES if name != "curves" for make in CASES[name]]
+
+
+@pytest.mark.parametrize(("name", "make"), EXACT)
+def test_other_boards_give_the_same_bits(page, folder, name, make):
+    """Facts and layers of 50 scenes each, those with a fault included."""
+    records = [make(seed) for seed in range(PROBLEMS)]
+    given = run_in_page(page, folder, name, [case_for_page(record) for record in records])
+    for record, (facts, layers) in zip(records, given, strict=True):
+        shown = shown_natively(record)
+        assert [float(fact) for fact in facts] == shown.facts.tolist()
+        assert layers == [list(layer.tobytes()) for layer in shown[1:]]
+
+
+def test_curves_differ_in_the_last_digits_only(page, folder):
+    """The same words; numbers to 1e-12: sin, cos, atan2, acos and asin are each C library's own."""
+    records, most = [curves_case(seed) for seed in range(PROBLEMS)], 0.0
+    given = run_in_page(page, folder, "curves", [case_for_page(record) for record in records])
+    for record, (facts, layers) in zip(records, given, strict=True):
+        shown = shown_natively(record)
+        assert [float(facts[k]) for k in (0, 1, 3)] == shown.facts[[0, 1, 3]].tolist()
+        for theirs, mine in zip(layers, shown[1:], strict=True):
+            numbers = np.frombuffer(bytes(theirs)).reshape(mine.shape)
+            most = max(most, np.abs(numbers - mine).max(initial=0.0))
+    assert most < CURVES_AGREE
+
+
+def place_on_page(page, board, at, lo, hi):
+    """Where a point of a square world is on the page."""
     box = page.locator(".kinoedu-board canvas").nth(board).bounding_box()
     part = box["width"] - 16
-    return box["x"] + 8 + part * x / 10.0, box["y"] + 8 + part * (1.0 - y / 10.0)
+    x, y = (np.array(at) - lo) / np.subtract(hi, lo)
+    return box["x"] + 8 + part * x, box["y"] + 8 + part * (1.0 - y)
 
 
-def drag(page, board, begin, end):
-    """Drag from one point of the world to another."""
-    page.mouse.move(*place_on_page(page, board, *begin))
+def drag(page, board, begin, end, lo=(0.0, 0.0), hi=(10.0, 10.0)):
+    """Drag from one point of a world to another."""
+    page.mouse.move(*place_on_page(page, board, begin, lo, hi))
     page.mouse.down()
     for part in np.linspace(0.0, 1.0, 6):
-        page.mouse.move(
-            *place_on_page(page, board, *(np.array(begin) * (1 - part) + np.array(end) * part))
-        )
+        here = np.array(begin) * (1 - part) + np.array(end) * part
+        page.mouse.move(*place_on_page(page, board, here, lo, hi))
     page.mouse.up()
 
 
@@ -230,6 +379,7 @@ def lab_text(name, start, goal, polygon, seed):
 
 
 WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
+SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 
 
 def test_boards_are_dragged_in_the_page(page):
@@ -246,6 +396,47 @@ def test_boards_are_dragged_in_the_page(page):
     crossed = [(4, 0), (6, 0), (6, 8), (7, 2)]
     page.wait_for_function(SAYS, arg=[1, lab_text("prm", (2, 6), (9, 1), crossed, 0)])
     keep(page, "live_boards")
+
+
+def moved(scene, kind, number, at):
+    """A scene in which one thing was moved."""
+    return move_parts(scene, [(kind, number, at)])
+
+
+def said_by(record, scene):
+    """What the board of a lesson says of a scene."""
+    live = record["live"]
+    try:
+        return answer_by(live["body"], live["settings"][live["body"]], scene).text
+    except InvalidPolygon as error:
+        return str(error)
+
+
+def test_a_point_and_a_polygon_are_dragged_in_the_page(page):
+    """q, then a vertex, then a vertex across an edge: the words are those of a lesson's board."""
+    (record,) = distance_board(SQUARE, (8, 8)).record()
+    scene, box = record["scene"], (record["scene"]["lo"], record["scene"]["hi"])
+    for part, begin, end in (
+        (("handle", 0, [7, 2]), (8, 8), (7, 2)),
+        (("polygon", 0, [[[0, 0], [6, 0], [4, 4], [0, 4]]]), (4, 0), (6, 0)),
+        (("polygon", 0, [[[0, 0], [6, 0], [2, -2], [0, 4]]]), (4, 4), (2, -2)),
+    ):
+        drag(page, 2, begin, end, *box)
+        scene = moved(scene, *part)
+        page.wait_for_function(SAYS, arg=[2, said_by(record, scene)])
+    keep(page, "live_distance")
+
+
+def test_poses_are_dragged_in_the_page(page):
+    """A place, back along its heading, and what both look at, which returns to its distance."""
+    (record,) = curves_board((0, 0, 0), (0, 4, 0), 2.0).record()
+    scene, box = record["scene"], (record["scene"]["lo"], record["scene"]["hi"])
+    for number, begin, end in ((3, (3, 4), (1, 6)), (0, (0, 0), (-3, 0)), (1, (0, 0), (-3, -5))):
+        drag(page, 3, begin, end, *box)
+        drawing = answer_by("curves", (2.0,), moved(scene, "handle", number, list(end)))
+        scene = move_parts(moved(scene, "handle", number, list(end)), drawing.places)
+        page.wait_for_function(SAYS, arg=[3, drawing.text])
+    keep(page, "live_curves")
 
 
 def test_a_link_brings_the_same_world(page, folder):

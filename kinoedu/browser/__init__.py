@@ -1,13 +1,17 @@
-"""Boards that answer without Python: planners as WebAssembly, for pages without a kernel.
+"""Boards that answer without Python: bodies as WebAssembly, for pages without a kernel.
 
 A body is a function from arrays to arrays: from a scene (`scenes.py`) to what is shown. It calls
 the same functions as the boards of a lesson, so that both give the same numbers, to the last bit.
+The boards of a distance and of curves call the body itself, and `boards/core/shown.py` draws it.
 
 | file | what it is |
 |---|---|
-| `scenes.py` | a scene as arrays, what a body returns, and the words for what is wrong |
+| `scenes.py` | a scene as arrays, and the faults in it |
 | `plans.py` | the bodies of the planners |
-| `bodies.py` | the table of all bodies, with the look of their layers |
+| `nearest.py` | the body of the distance board |
+| `curves.py` | the body of the curves' board |
+| `looks.py` | what a body says, and how its layers look |
+| `bodies.py` | the table of all bodies, with their words and looks |
 | `wasm.py` | from a body to a WebAssembly module |
 | `runtime.c` | what a module needs besides: memory, and numpy's random numbers |
 | `worker.js` | runs a module beside the page |

@@ -1,116 +1,126 @@
 """The table of bodies: what a page can answer without Python, and how it shows the answer."""
 
-from typing import Any, NamedTuple
-
-import numpy as np
-
 from ..compiled import Compiled
 from ..geometry.rings import FAULTS
 from ..messages import get_template
 from ..support.json_fields import JsonObject
-from .plans import show_prm, show_rrt, show_rrt_connect, show_rrt_star
-from .scenes import pack_scene
-
-LINE, DOT = "line", "dot"  # a width that falls with the number of steps; a size with that of dots
-
-
-class Look(NamedTuple):
-    """The look of a field of `Shown` as a layer of a drawing, `kinoedu.boards.core.drawing`.
-
-    says, names : the key of the message of a row, and the names of its numbers.
-    """
-
-    field: str
-    kind: str
-    colour: str
-    width: float | str
-    grows: bool = False
-    says: str = ""
-    names: tuple[str, ...] = ()
-
-
-class Body(NamedTuple):
-    """A function from a scene, settings (n,) and a generator to `Shown`.
-
-    settings : their names.
-    unit : the key of the message that names a step.
-    reasons : the keys of the messages that say why there is no path.
-    """
-
-    function: Compiled
-    planner: str
-    settings: tuple[str, ...]
-    unit: str
-    reasons: tuple[str, ...]
-    layers: tuple[Look, ...]
-
-
-BRANCH = ("node", "parent")
-PATH = Look("path", "path", "path", 3.0)
-TREES = (
-    Look("edges", "edges", "tree", LINE, True, "node", BRANCH),
-    Look("others", "edges", "goal_tree", LINE, True, "node", BRANCH),
-    PATH,
+from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
+from .looks import DOT, HANDLES, LINE, Body, Look, Say, describe_body
+from .nearest import NoSettings, ShownNearest, show_nearest
+from .plans import (
+    PairSettings,
+    RoadmapSettings,
+    ShownPlan,
+    StarSettings,
+    TreeSettings,
+    show_prm,
+    show_rrt,
+    show_rrt_connect,
+    show_rrt_star,
 )
-ROADMAP = (
-    Look("edges", "edges", "roadmap", 0.8, True, "roadmap_edge", ("u", "v")),
-    Look("dots", "dots", "tree", DOT, False, "roadmap_node", ("node", "degree")),
-    PATH,
-)
-TREE_SETTINGS = ("clearance", "step_size", "goal_bias", "max_nodes", "max_iterations")
-TREE_REASONS, TREES_REASONS = ("plan.tree_failed",), ("plan.trees_failed",)
-ROADMAP_REASONS = ("plan.start_alone", "plan.goal_alone", "plan.parts_apart")
-NODES, EDGES = "figure.nodes", "figure.edges"
-BODIES = {
-    "rrt": Body(show_rrt, "RRT", TREE_SETTINGS, NODES, TREE_REASONS, TREES),
-    "rrt_star": Body(show_rrt_star, "RRT*", (*TREE_SETTINGS, "gamma"), NODES, TREE_REASONS, TREES),
-    "rrt_connect": Body(
-        show_rrt_connect,
-        "RRT-Connect",
-        ("clearance", "step_size", "max_nodes", "max_iterations"),
-        NODES,
-        TREES_REASONS,
-        TREES,
-    ),
-    "prm": Body(show_prm, "PRM", ("clearance", "n", "k"), EDGES, ROADMAP_REASONS, ROADMAP),
-}
+
 WORDS = (
-    *(
-        "figure.path",
-        "figure.no_path",
-        "live.failed",
-        "live.bad_link",
-        "board.planner",
-        "ring.repeats_first",
-    ),
+    "live.failed",
+    "live.bad_link",
+    "ring.repeats_first",
     *(f"not_free.{name}" for name in ("start", "goal", "outside", "touches", "margin")),
     *(f"ring.{fault}" for fault in FAULTS[1:]),
 )
 
-EMPTY: dict[str, Any] = {"boundary": [], "polygons": [], "discs": [], "handles": []}
-# arguments of the types that all bodies take
-EXAMPLE = (pack_scene({**EMPTY, "lo": [0, 0], "hi": [1, 1]}), np.zeros(1), np.random.default_rng(0))
+BRANCH = ("node", "parent")
+PATH = Look("path", "path", "path", 3.0)
+TREES = (
+    Look("edges", "edges", "tree", LINE, True, says="node", names=BRANCH),
+    Look("others", "edges", "goal_tree", LINE, True, says="node", names=BRANCH),
+    PATH,
+)
+ROADMAP = (
+    Look("edges", "edges", "roadmap", 0.8, True, says="roadmap_edge", names=("u", "v")),
+    Look("dots", "dots", "tree", DOT, says="roadmap_node", names=("node", "degree")),
+    PATH,
+)
+PLAN_FACTS = ("length:.4g", "total:,", "iterations:,", "nodes:,")
+NODES, EDGES = "figure.nodes", "figure.edges"
+
+
+def plan_body(
+    function: Compiled,
+    planner: str,
+    settings: type,
+    unit: str,
+    layers: tuple[Look, ...],
+    *reasons: str,
+) -> Body:
+    """The body of a planner, with the keys of the reasons why there is no path."""
+    found = Say("figure.path", {"planner": planner, "unit": Say(unit)})
+    failed = [Say("figure.no_path", {"planner": planner, "reason": Say(key)}) for key in reasons]
+    return Body(
+        function,
+        settings,
+        ShownPlan,
+        PLAN_FACTS,
+        (found, *failed),
+        layers,
+        title=planner,
+        menu="board.planner",
+        unit=unit,
+        is_random=True,
+    )
+
+
+PLANNED = {
+    "rrt": plan_body(show_rrt, "RRT", TreeSettings, NODES, TREES, "plan.tree_failed"),
+    "rrt_star": plan_body(show_rrt_star, "RRT*", StarSettings, NODES, TREES, "plan.tree_failed"),
+    "rrt_connect": plan_body(
+        show_rrt_connect, "RRT-Connect", PairSettings, NODES, TREES, "plan.trees_failed"
+    ),
+    "prm": plan_body(
+        show_prm,
+        "PRM",
+        RoadmapSettings,
+        EDGES,
+        ROADMAP,
+        "plan.start_alone",
+        "plan.goal_alone",
+        "plan.parts_apart",
+    ),
+}
+NEAREST = Body(
+    show_nearest,
+    NoSettings,
+    ShownNearest,
+    ("distance:.4g", "number:d"),
+    (Say("board.distance.inside"), Say("board.distance.edge"), Say("board.distance.vertex")),
+    (
+        Look("vertices", "labels", "obstacle", form="d"),
+        Look("way", "edges", "tree", 2.5, dash=(6.0, 4.0)),
+        Look("near", "dots", "tree", 6.0),
+        Look("sizes", "labels", "tree", form=".4g"),
+        Look("tangent", "arrows", "path", 3.0),
+    ),
+)
+CURVES = Body(
+    show_curves,
+    CurveSettings,
+    ShownCurves,
+    (f"forward:{LETTERS}", "first:.3g", f"both:{LETTERS}", "second:.3g"),
+    (Say("curves_board.text"),),
+    (
+        Look("forward", "edges", "tree", 2.0),
+        Look("driven", "edges", "path", 4.0),
+        Look("backed", "edges", "path", 4.0, dash=(7.0, 5.0)),
+        Look("first", "arrows", "start", 3.0),
+        Look("second", "arrows", "goal", 3.0),
+        Look("noses", HANDLES),
+    ),
+)
+BODIES = {**PLANNED, "nearest": NEAREST, "curves": CURVES}
 
 
 def describe_bodies(language: str = "en") -> JsonObject:
     """What a page needs to know of the bodies, as plain data: their looks and their words."""
-    keys = {key for body in BODIES.values() for key in (body.unit, *body.reasons)}
     return {
-        "bodies": {
-            name: {
-                "planner": body.planner,
-                "unit": body.unit,
-                "reasons": body.reasons,
-                "layers": [describe_look(look, language) for look in body.layers],
-            }
-            for name, body in BODIES.items()
-        },
+        "bodies": {name: describe_body(body, language) for name, body in BODIES.items()},
         "faults": FAULTS,
-        "words": {key: get_template(key, language) for key in sorted({*keys, *WORDS})},
+        "words": {key: get_template(key, language) for key in WORDS},
     }
-
-
-def describe_look(look: Look, language: str) -> JsonObject:
-    """A look as plain data, with what its rows say."""
-    says = [get_template(f"board.note.{look.says}", language)] if look.says else []
-    return {**look._asdict(), "says": says}

@@ -7,8 +7,10 @@
 // when a board first needs it. So pages work from a disk too, where nothing else may be loaded.
 
 const HERE = document.currentScript?.src ?? "";
-const FOUND = 0, NOT_FOUND = 1, START_NOT_FREE = 2, GOAL_NOT_FREE = 3, RING_FAULT = 4;
-const POINTS_OF = { edges: 2, path: 1, dots: 1 };
+const START_NOT_FREE = -1, GOAL_NOT_FREE = -2, RING_FAULT = -3;  // kinoedu/browser/scenes.py
+// how many points begin a row of each kind, and how many columns are in the unit of the world
+const POINTS_OF = { edges: 2, path: 1, dots: 1, arrows: 1, labels: 1 };
+const COLUMNS_OF = { edges: 4, path: 2, dots: 2, arrows: 4, labels: 2 };
 
 let worker = null, asked = 0;
 const heard = new Map();                // what to do with the answer of each question
@@ -41,7 +43,8 @@ function load(name) {
   if (!modules.has(name)) {
     modules.set(name, script(`live/${name}.js`).then(() => {
       worker ??= startWorker();
-      worker.postMessage({ name, module: bytesOf(globalThis.kinoeduModules[name]) });
+      const { fields } = LIVE.bodies[name], module = bytesOf(globalThis.kinoeduModules[name]);
+      worker.postMessage({ name, module, fields });
     }));
   }
   return modules.get(name);
@@ -76,7 +79,8 @@ class Answers {
     try {
       await load(name);
       const shown = await ask({ name, scene, settings, seed });
-      drawing = drawn(LIVE.bodies[name], scene, settings[0], shown);
+      drawing = drawn(LIVE.bodies[name], scene, settings, shown);
+      move(this.scene, drawing.message.places);
     } catch (error) {
       drawing = warned(said("live.failed", { error: error.message }));
     }
@@ -120,10 +124,10 @@ function linked() {
 }
 
 // Whether a link has the things of a scene, and a planner and a seed of this page.
-function fits({ version, body, seed, places }, scene) {
+function fits({ version, body, seed, places }, { scene, live }) {
   const form = (value) => JSON.stringify(value, (_, v) => (Number.isFinite(v) ? "number" : v));
   const formOf = (parts) => parts.map(([kind, i, where]) => `${kind} ${i} ${form(where)}`).join();
-  return version === VERSION && body in LIVE.bodies && Number.isInteger(seed) && seed >= 0
+  return version === VERSION && body in live.settings && Number.isInteger(seed) && seed >= 0
     && seed < 2 ** 32 && Array.isArray(places) && places.every(Array.isArray)
     && formOf(places) === formOf(placesOf(scene));
 }
@@ -133,53 +137,88 @@ function fits({ version, body, seed, places }, scene) {
 function arranged(record, key) {
   const link = linked();
   if (!isLive(record) || !link || (link.key ?? key) !== key) return record;
-  if (!fits(link, record.scene)) return { ...record, warning: said("live.bad_link", {}) };
+  if (!fits(link, record)) return { ...record, warning: said("live.bad_link", {}) };
   const scene = copy(record.scene), { body, seed } = link;
   move(scene, link.places);
   return { ...record, scene, live: { ...record.live, body, seed }, moved: true };
 }
 
-// A choice of planners, a button for another seed, and one that puts the board into the address.
+// A choice of what answers, a button for another seed where that is random, and one that puts the
+// board into the address.
 function controlsOf(answers) {
-  const row = document.createElement("div"), menu = document.createElement("select");
-  const planners = Object.entries(LIVE.bodies);
-  planners.forEach(([name, { planner }]) => menu.add(new Option(planner, name)));
-  menu.value = answers.body;
-  menu.setAttribute("aria-label", LIVE.words["board.planner"]);
-  menu.addEventListener("change", () => { answers.body = menu.value; answers.answer(); });
-  const again = document.createElement("button");
-  again.textContent = WORDS.seed;
-  again.addEventListener("click", () => { answers.seed += 1; answers.answer(); });
-  const share = document.createElement("button");
-  share.textContent = WORDS.share;
-  share.addEventListener("click", () => {
+  const row = document.createElement("div");
+  row.className = "kinoedu-live";
+  const names = Object.keys(answers.settings).filter((name) => name in LIVE.bodies);
+  if (names.length > 1) row.append(menuOf(answers, names));
+  if (LIVE.bodies[answers.body].random) {
+    row.append(button(WORDS.seed, () => { answers.seed += 1; answers.answer(); }));
+  }
+  const share = button(WORDS.share, () => {
     history.replaceState(null, "", linkTo(answers));
     navigator.clipboard?.writeText(location.href).catch(() => {});
     share.textContent = WORDS.shared;
   });
-  row.className = "kinoedu-live";
-  row.append(menu, again, share);
+  row.append(share);
   return row;
 }
 
-// ---- drawings, as kinoedu/boards/core/drawing.py encodes them
+function menuOf(answers, names) {
+  const menu = document.createElement("select");
+  names.forEach((name) => menu.add(new Option(LIVE.bodies[name].title, name)));
+  menu.value = answers.body;
+  menu.setAttribute("aria-label", LIVE.bodies[answers.body].menu);
+  menu.addEventListener("change", () => { answers.body = menu.value; answers.answer(); });
+  return menu;
+}
 
-function drawn(body, scene, clearance, { facts, layers, took }) {
-  if (facts[0] > NOT_FOUND) return warned(faultOf(scene, clearance, facts));
-  const steps = facts[2], message = [], buffers = [];
-  for (const { field, kind, colour, width, grows, says, names } of body.layers) {
-    const { numbers, shape: [count, columns] } = layers[field];
-    if (count === 0) continue;
-    const size = SIZES[width]?.(width === "line" ? steps : count) ?? width;
-    const path = kind === "path";
-    message.push({
-      kind, colour, width: size, dash: [], grows, ends: false, last: path, casing: path, texts: [],
-      points: POINTS_OF[kind], hatched: false, ...(says.length ? { says, names } : {}),
-    });
-    buffers.push(new DataView(scaled(numbers, columns, POINTS_OF[kind], scene).buffer));
+function button(text, press) {
+  const made = document.createElement("button");
+  made.textContent = text;
+  made.addEventListener("click", press);
+  return made;
+}
+
+// ---- drawings, as kinoedu/boards/core/shown.py makes and drawing.py encodes them
+
+function drawn(body, scene, settings, { facts: [status, ...facts], layers, took }) {
+  if (status < 0) return warned(faultOf(body, scene, settings, [status, ...facts]));
+  const values = Object.fromEntries(body.facts.map(([name], k) => [name, facts[k]]));
+  const texts = Object.fromEntries(
+    body.facts.map(([name, form]) => [name, inForm(values[name], form)]));
+  const total = values.total ?? 0, message = [], buffers = [], places = [];
+  for (const look of body.layers) {
+    const rows = rowsOf(layers[look.field]);
+    if (look.kind === "handles") {
+      places.push(...rows.map(([number, ...at]) => ["handle", number, at]));
+    } else if (rows.length > 0) {
+      message.push(encoded(look, rows, total));
+      buffers.push(bufferOf(look, rows, scene));
+    }
   }
-  const text = textOf(body, facts), unit = LIVE.words[body.unit];
-  return { message: { ...PLAIN, layers: message, text, total: steps, unit, took }, buffers };
+  const text = fill(body.says[status], texts), { unit } = body;
+  return { message: { ...PLAIN, layers: message, text, total, unit, places, took }, buffers };
+}
+
+const rowsOf = ({ numbers, shape: [count, columns] }) => Array.from({ length: count },
+  (_, k) => [...numbers.subarray(columns * k, columns * (k + 1))]);
+
+function encoded({ kind, colour, width, dash, grows, form, says, names }, rows, total) {
+  const size = SIZES[width]?.(width === "line" ? total : rows.length) ?? width;
+  const path = kind === "path";
+  const texts = kind === "labels" ? rows.map((row) => inForm(row[2], form)) : [];
+  return {
+    kind, colour, width: size, dash, grows, ends: false, last: path, casing: path, texts,
+    points: POINTS_OF[kind], hatched: false, ...(says.length ? { says, names } : {}),
+  };
+}
+
+// Rows with their points as parts of the world's size from its corner.
+function bufferOf({ kind }, rows, { lo, hi }) {
+  const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
+  const points = 2 * POINTS_OF[kind], columns = COLUMNS_OF[kind];
+  const scaled = rows.flatMap((row) => (kind === "labels" ? row.slice(0, columns) : row).map(
+    (value, k) => (k < points ? (value - lo[k % 2]) / size : k < columns ? value / size : value)));
+  return new DataView(Float32Array.from(scaled).buffer);
 }
 
 // Sizes that fall with the number of lines or dots, as in kinoedu/figures/drawing.py.
@@ -193,40 +232,21 @@ const PLAIN = {
 };
 const warned = (warning) => ({ message: { ...PLAIN, warning }, buffers: [] });
 
-// Rows with their points as parts of the world's size from its corner.
-function scaled(numbers, columns, points, { lo, hi }) {
-  const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
-  return Float32Array.from(numbers, (value, k) => {
-    const column = k % columns;
-    return column < 2 * points ? (value - lo[column % 2]) / size : value;
-  });
-}
-
 // ---- words
 
 const said = (key, values) => fill(LIVE.words[key], values);
-const counted = (n) => n.toLocaleString("en");
 
-function textOf(body, [status, cost, steps, iterations, nodes, reason]) {
-  const { planner } = body;
-  if (status === FOUND) {
-    const unit = LIVE.words[body.unit];
-    return said("figure.path", { planner, length: general(cost, 4), total: counted(steps), unit });
-  }
-  const values = { iterations: counted(iterations), nodes: counted(nodes) };
-  return said("figure.no_path", { planner, reason: said(body.reasons[reason], values) });
-}
-
-function faultOf(scene, clearance, [status, ring, i, j]) {
-  if (status >= RING_FAULT) {
-    const points = [scene.boundary, ...scene.polygons.map(({ rings }) => rings[0])][ring];
-    const name = ring === 0 ? "boundary" : `obstacle ${ring - 1}`;
+function faultOf(body, scene, settings, [status, ring, i, j]) {
+  if (status <= RING_FAULT) {
+    const item = scene.polygons[ring - 1] ?? { name: "boundary", rings: [scene.boundary] };
+    const { name, rings: [points] } = item;
     const [a, b, c, d] = [i, i + 1, j, j + 1].map((k) => pair(points.at(k % points.length)));
-    const fault = LIVE.faults[status - RING_FAULT];
+    const fault = LIVE.faults[RING_FAULT - status];
     const key = fault === "repeats" && j === 0 ? "repeats_first" : fault;
     return said(`ring.${key}`, { name, i, j, a, b, c, d });
   }
-  const q = scene.handles[status - START_NOT_FREE].at, { lo, hi } = scene;
+  const q = scene.handles[START_NOT_FREE - status].at, { lo, hi } = scene;
+  const clearance = settings[body.settings.indexOf("clearance")];
   const margin = clearance ? said("not_free.margin", { clearance: general(clearance, 6) }) : "";
   const outside = q.some((x, k) => x <= lo[k] || x >= hi[k]);
   const why = said(outside ? "not_free.outside" : "not_free.touches",
@@ -238,6 +258,16 @@ function faultOf(scene, clearance, [status, ring, i, j]) {
 const pair = ([x, y]) => `(${spelled(x)}, ${spelled(y)})`;
 const spelled = (x) => (Number.isInteger(x) && Math.abs(x) < 1e16 ? `${x}.0` : padded(String(x)));
 const padded = (text) => text.replace(/e([+-])(\d)$/, "e$10$2");
+
+// A number as it is written, see `Body.facts` in kinoedu/browser/looks.py.
+function inForm(value, form) {
+  if (form === ",") return value.toLocaleString("en");
+  if (form === "d") return String(value);
+  if (/^[A-Z]+$/.test(form)) {
+    return [...String(value)].map((digit) => form[digit - 1] ?? "").join("") || "-";
+  }
+  return general(value, parseInt(form.slice(1), 10));
+}
 
 function general(x, digits) {            // as Python's format "g"
   const power = Math.floor(Math.log10(Math.abs(Number(x.toPrecision(digits)))));

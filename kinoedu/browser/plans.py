@@ -1,8 +1,9 @@
 """The bodies of the planners' board: a scene, settings and a generator make a plan as it is shown.
 
-Each does what the board of a lesson does with the same planner. The settings of each are named in
-`bodies.py`.
+Each does what the board of a lesson does with the same planner.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,59 +29,116 @@ from ..spaces.closest import add_nodes, k_closest_in_buckets
 from .scenes import (
     FOUND,
     GOAL_NOT_FREE,
-    NOT_FOUND,
-    REASON,
     RING_FAULT,
     START_NOT_FREE,
     SceneArrays,
-    Shown,
     find_fault,
-    show_nothing,
     without_obstacles,
     world_of_scene,
 )
 
 Numbers = NDArray[np.int64]
 
+NOT_FOUND = 1  # the first status without a path; a body with more reasons counts on
+
+
+class TreeSettings(NamedTuple):
+    """The settings of RRT."""
+
+    clearance: float
+    step_size: float
+    goal_bias: float
+    max_nodes: float
+    max_iterations: float
+
+
+class StarSettings(NamedTuple):
+    """The settings of RRT*."""
+
+    clearance: float
+    step_size: float
+    goal_bias: float
+    max_nodes: float
+    max_iterations: float
+    gamma: float
+
+
+class PairSettings(NamedTuple):
+    """The settings of RRT-Connect."""
+
+    clearance: float
+    step_size: float
+    max_nodes: float
+    max_iterations: float
+
+
+class RoadmapSettings(NamedTuple):
+    """The settings of PRM."""
+
+    clearance: float
+    n: float
+    k: float
+
+
+class ShownPlan(NamedTuple):
+    """What is shown of a plan.
+
+    facts : (5,), the status, cost, steps, iterations, nodes.
+    edges, others : (m, 7), rows x, y, next x, next y, two numbers that the edge says when one
+        points at it, the step at which it appears.
+    dots : (n, 4), rows x, y and two numbers that the dot says.
+    path : (k, 2), with no rows where there is none.
+    """
+
+    facts: Array
+    edges: Array
+    others: Array
+    dots: Array
+    path: Array
+
 
 @algorithm
-def show_rrt(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+def show_rrt(scene: SceneArrays, settings: TreeSettings, rng: np.random.Generator) -> ShownPlan:
     """A tree of RRT."""
-    refused, problem = pose_problem(scene, settings[0])
+    refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    room = int(settings[3]) + 1
+    room, most = int(settings.max_nodes) + 1, int(settings.max_iterations)
     tree = empty_tree(room, problem.space.lo, problem.space.hi)
-    at_goal, iterations = grow(problem, tree, settings[1], settings[2], int(settings[4]), rng)
+    at_goal, iterations = grow(problem, tree, settings.step_size, settings.goal_bias, most, rng)
     return show_tree(problem, tree, at_goal, iterations)
 
 
 @algorithm
-def show_rrt_star(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+def show_rrt_star(
+    scene: SceneArrays, settings: StarSettings, rng: np.random.Generator
+) -> ShownPlan:
     """A tree of RRT*."""
-    refused, problem = pose_problem(scene, settings[0])
+    refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    eta, most = settings[1], int(settings[3])
-    space, radii = problem.space, neighbour_radii(settings[5], 2, most + 2, eta)
-    costs = empty_costs(empty_tree(most + 1, space.lo, space.hi), 0)
-    sampler = Everywhere(settings[2])
-    at_goal, iterations = grow_shortest(problem, costs, sampler, eta, radii, int(settings[4]), rng)
+    eta, room, most = settings.step_size, int(settings.max_nodes), int(settings.max_iterations)
+    space, radii = problem.space, neighbour_radii(settings.gamma, 2, room + 2, eta)
+    costs = empty_costs(empty_tree(room + 1, space.lo, space.hi), 0)
+    sampler = Everywhere(settings.goal_bias)
+    at_goal, iterations = grow_shortest(problem, costs, sampler, eta, radii, most, rng)
     return show_tree(problem, costs.tree, at_goal, iterations)
 
 
 @algorithm
-def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+def show_rrt_connect(
+    scene: SceneArrays, settings: PairSettings, rng: np.random.Generator
+) -> ShownPlan:
     """The two trees of RRT-Connect."""
-    refused, problem = pose_problem(scene, settings[0])
+    refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    room, space = int(settings[2]), problem.space
+    room, space = int(settings.max_nodes), problem.space
     owner = np.empty(room, np.int64)
     one = sparse_tree(room, roomy_size(room), space.lo, space.hi)
     other = sparse_tree(room, roomy_size(room), space.lo, space.hi)
     at_start, at_goal, iterations = grow_both(
-        problem, one, other, owner, settings[1], int(settings[3]), rng
+        problem, one, other, owner, settings.step_size, int(settings.max_iterations), rng
     )
     grown = one.size[0] + other.size[0]
     nodes, parent, number = merge_trees(
@@ -96,19 +154,19 @@ def show_rrt_connect(scene: SceneArrays, settings: Array, rng: np.random.Generat
         from_start[k] = owner[int(edges[k, 4])] == 0
     none = np.empty((0, 4))
     shown = show_plan(problem, path, edges[from_start], none, grown, grown, iterations)
-    return Shown(shown.facts, shown.edges, edges[~from_start], shown.dots, shown.path)
+    return ShownPlan(shown.facts, shown.edges, edges[~from_start], shown.dots, shown.path)
 
 
 @algorithm
-def show_prm(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> Shown:
+def show_prm(scene: SceneArrays, settings: RoadmapSettings, rng: np.random.Generator) -> ShownPlan:
     """A roadmap of PRM, and the shortest path in it."""
-    refused, problem = pose_problem(scene, settings[0])
+    refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    n = int(settings[1])
+    n = int(settings.n)
     sampled = sample_free(problem, n, 100 * n, rng)
     nodes = np.concatenate((np.stack((problem.start, problem.goal)), sampled))
-    pairs, costs = join_closest(problem, nodes, min(int(settings[2]), len(nodes) - 1))
+    pairs, costs = join_closest(problem, nodes, min(int(settings.k), len(nodes) - 1))
     first, to, weight = compress_rows(len(nodes), pairs, costs, 2)
     graph = GraphRecord(len(nodes), pairs, costs, first, to, weight)
     cost, parent, _, _ = search(graph, 0, 1, distances_to(problem, nodes, problem.goal))
@@ -121,7 +179,9 @@ def show_prm(scene: SceneArrays, settings: Array, rng: np.random.Generator) -> S
         dots[node, 0], dots[node, 1] = nodes[node, 0], nodes[node, 1]
         dots[node, 2], dots[node, 3] = node, first[node + 1] - first[node]
     shown = show_plan(problem, path, edges, dots, len(edges), len(nodes), 0)
-    shown.facts[REASON] = 0 if first[1] == 0 else 1 if first[2] == first[1] else 2
+    if len(path) == 0:
+        reason = 0 if first[1] == 0 else 1 if first[2] == first[1] else 2
+        shown.facts[0] = NOT_FOUND + reason
     return shown
 
 
@@ -137,17 +197,24 @@ def join_closest(problem: ProblemRecord, nodes: Array, k: int) -> tuple[Numbers,
 
 
 @compiled
-def pose_problem(scene: SceneArrays, clearance: float) -> tuple[Shown, ProblemRecord]:
+def pose_problem(scene: SceneArrays, clearance: float) -> tuple[ShownPlan, ProblemRecord]:
     """What is shown where a scene cannot be planned, else with the status FOUND; and its problem.
 
     A scene with a fault of a ring has the problem of its empty box, which nobody plans.
     """
     ring, fault = find_fault(scene)
     if ring >= 0:
-        refused = show_nothing(RING_FAULT + fault.kind, ring, fault.i, fault.j)
+        refused = show_no_plan(RING_FAULT - fault.kind, ring, fault.i, fault.j)
         return refused, problem_of(without_obstacles(scene), clearance)
     problem = problem_of(scene, clearance)
-    return show_nothing(find_end_in_contact(problem), 0, 0, 0), problem
+    return show_no_plan(find_end_in_contact(problem), 0, 0, 0), problem
+
+
+@compiled
+def show_no_plan(status: float, ring: int, first: int, second: int) -> ShownPlan:
+    """The answer to a scene in which nothing can be planned."""
+    facts = np.array([status, ring, first, second, 0.0])
+    return ShownPlan(facts, np.empty((0, 7)), np.empty((0, 7)), np.empty((0, 4)), np.empty((0, 2)))
 
 
 @compiled
@@ -168,7 +235,9 @@ def find_end_in_contact(problem: ProblemRecord) -> int:
 
 
 @compiled
-def show_tree(problem: ProblemRecord, tree: GrowingTree, at_goal: int, iterations: int) -> Shown:
+def show_tree(
+    problem: ProblemRecord, tree: GrowingTree, at_goal: int, iterations: int
+) -> ShownPlan:
     """A tree and the path to its node at the goal."""
     edges = tree_edges(tree.nodes, tree.parent, tree.size[0])
     path = branch_to(tree.nodes, tree.parent, at_goal) if at_goal >= 0 else tree.nodes[:0].copy()
@@ -185,13 +254,13 @@ def show_plan(
     steps: int,
     nodes: int,
     iterations: int,
-) -> Shown:
+) -> ShownPlan:
     """A plan as it is shown."""
     found = len(path) > 0
     cost = cost_along(problem, path) if found else np.inf
     status = FOUND if found else NOT_FOUND
-    facts = np.array([status, cost, steps, iterations, nodes, 0.0])
-    return Shown(facts, edges.copy(), np.empty((0, 7)), dots.copy(), path.copy())
+    facts = np.array([status, cost, steps, iterations, nodes])
+    return ShownPlan(facts, edges.copy(), np.empty((0, 7)), dots.copy(), path.copy())
 
 
 @compiled

@@ -1,4 +1,4 @@
-"""A board's scene as arrays, and what a body makes of it.
+"""A board's scene as arrays, and the faults in it.
 
 The same arrays are made in a page by `worker.js`.
 """
@@ -14,9 +14,9 @@ from ..geometry.parts import Parts
 from ..geometry.rings import SIMPLE, RingFault, counter_clockwise, find_ring_fault
 from ..worlds.polygon_world import PolygonWorldRecord, Rings, world_of_rings
 
-# the status of an answer, facts[0]; RING_FAULT and the fault's kind make one number
-FOUND, NOT_FOUND, START_NOT_FREE, GOAL_NOT_FREE, RING_FAULT = 0, 1, 2, 3, 4
-REASON = 5  # the place of the reason among the facts
+# The status of an answer: the number of what is said, or a fault of the scene. From RING_FAULT on
+# the fault's kind is subtracted; then the facts after the status are the ring and the fault's i, j.
+FOUND, START_NOT_FREE, GOAL_NOT_FREE, RING_FAULT = 0, -1, -2, -3
 
 
 class SceneArrays(NamedTuple):
@@ -38,24 +38,6 @@ class SceneArrays(NamedTuple):
     hi: Array
 
 
-class Shown(NamedTuple):
-    """What a body shows: facts, and layers with one row for each thing.
-
-    facts : (6,), the status, cost, steps, iterations, nodes, and the number of the reason why there
-        is no path; where a ring has a fault, the status, the ring, and the fault's i and j.
-    edges, others : (m, 7), rows x, y, next x, next y, two numbers that the edge says when one
-        points at it, the step at which it appears.
-    dots : (n, 4), rows x, y and two numbers that the dot says.
-    path : (k, 2), with no rows where there is none.
-    """
-
-    facts: Array
-    edges: Array
-    others: Array
-    dots: Array
-    path: Array
-
-
 def pack_scene(scene: dict[str, Any], free: NDArray[np.bool_] | None = None) -> SceneArrays:
     """A scene of a board, `kinoedu.boards.core.scene`, as arrays."""
     rings = [scene["boundary"] or [], *(p["rings"][0] for p in scene["polygons"])]
@@ -70,6 +52,11 @@ def pack_scene(scene: dict[str, Any], free: NDArray[np.bool_] | None = None) -> 
         np.array(scene["lo"], np.float64),
         np.array(scene["hi"], np.float64),
     )
+
+
+EMPTY_SCENE = pack_scene(
+    {"boundary": [], "polygons": [], "discs": [], "handles": [], "lo": [0, 0], "hi": [1, 1]}
+)  # has the types that all bodies take
 
 
 @compiled
@@ -107,7 +94,6 @@ def world_of_scene(scene: SceneArrays) -> PolygonWorldRecord:
 
 
 @compiled
-def show_nothing(status: float, ring: int, first: int, second: int) -> Shown:
-    """The answer to a scene in which nothing can be planned."""
-    facts = np.array([status, ring, first, second, 0.0, 0.0])
-    return Shown(facts, np.empty((0, 7)), np.empty((0, 7)), np.empty((0, 4)), np.empty((0, 2)))
+def no_rows() -> Array:
+    """An empty layer. Each needs memory of its own, which a page gives back."""
+    return np.empty((0, 4))

@@ -18,11 +18,14 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ..compiled import Compiled, store
 from ..compiled.kinds import kinds_of
 from ..compiled.tiers import TieredFunction
 from ..support.whole_files import written_whole
-from .bodies import BODIES, EXAMPLE
+from .bodies import BODIES
+from .scenes import EMPTY_SCENE
 
 TRIPLE = "wasm32-unknown-unknown"
 LAYOUT = "e-m:e-p:32:32-p10:8:8-p20:8:8-i64:64-i128:128-n32:64-S128-ni:1:10:20"
@@ -68,7 +71,9 @@ def module_files() -> dict[str, Path]:
 
 def make_module(name: str) -> bytes:
     """The module of a body, compiled with the settings of this process."""
-    code, entry = intermediate_code(BODIES[name].function, EXAMPLE)
+    body = BODIES[name]
+    example = (EMPTY_SCENE, body.kinds, np.random.default_rng(0))
+    code, entry = intermediate_code(body.function, example)
     return link(translate(code, entry))
 
 

@@ -1,13 +1,13 @@
 // Answers scenes beside the page, so that dragging never waits for a plan.
 //
-// The page sends {name, module} once for each body, with the bytes of its WebAssembly, and then
-// {name, ask, scene, settings, seed}. The answer is {ask, took, facts, layers} or {ask, error}.
+// The page sends {name, module, fields} once for each body, with the bytes of its WebAssembly and
+// the names of what it returns, and then {name, ask, scene, free, settings, seed}. The answer is
+// {ask, took, facts, layers} or {ask, error}.
 //
 // A body is a function that numba compiled: its arguments are the fields of `SceneArrays`, each
 // array with its shape and strides, then settings and generator. See kinoedu/browser/scenes.py.
 
-const instances = new Map();
-const FIELDS = [["facts", 1], ["edges", 2], ["others", 2], ["dots", 2], ["path", 2]];  // of `Shown`
+const instances = new Map(), fields = new Map();
 
 onmessage = ({ data }) => {
   if (data.module) {
@@ -15,16 +15,15 @@ onmessage = ({ data }) => {
     const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: NO_SYSTEM });
     exports._initialize?.();
     instances.set(data.name, exports);
+    fields.set(data.name, data.fields);
     return;
   }
   try {
-    const began = performance.now(), shown = answer(instances.get(data.name), data);
-    const layers = FIELDS.slice(1).map(([name]) => [name, shown[name]]);
-    const memory = layers.map(([, { numbers }]) => numbers.buffer);
-    postMessage({
-      ask: data.ask, took: performance.now() - began, facts: [...shown.facts.numbers],
-      layers: Object.fromEntries(layers),
-    }, memory);
+    const began = performance.now();
+    const { facts, ...layers } = answer(instances.get(data.name), fields.get(data.name), data);
+    const memory = Object.values(layers).map(({ numbers }) => numbers.buffer);
+    const took = performance.now() - began;
+    postMessage({ ask: data.ask, took, facts: [...facts.numbers], layers }, memory);
   } catch (error) {
     instances.delete(data.name);     // its memory may be in disorder
     postMessage({ ask: data.ask, name: data.name, error: String(error) });
@@ -51,35 +50,41 @@ function arraysOf(scene, free) {
   ];
 }
 
-function answer(body, { scene, free, settings, seed }) {
+// An array as a body takes it; a number as it is.
+function argument(hold, body, value) {
+  if (!Array.isArray(value)) return [value];
+  const [numbers, shape] = value;
+  const at = hold(Math.max(numbers.byteLength, 8));
+  new Uint8Array(body.memory.buffer).set(new Uint8Array(numbers.buffer), at);
+  const size = numbers.BYTES_PER_ELEMENT;
+  const strides = shape.map((_, k) => size * shape.slice(k + 1).reduce((a, b) => a * b, 1));
+  return [0, 0, BigInt(numbers.length), BigInt(size), at, ...[...shape, ...strides].map(BigInt)];
+}
+
+function answer(body, names, { scene, free, settings, seed }) {
   const held = [];                   // memory to give back
   const hold = (size) => { held.push(body.allocate(size)); return held.at(-1); };
-  const given = arraysOf(scene, free ?? [new Uint8Array(0), [0, 0]]);
-  given.push([Float64Array.from(settings), [settings.length]]);
-  const args = given.flatMap(([numbers, shape]) => {
-    const at = hold(Math.max(numbers.byteLength, 8));
-    new Uint8Array(body.memory.buffer).set(new Uint8Array(numbers.buffer), at);
-    const size = numbers.BYTES_PER_ELEMENT;
-    const strides = shape.map((_, k) => size * shape.slice(k + 1).reduce((a, b) => a * b, 1));
-    return [0, 0, BigInt(numbers.length), BigInt(size), at, ...[...shape, ...strides].map(BigInt)];
-  });
+  const given = [...arraysOf(scene, free ?? [new Uint8Array(0), [0, 0]]), ...settings];
+  const args = given.flatMap((value) => argument(hold, body, value));
   const generator = body.seeded(seed), draws = [body.draw64(), body.draw32(), body.draw_double()];
   held.push(generator);
   args.push(0, ...[generator, generator, ...draws, 0].map(BigInt), 0, 0);
-  const result = hold(512), failure = hold(8);
+  const result = hold(2048), failure = hold(8);
   try {
     const status = body.answer(result, failure, ...args);
     if (status !== 0) throw new Error(`the body ended with status ${status}`);
-    return read(body, result);
+    return read(body, result, names);
   } finally {
     held.forEach((memory) => body.release(memory));
   }
 }
 
-// The arrays of a `Shown` at a place in memory; each is given back when it has been copied.
-function read(body, at) {
+// The arrays of what is shown, at a place in memory: facts in a row, all others in rows and
+// columns. Each is given back when it has been copied.
+function read(body, at, names) {
   const view = new DataView(body.memory.buffer), shown = {};
-  for (const [name, dimensions] of FIELDS) {
+  for (const name of names) {
+    const dimensions = name === "facts" ? 1 : 2;
     const length = Number(view.getBigInt64(at + 8, true)), data = view.getUint32(at + 24, true);
     const shape = Array.from({ length: dimensions },
       (_, k) => Number(view.getBigInt64(at + 32 + 8 * k, true)));

@@ -108,15 +108,22 @@ def polygon_tangent(q: ArrayLike, polygon: ArrayLike) -> Array:
     array([1., 0.])
     """
     q, ring = as_point(q, "q"), as_ring(polygon)
-    edge, x, y, region = nearest_on_ring(q[0], q[1], ring)
+    return np.array(tangent_to_ring(q[0], q[1], ring))
+
+
+@compiled
+def tangent_to_ring(x: float, y: float, ring: Array) -> tuple[float, float]:
+    """The direction of `polygon_tangent`, for a counter-clockwise ring."""
+    edge, near_x, near_y, region = nearest_on_ring(x, y, ring)
     start = (edge + 1) % len(ring) if region == 2 else edge
     before, vertex, after = ring[start - 1], ring[start], ring[(start + 1) % len(ring)]
-    direction = np.array([y - q[1], q[0] - x])
-    if region == 0 or not direction.any():
-        direction = after - vertex
+    dx, dy = near_y - y, x - near_x
+    if region == 0 or (dx == 0.0 and dy == 0.0):
+        dx, dy = after[0] - vertex[0], after[1] - vertex[1]
     elif orientation_sign(before[0], before[1], vertex[0], vertex[1], after[0], after[1]) < 0:
-        direction = -direction  # a reflex vertex is nearest only to points inside the polygon
-    return direction / length(direction[0], direction[1]) + 0.0
+        dx, dy = -dx, -dy  # a reflex vertex is nearest only to points inside the polygon
+    size = length(dx, dy)
+    return dx / size + 0.0, dy / size + 0.0
 
 
 @compiled

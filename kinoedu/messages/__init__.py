@@ -28,7 +28,12 @@ def get_message(key: str, /, **values: Any) -> str:
     >>> get_message("picture.should_be", value=4)
     'should be 4'
     """
-    return get_template(key, os.environ.get("KINOEDU_LANGUAGE", "en")).format(**values)
+    return get_template(key, chosen_language()).format(**values)
+
+
+def chosen_language() -> str:
+    """The language of this process's messages."""
+    return os.environ.get("KINOEDU_LANGUAGE", "en")
 
 
 @cache

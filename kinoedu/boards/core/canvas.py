@@ -81,10 +81,12 @@ class Canvas(anywidget.AnyWidget):
         scene has `colours`, each cell is the number of a colour.
     drive : a function of the set of arrow keys held, by name. It moves the driven handle; then the
         scene is answered.
+    live : what a page needs to answer the scene without Python, as `describe_live` makes it.
 
     Attributes
     ----------
     drawing : the answer shown now.
+    live : as given; a board changes it with its controls.
     challenges : those that are posed on the board, see `challenge`.
     partner : the key of another board that is scrubbed together with this one, for example a plot
         with its world. All boards with the same partner are scrubbed together.
@@ -109,8 +111,9 @@ class Canvas(anywidget.AnyWidget):
         *,
         free: Bitmap | None = None,
         drive: Callable[[set[str]], None] | None = None,
+        live: JsonObject | None = None,
     ) -> None:
-        self._answer, self._drive = answer, drive
+        self._answer, self._drive, self.live = answer, drive, live
         self.challenges: Posed | None = None
         kind: Any = np.uint8 if "colours" in scene else np.bool_
         self._free = None if free is None else np.asarray(free, kind)
@@ -250,7 +253,8 @@ class Canvas(anywidget.AnyWidget):
         """The board as it is now, for pages without a kernel."""
         bitmap = base64.b64encode(pack_bitmap(self._free)).decode("ascii")
         drawing = record_drawing(self._content, self._buffers)
-        return [{"scene": self._shown, "bitmap": bitmap, "team": 0, **drawing}]
+        live = {} if self.live is None else {"live": self.live}
+        return [{"scene": self._shown, "bitmap": bitmap, "team": 0, **drawing, **live}]
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.drawing.message})"

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...geometry import point_polygon_distance, polygon_tangent
 from ...geometry.checks import as_point
-from ...geometry.polygons import nearest_on_ring
 from ...geometry.rings import as_ring
 from ...messages import get_message
 from ..core.canvas import Canvas
-from ..core.drawing import Drawing, arrows, dots, edges, labels
-from ..core.scene import Scene, handle, make_scene, place_of, polygon
+from ..core.scene import handle, make_scene, polygon
+from ..core.shown import answer_by, make_live
 
 
 def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
@@ -42,30 +42,4 @@ def distance_board(vertices: ArrayLike, q: ArrayLike) -> Canvas:
         handles=[handle(name, here, colour="start")],
         polygons=[polygon(get_message("board.distance.polygon"), [ring])],
     )
-    return Canvas(scene, draw_nearest)
-
-
-def draw_nearest(scene: Scene) -> Drawing:
-    """Draw the polygon's point that is nearest to q."""
-    ring = as_ring(scene["polygons"][0]["rings"][0])
-    q = place_of(scene, scene["handles"][0]["name"])
-    tangent = arrows([q], [polygon_tangent(q, ring)], "path")
-    numbers = labels(ring, [str(i) for i in range(len(ring))], "obstacle")
-    distance = point_polygon_distance(q, ring)
-    if distance == 0.0:
-        return Drawing([numbers, tangent], text=get_message("board.distance.inside"))
-    edge, x, y, region = nearest_on_ring(q[0], q[1], ring)
-    near, size = np.array([x, y]), f"{distance:.4g}"
-    if region == 0:
-        text = get_message("board.distance.edge", distance=size, number=edge)
-    else:
-        vertex = edge if region == 1 else (edge + 1) % len(ring)
-        text = get_message("board.distance.vertex", distance=size, number=vertex)
-    layers = [
-        numbers,
-        edges([[q, near]], "tree", width=2.5, dash=(6, 4)),
-        dots([near], "tree", radius=6.0),
-        labels([(q + near) / 2.0], [size], "tree"),
-        tangent,
-    ]
-    return Drawing(layers, text=text)
+    return Canvas(scene, partial(answer_by, "nearest", ()), live=make_live("nearest", ()))

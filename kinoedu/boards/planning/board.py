@@ -143,11 +143,9 @@ class Board(Framed):
 
     def record(self) -> list[JsonObject]:
         """The board as it is now; a page with the planner's body answers it, others play it."""
-        (record,) = super().record()
-        if self.code.value:
-            return [record]
-        live = describe_live(self.problem, self.planner.value, self.seed.value, self._settings())
-        return [record if live is None else {**record, "live": live}]
+        chosen = self.planner.value, self.seed.value, self._settings()
+        self.canvas.live = None if self.code.value else describe_live(self.problem, *chosen)
+        return super().record()
 
     def _settings(self) -> dict[str, Any]:
         """The values of the controls, by the names of the planners' settings."""

@@ -3,7 +3,7 @@
 import inspect
 from typing import Any
 
-from ...browser.bodies import BODIES
+from ...browser.bodies import PLANNED
 from ...planners.problem_input import as_step_size
 from ...planners.registry import PLANNERS
 from ...planners.trees.rrt_star import sufficient_gamma
@@ -34,9 +34,9 @@ def describe_live(
     robot, world = problem.robot, problem.world
     if not isinstance(robot, RoundRobot) or not isinstance(world, PolygonWorldRecord):
         return None
-    if planner not in BODIES or any(len(rings) > 1 for rings in rings_of(world)):
+    if planner not in PLANNED or any(len(rings) > 1 for rings in rings_of(world)):
         return None
-    numbers = {name: list_settings(problem, name, settings) for name in BODIES}
+    numbers = {name: list_settings(problem, name, settings) for name in PLANNED}
     return {"body": planner, "seed": seed, "settings": numbers}
 
 
@@ -52,4 +52,4 @@ def list_settings(problem: ProblemRecord, name: str, settings: dict[str, Any]) -
         values["max_iterations"] = iteration_limit(values["max_iterations"], values["max_nodes"])
     if "gamma" in values:
         values["gamma"] = sufficient_gamma(problem)
-    return [float(values[setting]) for setting in BODIES[name].settings]
+    return [float(values[setting]) for setting in PLANNED[name].settings._fields]

@@ -1,0 +1,93 @@
+"""What a body shows as a drawing of a board. Pages without Python do the same: `browser/live.js`.
+
+So a board whose answer is a body needs no lines of its own to draw it, and works in both places.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...browser.bodies import BODIES
+from ...browser.looks import HANDLES, LINE, TOTAL, Body, Look, in_form, split_form, template_of
+from ...browser.scenes import RING_FAULT, pack_scene
+from ...errors import InvalidPolygon
+from ...figures.drawing import dot_size, line_width
+from ...geometry.checks import Array
+from ...geometry.rings import RingFault, describe_ring_fault
+from ...messages import chosen_language, get_message, get_template
+from ...support.json_fields import JsonObject
+from .drawing import Drawing, Layer
+from .notes import with_notes
+from .scene import Scene
+
+COORDINATES = {"edges": 4, "path": 2, "dots": 2, "arrows": 4, "labels": 2}  # columns of each kind
+
+
+def make_live(name: str, settings: Sequence[float]) -> JsonObject:
+    """What a page needs to answer a board by a body with these settings, for `Canvas`."""
+    return {"body": name, "seed": 0, "settings": {name: list(settings)}}
+
+
+def answer_by(name: str, settings: Sequence[float], scene: Scene) -> Drawing:
+    """The answer of a body to a scene.
+
+    Raises
+    ------
+    InvalidPolygon
+        Where a ring of the scene is not a simple polygon.
+    """
+    body = BODIES[name]
+    shown = body.function(pack_scene(scene), body.settings(*settings), np.random.default_rng(0))
+    status, *facts = shown.facts.tolist()
+    if status <= RING_FAULT:
+        raise fault_of(scene, int(RING_FAULT - status), *map(int, facts))
+    return draw_shown(body, int(status), facts, shown)
+
+
+def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> Drawing:
+    """A drawing of the layers that a body shows."""
+    named = [(*split_form(form), fact) for form, fact in zip(body.facts, facts)]
+    total = next((int(fact) for name, _, fact in named if name == TOTAL), 0)
+    layers, places = list[Layer](), list[tuple[str, int, Any]]()
+    for look in body.layers:
+        rows = getattr(shown, look.field)
+        if look.kind == HANDLES:
+            places += [("handle", int(number), at) for number, *at in rows.tolist()]
+        elif len(rows):
+            layers.append(make_layer(look, rows, total))
+    text = template_of(body.says[status], chosen_language())
+    text = text.format(**{name: in_form(fact, form) for name, form, fact in named})
+    unit = get_message(body.unit) if body.unit else ""
+    return Drawing(layers, text=text, total=total, unit=unit, places=places)
+
+
+def make_layer(look: Look, rows: Array, total: int) -> Layer:
+    """The layer of a look, in a drawing of so many steps."""
+    columns, is_path = COORDINATES[look.kind], look.kind == "path"
+    width = width_of(look.width, total, len(rows))
+    layer = Layer(look.kind, rows[:, :columns], look.colour, width, look.dash)
+    layer = layer._replace(last=is_path, casing=is_path)
+    if look.kind == "labels":
+        return layer._replace(texts=tuple(in_form(row[columns], look.form) for row in rows))
+    if look.grows:
+        layer = layer._replace(when=rows[:, -1])
+    if not look.says:
+        return layer
+    numbers = dict(zip(look.names, rows[:, columns:].T))
+    return with_notes(layer, get_template(f"board.note.{look.says}", chosen_language()), **numbers)
+
+
+def width_of(width: float | str, total: int, rows: int) -> float:
+    """The width of a look in pixels, LINE and DOT by their numbers of steps or rows."""
+    if isinstance(width, str):
+        return line_width(total) if width == LINE else dot_size(rows) / 2.0
+    return width
+
+
+def fault_of(scene: Scene, kind: int, ring: int, i: int, j: int) -> InvalidPolygon:
+    """The error for a ring of a scene; ring 0 is the boundary."""
+    edge_of_world: JsonObject = {"name": "boundary", "rings": [scene["boundary"]]}
+    item = scene["polygons"][ring - 1] if ring else edge_of_world
+    points = np.array(item["rings"][0])
+    return InvalidPolygon(describe_ring_fault(points, RingFault(kind, i, j), item["name"]))

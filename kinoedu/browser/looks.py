@@ -1,0 +1,130 @@
+"""What a body is to a page: its settings, what it says, and how its layers look.
+
+A body returns a NamedTuple of arrays of float64. Its first field, `facts`, is a row of numbers: the
+status, then those that `Body.facts` names. The status is the number of what is said, or a fault of
+the scene, `scenes.py`. Every other field has rows: the numbers of a layer of a drawing.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from ..compiled import Compiled
+from ..messages import get_template
+from ..support.json_fields import JsonObject
+
+LINE, DOT = "line", "dot"  # a width that falls with the number of steps; a size with that of dots
+TOTAL = "total"  # the fact with this name is the number of steps
+HANDLES = "handles"  # the kind of rows number, x, y: handles that are moved there
+
+
+class Say(NamedTuple):
+    """A message: its key, and what fills some of its blanks: other messages, or plain text.
+
+    Facts fill the other blanks.
+    """
+
+    key: str
+    values: Mapping[str, Any] = MappingProxyType({})
+
+
+class Look(NamedTuple):
+    """The look of a field as a layer of a drawing, `kinoedu.boards.core.drawing`.
+
+    A row has its coordinates, then the number of a label or the numbers of a note, then its step.
+
+    width : a number, LINE or DOT.
+    grows : whether rows appear at a step.
+    form : how the number of a label is written, as in `Body.facts`.
+    says, names : the key of the message of a row, and the names of its numbers.
+    """
+
+    field: str
+    kind: str
+    colour: str = "ink"
+    width: float | str = 1.0
+    grows: bool = False
+    dash: tuple[float, ...] = ()
+    form: str = ""
+    says: str = ""
+    names: tuple[str, ...] = ()
+
+
+class Body(NamedTuple):
+    """A function from a scene, settings and a generator to what is shown.
+
+    settings, shows : the NamedTuples that it takes and returns.
+    facts : the names of the facts after the status, each with the form in which it is written, such
+        as "length:.4g". The form of a word is its alphabet: each digit d of the number stands for
+        letter d, and 0 for "-".
+    says : what is said at each status.
+    title : its name in a menu; menu : the key of the menu's name.
+    unit : the key of the message that names a step.
+    """
+
+    function: Compiled
+    settings: Any
+    shows: Any
+    facts: tuple[str, ...]
+    says: tuple[Say, ...]
+    layers: tuple[Look, ...]
+    title: str = ""
+    menu: str = ""
+    unit: str = ""
+    is_random: bool = False
+
+    @property
+    def kinds(self) -> tuple[Any, ...]:
+        """Settings like those that it takes, for a compiler."""
+        return self.settings(*[0.0] * len(self.settings._fields))
+
+
+def split_form(fact: str) -> tuple[str, str]:
+    """The name and the form of a fact.
+
+    >>> split_form("length:.4g")
+    ('length', '.4g')
+    """
+    name, _, form = fact.partition(":")
+    return name, form
+
+
+def in_form(value: float, form: str) -> str:
+    """A number as it is written: see `Body.facts`.
+
+    >>> in_form(2.0 / 3.0, ".4g"), in_form(1762.0, ","), in_form(323.0, "RSL"), in_form(0, "RSL")
+    ('0.6667', '1,762', 'LSL', '-')
+    """
+    if form.isalpha() and form.isupper():
+        return "".join(form[int(digit) - 1] for digit in str(int(value)) if digit != "0") or "-"
+    return format(int(value) if form in (",", "d") else float(value), form)
+
+
+def template_of(say: Say, language: str) -> str:
+    """A message whose other blanks are still to be filled."""
+    text = get_template(say.key, language)
+    for name, value in say.values.items():
+        filled = template_of(value, language) if isinstance(value, Say) else str(value)
+        text = text.replace(f"{{{name}}}", filled)
+    return text
+
+
+def describe_body(body: Body, language: str) -> JsonObject:
+    """A body as plain data."""
+    return {
+        "fields": list(body.shows._fields),
+        "settings": list(body.settings._fields),
+        "facts": [split_form(fact) for fact in body.facts],
+        "says": [template_of(say, language) for say in body.says],
+        "layers": [describe_look(look, language) for look in body.layers],
+        "title": body.title,
+        "menu": get_template(body.menu, language) if body.menu else "",
+        "unit": get_template(body.unit, language) if body.unit else "",
+        "random": body.is_random,
+    }
+
+
+def describe_look(look: Look, language: str) -> JsonObject:
+    """A look as plain data, with what its rows say."""
+    says = [get_template(f"board.note.{look.says}", language)] if look.says else []
+    return {**look._asdict(), "says": says}
