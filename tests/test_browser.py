@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 import shapely
 from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
+from test_board import Page
 
 import kinoedu as ke
-from kinoedu.boards import curves_board, distance_board
+from kinoedu.boards import curves_board, distance_board, search_board
 from kinoedu.boards.car.curves import pose_in
 from kinoedu.boards.core.page_script import BROWSER, CORE, page_script
 from kinoedu.boards.core.recorded import pack_records
@@ -19,12 +20,13 @@ from kinoedu.boards.core.shown import answer_by, draw_shown
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.live import describe_live, list_settings
 from kinoedu.boards.planning.plans import draw_plan, make_problem_scene
-from kinoedu.browser.bodies import BODIES, PLANNED, describe_bodies
+from kinoedu.browser.bodies import BODIES, PLANNED, SEARCHED, describe_bodies
 from kinoedu.browser.scenes import pack_scene
 from kinoedu.browser.wasm import write_scripts
 from kinoedu.curves import dubins_path, reeds_shepp_path
 from kinoedu.errors import InvalidPolygon, KinoeduError
 from kinoedu.geometry.rings import as_ring, find_ring_fault
+from kinoedu.graphs import Graph
 from kinoedu.messages import get_message
 from kinoedu.planners.registry import PLANNERS
 
@@ -156,26 +158,62 @@ def curves_case(seed):
     return curves_board(*poses, rng.uniform(0.5, 2.0)).record()[0]
 
 
-CASES = {"nearest": [nearest_case, crossing_case], "curves": [curves_case]}
+def graph_case(seed, search):
+    """A graph with handles for its nodes, or without, or a grid; start, goal and a node moved."""
+    rng, n = np.random.default_rng(seed), 3 + seed
+    if seed % 3 == 2:
+        made = search_board(rng.random((4 + seed % 9, 12)) < 0.7, search=search)
+    else:
+        pairs = [(u, v) for u in range(n) for v in range(u) if rng.random() < 3.0 / n]
+        weights = rng.random(len(pairs)) if seed % 4 == 0 else None
+        graph = Graph(nodes=9.0 * rng.random((n, 2)), edges=pairs, weights=weights)
+        if seed % 5 == 0:
+            graph.delete_node(1)
+        made = search_board(graph, search=search)
+    places = [("handle", k, (9.0 * rng.random(2)).tolist()) for k in (0, 1)]
+    if len(made.canvas.scene["handles"]) > 2:
+        places.append(("handle", 3, (9.0 * rng.random(2)).tolist()))
+    Page(made.canvas).moves(*places)
+    return made
+
+
+def searched_case(search):
+    return lambda seed: graph_case(seed, search).record()[0]
+
+
+CASES = {
+    "nearest": [nearest_case, crossing_case],
+    "curves": [curves_case],
+    **{name: [searched_case(name)] for name in SEARCHED},
+}
 
 
 def shown_natively(record):
     """What the body of a live board shows of its scene, run by Python."""
     live = record["live"]
-    body, free = BODIES[live["body"]], free_of(record)
-    settings = body.settings(*live["settings"][live["body"]])
-    return body.function(
-        pack_scene(record["scene"], free), settings, np.random.default_rng(live["seed"])
-    )
+    body = BODIES[live["body"]]
+    settings = [np.reshape(s, (len(s), -1)) if isinstance(s, list) else s for s in given_to(live)]
+    rng = np.random.default_rng(live["seed"])
+    return body.function(pack_scene(record["scene"]), body.settings(*settings), rng)
 
 
-def free_of(record):
-    """The bitmap of a record, or None."""
-    if record["scene"]["size"] is None:
-        return None
-    rows, columns = record["scene"]["size"]
-    bits = np.frombuffer(base64.b64decode(record["bitmap"]), np.uint8)
-    return np.unpackbits(bits, count=rows * columns).reshape(rows, columns).astype(bool)
+def given_to(live):
+    """The settings of a live board's body, possibly those of another body."""
+    given = live["settings"][live["body"]]
+    return live["settings"][given] if isinstance(given, str) else given
+
+
+@pytest.mark.parametrize("name", SEARCHED)
+def test_a_search_shows_what_the_board_shows(name):
+    """The same layers and words, whether the nodes nearest to the ends are found here or there."""
+    for seed in range(30):
+        made = graph_case(seed, name)
+        shown = shown_natively(made.record()[0])
+        status, *facts = shown.facts
+        mine, theirs = draw_shown(SEARCHED[name], int(status), facts, shown), made.canvas.drawing
+        for drawn, wanted in zip(mine.layers, theirs.layers, strict=True):
+            assert same_layer(drawn, wanted)
+        assert (mine.text, mine.step_texts) == (theirs.text, theirs.step_texts)
 
 
 def test_the_nearest_point_is_that_of_shapely():
@@ -234,6 +272,7 @@ def folder(tmp_path_factory):
     problem = ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1))
     boards = [ke.board(problem, "rrt", step_size=0.5), ke.board(problem, "prm", samples=200)]
     boards += [distance_board(SQUARE, (8, 8)), curves_board((0, 0, 0), (0, 4, 0), 2.0)]
+    boards.append(search_board(GRID, search="bfs"))
     records = [json.dumps(pack_records(board.record())) for board in boards]
     text = "".join(
         '<div class="kinoedu-record"><p class="still"></p>'
@@ -253,14 +292,14 @@ def page(folder):
 
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        opened = browser.new_page(viewport={"width": 760, "height": 3400})
+        opened = browser.new_page(viewport={"width": 760, "height": 4200})
         faults, asked = [], []
         opened.on("console", lambda message: faults.append(message.text))
         opened.on("pageerror", lambda error: faults.append(str(error)))
         opened.on("request", lambda request: asked.append(request.url))
         opened.goto((folder / "index.html").as_uri())
         opened.wait_for_function(
-            "document.querySelectorAll('.kinoedu-board[data-paints]').length === 4"
+            "document.querySelectorAll('.kinoedu-board[data-paints]').length === 5"
         )
         yield opened
         assert faults == []
@@ -270,10 +309,11 @@ def page(folder):
 
 RUN = """([source, module, fields, cases]) => new Promise((resolve) => {
     const worker = new Worker(URL.createObjectURL(new Blob([source])));
-    const answers = [], bytesOf = (numbers) => Array.from(new Uint8Array(numbers.buffer));
+    const letter = (byte) => String.fromCharCode(byte), answers = [];
+    const text = ({ numbers }) => btoa(Array.from(new Uint8Array(numbers.buffer), letter).join(""));
     worker.onmessage = ({ data }) => {
         answers.push(data.error ?? [data.facts.map(String),
-            Object.values(data.layers).map(({ numbers }) => bytesOf(numbers))]);
+            Object.values(data.layers).map(text)]);
         if (answers.length === cases.length) { worker.terminate(); resolve(answers); }
     };
     const letters = atob(module);
@@ -299,23 +339,27 @@ def test_webassembly_gives_the_same_bits(page, folder, name):
             BODIES[name].settings(*settings),
             np.random.default_rng(cases[-1]["seed"]),
         )
-        wanted.append([list(layer.tobytes()) for layer in shown[1:]])
+        wanted.append([in_base64(layer) for layer in shown[1:]])
     given = run_in_page(page, folder, name, cases)
     assert [layers for _, layers in given] == wanted
 
 
 def run_in_page(page, folder, name, cases):
-    """The facts as texts, and the bytes of the layers, of each case."""
+    """The facts as texts, and the bytes of the layers in base64, of each case."""
     module = (folder / "live" / f"{name}.js").read_text(encoding="ascii").split('"')[3]
     assert base64.b64decode(module)[:4] == b"\0asm"
     source = (folder / "worker.js").read_text(encoding="utf-8")
     return page.evaluate(RUN, [source, module, list(BODIES[name].shows._fields), cases])
 
 
+def in_base64(layer):
+    """The bytes of an array as text."""
+    return base64.b64encode(layer.tobytes()).decode("ascii")
+
+
 def case_for_page(record):
     """What a page asks its worker of a live board."""
-    live = record["live"]
-    return {"scene": record["scene"], "settings": live["settings"][live["body"]], "seed": 0}
+    return {"scene": record["scene"], "settings": given_to(record["live"]), "seed": 0}
 
 
 EXACT = [(name, make) for name in CASES if name != "curves" for make in CASES[name]]
@@ -329,7 +373,7 @@ def test_other_boards_give_the_same_bits(page, folder, name, make):
     for record, (facts, layers) in zip(records, given, strict=True):
         shown = shown_natively(record)
         assert [float(fact) for fact in facts] == shown.facts.tolist()
-        assert layers == [list(layer.tobytes()) for layer in shown[1:]]
+        assert layers == [in_base64(layer) for layer in shown[1:]]
 
 
 def test_curves_differ_in_the_last_digits_only(page, folder):
@@ -340,7 +384,7 @@ def test_curves_differ_in_the_last_digits_only(page, folder):
         shown = shown_natively(record)
         assert [float(facts[k]) for k in (0, 1, 3)] == shown.facts[[0, 1, 3]].tolist()
         for theirs, mine in zip(layers, shown[1:], strict=True):
-            numbers = np.frombuffer(bytes(theirs)).reshape(mine.shape)
+            numbers = np.frombuffer(base64.b64decode(theirs)).reshape(mine.shape)
             most = max(most, np.abs(numbers - mine).max(initial=0.0))
     assert most < CURVES_AGREE
 
@@ -380,6 +424,8 @@ def lab_text(name, start, goal, polygon, seed):
 
 WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
+GRID = np.ones((10, 10), bool)
+GRID[:8, 4] = False
 
 
 def test_boards_are_dragged_in_the_page(page):
@@ -437,6 +483,24 @@ def test_poses_are_dragged_in_the_page(page):
         scene = move_parts(moved(scene, "handle", number, list(end)), drawing.places)
         page.wait_for_function(SAYS, arg=[3, drawing.text])
     keep(page, "live_curves")
+
+
+def test_a_search_on_a_grid_is_dragged_in_the_page(page):
+    """The start is moved, another search is chosen, and one scrubs through its expansions."""
+    drag(page, 4, (0.5, 0.5), (2.5, 6.5))
+    made = search_board(GRID, search="bfs")
+    made.canvas.arrange(moved(made.canvas.scene, "handle", 0, [2.5, 6.5]))
+    page.wait_for_function(SAYS, arg=[4, made.canvas.drawing.text])
+    page.locator(".kinoedu-live select").last.select_option("astar")
+    made.search.value = "astar"
+    page.wait_for_function(SAYS, arg=[4, made.canvas.drawing.text])
+    board = page.locator(".kinoedu-board").nth(4)
+    slider = board.locator(".kinoedu-slider")
+    slider.press("Home")
+    for _ in range(9):
+        slider.press("ArrowRight")
+    page.wait_for_function(SAYS, arg=[4, made.canvas.drawing.step_texts[9]])
+    keep(page, "live_search")
 
 
 def test_a_link_brings_the_same_world(page, folder):

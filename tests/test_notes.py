@@ -169,7 +169,8 @@ def test_all_notes_of_the_catalogue_are_used():
     names = set(catalogue("en")["board"]["note"])
     source = "".join(
         file.read_text(encoding="utf-8")
-        for file in (Path(ke.__file__).parent / "boards").rglob("*.py")
+        for room in ("boards", "browser")
+        for file in (Path(ke.__file__).parent / room).rglob("*.py")
     )
-    assert all(re.search(rf'"{name}"', source) for name in names)
+    assert all(re.search(rf'["\.]{name}"', source) for name in names)
     assert get_message("board.note.alone")

@@ -13,12 +13,11 @@ from kinoedu.boards.bugs.bugs import BUGS
 from kinoedu.boards.core.drawing import Drawing, cells, dots, encode_drawing, labels
 from kinoedu.boards.core.scene import move_parts
 from kinoedu.boards.geometry.sweep import find_open_cells, height_at
-from kinoedu.boards.search.expanding import find_runs
 from kinoedu.boards.search.search import heuristic_to
 from kinoedu.decomposition import sweep, trapezoidation
 from kinoedu.errors import InvalidGraph, InvalidParameter, InvalidPolygon, InvalidWorld
 from kinoedu.geometry import point_polygon_distance
-from kinoedu.graphs import Graph, bfs_expansions, bfs_path, dijkstra
+from kinoedu.graphs import Graph, bfs_path, dijkstra
 from kinoedu.worlds import PolygonWorld
 
 BOX = [(1, -1), (2, -1), (2, 2), (1, 2)]
@@ -388,15 +387,45 @@ def test_deleted_nodes_are_left_out():
     assert made.canvas.drawing.layers[-1].texts == ("0", "1", "2")
 
 
-def test_spells_say_how_long_values_stay():
-    """The runs of each node, ordered by their first step; the last one ends after the last step."""
-    node, value, when, until = find_runs(np.array([[0, 1], [0, 2], [3, 2]]))
-    rows = list(zip(node.tolist(), value.tolist(), when.tolist(), until.tolist(), strict=True))
-    assert rows == [(0, 0, 0, 2), (1, 1, 0, 1), (1, 2, 1, 3), (0, 3, 2, 3)]
-    states = search_board(DIAMOND).moments
-    assert [moment.node for moment in states] == [
-        moment.node for moment in bfs_expansions(DIAMOND, 0, 4)
-    ]
+def random_graph(seed):
+    """A graph: directed or not, parallel edges, own weights or lengths, a deleted node."""
+    rng = np.random.default_rng(seed)
+    n = int(rng.integers(2, 14))
+    pairs = rng.integers(0, n, (int(rng.integers(1, 3 * n)), 2))
+    weights = rng.random(len(pairs)) if seed % 3 == 0 else None
+    graph = Graph(
+        nodes=rng.random((n, 2)),
+        edges=[(u, v) for u, v in pairs.tolist() if u != v],
+        weights=None if weights is None else weights[pairs[:, 0] != pairs[:, 1]],
+        directed=seed % 2 == 1,
+    )
+    if seed % 5 == 0 and n > 3:
+        graph.delete_node(int(rng.integers(n)))
+    return graph
+
+
+@pytest.mark.parametrize("search", ["bfs", "dfs", "dijkstra", "astar"])
+def test_each_node_is_at_each_step_what_the_expansions_say(search):
+    """State, parent, cost and the numbers of the text, for 60 graphs, against the iterators."""
+    unseen, frontier, expanded, expanding = range(4)
+    for seed in range(60):
+        made = search_board(random_graph(seed), search=search)
+        drawing, graph = made.canvas.drawing, made.graph
+        (notes,) = (layer for layer in drawing.layers if layer.kind == "nodes")
+        assert (np.diff(notes.when) >= 0).all() and (notes.until > notes.when).all()
+        for step, moment in enumerate(made.moments, start=1):
+            now = notes.notes[(notes.when <= step) & (step < notes.until)]
+            now = now[np.argsort(now[:, 0])]
+            states = np.full(graph.size, unseen)
+            states[moment.expanded] = expanded
+            states[moment.frontier] = frontier
+            states[moment.node] = expanding
+            there = list(graph)
+            wanted = [there, moment.parent[there], states[there], moment.cost[there]]
+            assert now[:, :4].T.tolist() == [np.asarray(row, float).tolist() for row in wanted]
+            counts = f"expanded {step} of {len(graph)}; frontier {len(moment.frontier)}; now node"
+            assert drawing.step_texts[step] == f"{counts} {moment.node}"
+        assert drawing.total == len(made.moments)
 
 
 # ---- stored notebooks

@@ -2,7 +2,8 @@
 
 A body is a function from arrays to arrays: from a scene (`scenes.py`) to what is shown. It calls
 the same functions as the boards of a lesson, so that both give the same numbers, to the last bit.
-The boards of a distance and of curves call the body itself, and `boards/core/shown.py` draws it.
+The boards of a distance, of curves and of searches call the body's own functions, and
+`boards/core/shown.py` draws what they return.
 
 | file | what it is |
 |---|---|
@@ -10,6 +11,7 @@ The boards of a distance and of curves call the body itself, and `boards/core/sh
 | `plans.py` | the bodies of the planners |
 | `nearest.py` | the body of the distance board |
 | `curves.py` | the body of the curves' board |
+| `searches.py`, `search_runs.py`, `search_layers.py` | the bodies of the search board |
 | `looks.py` | what a body says, and how its layers look |
 | `bodies.py` | the table of all bodies, with their words and looks |
 | `wasm.py` | from a body to a WebAssembly module |

@@ -1,11 +1,13 @@
 """The table of bodies: what a page can answer without Python, and how it shows the answer."""
 
+from typing import Any
+
 from ..compiled import Compiled
 from ..geometry.rings import FAULTS
 from ..messages import get_template
 from ..support.json_fields import JsonObject
 from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
-from .looks import DOT, HANDLES, LINE, Body, Look, Say, describe_body
+from .looks import DOT, HANDLES, LINE, TEXTS, Body, Look, Say, describe_body
 from .nearest import NoSettings, ShownNearest, show_nearest
 from .plans import (
     PairSettings,
@@ -18,6 +20,9 @@ from .plans import (
     show_rrt_connect,
     show_rrt_star,
 )
+from .search_layers import ShownSearch
+from .search_runs import STATES
+from .searches import SearchSettings, show_astar, show_bfs, show_dfs, show_dijkstra
 
 WORDS = (
     "live.failed",
@@ -30,13 +35,14 @@ WORDS = (
 BRANCH = ("node", "parent")
 PATH = Look("path", "path", "path", 3.0)
 TREES = (
-    Look("edges", "edges", "tree", LINE, True, says="node", names=BRANCH),
-    Look("others", "edges", "goal_tree", LINE, True, says="node", names=BRANCH),
+    Look("edges", "edges", "tree", LINE, True, says=(Say("board.note.node"),), names=BRANCH),
+    Look("others", "edges", "goal_tree", LINE, True, says=(Say("board.note.node"),), names=BRANCH),
     PATH,
 )
+EDGE, NODE = (Say("board.note.roadmap_edge"),), (Say("board.note.roadmap_node"),)
 ROADMAP = (
-    Look("edges", "edges", "roadmap", 0.8, True, says="roadmap_edge", names=("u", "v")),
-    Look("dots", "dots", "tree", DOT, says="roadmap_node", names=("node", "degree")),
+    Look("edges", "edges", "roadmap", 0.8, True, says=EDGE, names=("u", "v")),
+    Look("dots", "dots", "tree", DOT, says=NODE, names=("node", "degree")),
     PATH,
 )
 PLAN_FACTS = ("length:.4g", "total:,", "iterations:,", "nodes:,")
@@ -114,7 +120,62 @@ CURVES = Body(
         Look("noses", HANDLES),
     ),
 )
-BODIES = {**PLANNED, "nearest": NEAREST, "curves": CURVES}
+
+
+def search_looks(informed: bool) -> tuple[Look, ...]:
+    """The layers of a search, informed if it has a heuristic."""
+    costs = Say("board.note.gh" if informed else "board.note.g")
+    states = tuple(Say(f"board.note.{state}", {"costs": costs}) for state in STATES)
+    names = ("node", "parent", "which", "g", "h", "f")[: 6 if informed else 4]
+    steps = ("which:d", "nodes:d", "expanded:d", "frontier:d", "node:d")
+    stays: Any = {"grows": True, "ends": True}
+    return (
+        Look("expanded", "cells", "cell", **stays),
+        Look("waiting", "cells", "frontier", **stays),
+        Look("now", "cells", "ink", **stays),
+        Look("outlines", "edges", "outside", 0.6),
+        Look("lines", "edges", "outside", 1.5),
+        Look("parents", "arrows", "tree", 2.0, **stays),
+        Look("spots", "dots", "ink", "rim"),
+        Look("spots", "dots", "free", "radius"),
+        Look("expanded_spots", "dots", "tree", "radius", **stays),
+        Look("waiting_spots", "dots", "frontier", "radius", **stays),
+        Look("spot_now", "dots", "ink", "large", **stays),
+        Look("notes", "nodes", "ink", "reach", says=states, names=names, **stays),
+        Look("from_start", "edges", "start", 2.0, dash=(4.0, 4.0)),
+        Look("from_goal", "edges", "goal", 2.0, dash=(4.0, 4.0)),
+        PATH,
+        Look("numbers", "labels", form="d"),
+        Look("moments", TEXTS, says=STEPS, names=steps),
+    )
+
+
+STEPS = (Say("search_board.before"), Say("search_board.growing"))
+OUTCOMES = (Say("search_board.found"), Say("search_board.failed"))
+SEARCH_FACTS = (
+    *("expanded:d", "nodes:d", "frontier:d", "cost:.4g", "edges:d", "start:d", "goal:d", "total:d"),
+    *("radius", "rim", "large", "reach"),
+)
+SEARCHED = {
+    name: Body(
+        function,
+        SearchSettings,
+        ShownSearch,
+        SEARCH_FACTS,
+        (*OUTCOMES, *(Say("search_board.between", {"outcome": say}) for say in OUTCOMES)),
+        search_looks(name == "astar"),
+        title=Say(f"search_board.{name}"),
+        menu="search_board.search",
+        unit="search_board.unit",
+    )
+    for name, function in (
+        ("bfs", show_bfs),
+        ("dfs", show_dfs),
+        ("dijkstra", show_dijkstra),
+        ("astar", show_astar),
+    )
+}
+BODIES = {**PLANNED, **SEARCHED, "nearest": NEAREST, "curves": CURVES}
 
 
 def describe_bodies(language: str = "en") -> JsonObject:

@@ -9,8 +9,8 @@
 const HERE = document.currentScript?.src ?? "";
 const START_NOT_FREE = -1, GOAL_NOT_FREE = -2, RING_FAULT = -3;  // kinoedu/browser/scenes.py
 // how many points begin a row of each kind, and how many columns are in the unit of the world
-const POINTS_OF = { edges: 2, path: 1, dots: 1, arrows: 1, labels: 1 };
-const COLUMNS_OF = { edges: 4, path: 2, dots: 2, arrows: 4, labels: 2 };
+const POINTS_OF = { edges: 2, path: 1, dots: 1, arrows: 1, labels: 1, cells: 4, nodes: 1 };
+const COLUMNS_OF = { edges: 4, path: 2, dots: 2, arrows: 4, labels: 2, cells: 8, nodes: 2 };
 
 let worker = null, asked = 0;
 const heard = new Map();                // what to do with the answer of each question
@@ -73,7 +73,8 @@ class Answers {
   }
 
   async answer(to = null, seq = null) {
-    const { body: name, seed } = this, settings = this.settings[name];
+    const { body: name, seed } = this, given = this.settings[name];
+    const settings = this.settings[given] ?? given;     // those of another body, or its own
     const scene = copy(this.scene);
     let drawing;
     try {
@@ -183,31 +184,42 @@ function button(text, press) {
 function drawn(body, scene, settings, { facts: [status, ...facts], layers, took }) {
   if (status < 0) return warned(faultOf(body, scene, settings, [status, ...facts]));
   const values = Object.fromEntries(body.facts.map(([name], k) => [name, facts[k]]));
+  const spoken = body.facts.filter(([, form]) => form);
   const texts = Object.fromEntries(
-    body.facts.map(([name, form]) => [name, inForm(values[name], form)]));
-  const total = values.total ?? 0, message = [], buffers = [], places = [];
+    spoken.map(([name, form]) => [name, inForm(values[name], form)]));
+  const total = values.total ?? 0, message = [], buffers = [], places = [], steps = [];
   for (const look of body.layers) {
     const rows = rowsOf(layers[look.field]);
     if (look.kind === "handles") {
       places.push(...rows.map(([number, ...at]) => ["handle", number, at]));
+    } else if (look.kind === "texts") {
+      steps.push(...rows.map((row) => textOf(look, row)));
     } else if (rows.length > 0) {
-      message.push(encoded(look, rows, total));
+      message.push(encoded(look, rows, values));
       buffers.push(bufferOf(look, rows, scene));
     }
   }
   const text = fill(body.says[status], texts), { unit } = body;
-  return { message: { ...PLAIN, layers: message, text, total, unit, places, took }, buffers };
+  const about = { text, total, unit, step_texts: steps, places, took };
+  return { message: { ...PLAIN, layers: message, ...about }, buffers };
+}
+
+function textOf({ says, names }, row) {
+  const forms = names.map((name) => name.split(":"));
+  return fill(says[row[0]],
+    Object.fromEntries(forms.map(([name, form], k) => [name, inForm(row[k], form)])));
 }
 
 const rowsOf = ({ numbers, shape: [count, columns] }) => Array.from({ length: count },
   (_, k) => [...numbers.subarray(columns * k, columns * (k + 1))]);
 
-function encoded({ kind, colour, width, dash, grows, form, says, names }, rows, total) {
-  const size = SIZES[width]?.(width === "line" ? total : rows.length) ?? width;
+function encoded({ kind, colour, width, dash, grows, ends, form, says, names }, rows, values) {
+  const count = width === "line" ? values.total : rows.length;
+  const size = SIZES[width]?.(count) ?? values[width] ?? width;
   const path = kind === "path";
   const texts = kind === "labels" ? rows.map((row) => inForm(row[2], form)) : [];
   return {
-    kind, colour, width: size, dash, grows, ends: false, last: path, casing: path, texts,
+    kind, colour, width: size, dash, grows, ends, last: path, casing: path, texts,
     points: POINTS_OF[kind], hatched: false, ...(says.length ? { says, names } : {}),
   };
 }

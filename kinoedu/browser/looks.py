@@ -7,7 +7,9 @@ the scene, `scenes.py`. Every other field has rows: the numbers of a layer of a 
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_type_hints
+
+import numpy as np
 
 from ..compiled import Compiled
 from ..messages import get_template
@@ -16,6 +18,7 @@ from ..support.json_fields import JsonObject
 LINE, DOT = "line", "dot"  # a width that falls with the number of steps; a size with that of dots
 TOTAL = "total"  # the fact with this name is the number of steps
 HANDLES = "handles"  # the kind of rows number, x, y: handles that are moved there
+TEXTS = "texts"  # the kind of rows that fill the text at each step before the last
 
 
 class Say(NamedTuple):
@@ -31,12 +34,13 @@ class Say(NamedTuple):
 class Look(NamedTuple):
     """The look of a field as a layer of a drawing, `kinoedu.boards.core.drawing`.
 
-    A row has its coordinates, then the number of a label or the numbers of a note, then its step.
+    A row has its coordinates, the number of a label or the numbers of a note, and its steps.
 
-    width : a number, LINE or DOT.
-    grows : whether rows appear at a step.
+    width : a number, LINE, DOT, or the name of a fact.
+    grows, ends : whether a row has the step at which it appears, and that at which it disappears.
     form : how the number of a label is written, as in `Body.facts`.
-    says, names : the key of the message of a row, and the names of its numbers.
+    says, names : the messages of a row, and the names of its numbers; `which` is that of the
+        message, where there are several.
     """
 
     field: str
@@ -44,9 +48,10 @@ class Look(NamedTuple):
     colour: str = "ink"
     width: float | str = 1.0
     grows: bool = False
+    ends: bool = False
     dash: tuple[float, ...] = ()
     form: str = ""
-    says: str = ""
+    says: tuple[Say, ...] = ()
     names: tuple[str, ...] = ()
 
 
@@ -68,15 +73,16 @@ class Body(NamedTuple):
     facts: tuple[str, ...]
     says: tuple[Say, ...]
     layers: tuple[Look, ...]
-    title: str = ""
+    title: Say | str = ""
     menu: str = ""
     unit: str = ""
     is_random: bool = False
 
     @property
     def kinds(self) -> tuple[Any, ...]:
-        """Settings like those that it takes, for a compiler."""
-        return self.settings(*[0.0] * len(self.settings._fields))
+        """Settings like those that it takes, for a compiler: numbers, and rows of numbers."""
+        kinds = get_type_hints(self.settings).values()
+        return self.settings(*(0.0 if kind is float else np.empty((0, 0)) for kind in kinds))
 
 
 def split_form(fact: str) -> tuple[str, str]:
@@ -117,7 +123,7 @@ def describe_body(body: Body, language: str) -> JsonObject:
         "facts": [split_form(fact) for fact in body.facts],
         "says": [template_of(say, language) for say in body.says],
         "layers": [describe_look(look, language) for look in body.layers],
-        "title": body.title,
+        "title": template_of(body.title, language) if isinstance(body.title, Say) else body.title,
         "menu": get_template(body.menu, language) if body.menu else "",
         "unit": get_template(body.unit, language) if body.unit else "",
         "random": body.is_random,
@@ -126,5 +132,4 @@ def describe_body(body: Body, language: str) -> JsonObject:
 
 def describe_look(look: Look, language: str) -> JsonObject:
     """A look as plain data, with what its rows say."""
-    says = [get_template(f"board.note.{look.says}", language)] if look.says else []
-    return {**look._asdict(), "says": says}
+    return {**look._asdict(), "says": [template_of(say, language) for say in look.says]}

@@ -50,6 +50,10 @@ function arraysOf(scene, free) {
   ];
 }
 
+// A setting is a number, or rows of numbers.
+const rowsOf = (setting) => (Array.isArray(setting)
+  ? [Float64Array.from(setting.flat()), [setting.length, setting[0]?.length ?? 0]] : setting);
+
 // An array as a body takes it; a number as it is.
 function argument(hold, body, value) {
   if (!Array.isArray(value)) return [value];
@@ -64,7 +68,7 @@ function argument(hold, body, value) {
 function answer(body, names, { scene, free, settings, seed }) {
   const held = [];                   // memory to give back
   const hold = (size) => { held.push(body.allocate(size)); return held.at(-1); };
-  const given = [...arraysOf(scene, free ?? [new Uint8Array(0), [0, 0]]), ...settings];
+  const given = [...arraysOf(scene, free ?? [new Uint8Array(0), [0, 0]]), ...settings.map(rowsOf)];
   const args = given.flatMap((value) => argument(hold, body, value));
   const generator = body.seeded(seed), draws = [body.draw64(), body.draw32(), body.draw_double()];
   held.push(generator);

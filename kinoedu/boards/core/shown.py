@@ -9,19 +9,39 @@ from typing import Any
 import numpy as np
 
 from ...browser.bodies import BODIES
-from ...browser.looks import HANDLES, LINE, TOTAL, Body, Look, in_form, split_form, template_of
+from ...browser.looks import (
+    DOT,
+    HANDLES,
+    LINE,
+    TEXTS,
+    TOTAL,
+    Body,
+    Look,
+    in_form,
+    split_form,
+    template_of,
+)
 from ...browser.scenes import RING_FAULT, pack_scene
 from ...errors import InvalidPolygon
 from ...figures.drawing import dot_size, line_width
 from ...geometry.checks import Array
 from ...geometry.rings import RingFault, describe_ring_fault
-from ...messages import chosen_language, get_message, get_template
+from ...messages import chosen_language, get_message
 from ...support.json_fields import JsonObject
 from .drawing import Drawing, Layer
 from .notes import with_notes
 from .scene import Scene
 
-COORDINATES = {"edges": 4, "path": 2, "dots": 2, "arrows": 4, "labels": 2}  # columns of each kind
+# the columns of each kind that are coordinates
+COORDINATES = {
+    "edges": 4,
+    "path": 2,
+    "dots": 2,
+    "arrows": 4,
+    "labels": 2,
+    "cells": 8,
+    "nodes": 2,
+}
 
 
 def make_live(name: str, settings: Sequence[float]) -> JsonObject:
@@ -47,42 +67,63 @@ def answer_by(name: str, settings: Sequence[float], scene: Scene) -> Drawing:
 
 def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> Drawing:
     """A drawing of the layers that a body shows."""
+    layers, places, steps = list[Layer](), list[tuple[str, int, Any]](), list[str]()
     named = [(*split_form(form), fact) for form, fact in zip(body.facts, facts)]
-    total = next((int(fact) for name, _, fact in named if name == TOTAL), 0)
-    layers, places = list[Layer](), list[tuple[str, int, Any]]()
+    values = {name: fact for name, _, fact in named}
     for look in body.layers:
         rows = getattr(shown, look.field)
         if look.kind == HANDLES:
             places += [("handle", int(number), at) for number, *at in rows.tolist()]
+        elif look.kind == TEXTS:
+            steps = fill_texts(look, rows)
         elif len(rows):
-            layers.append(make_layer(look, rows, total))
+            layers.append(make_layer(look, rows, values))
     text = template_of(body.says[status], chosen_language())
-    text = text.format(**{name: in_form(fact, form) for name, form, fact in named})
-    unit = get_message(body.unit) if body.unit else ""
-    return Drawing(layers, text=text, total=total, unit=unit, places=places)
+    text = text.format(**{name: in_form(fact, form) for name, form, fact in named if form})
+    total, unit = int(values.get(TOTAL, 0)), get_message(body.unit) if body.unit else ""
+    return Drawing(layers, text=text, total=total, unit=unit, step_texts=steps, places=places)
 
 
-def make_layer(look: Look, rows: Array, total: int) -> Layer:
-    """The layer of a look, in a drawing of so many steps."""
+def make_layer(look: Look, rows: Array, values: dict[str, float]) -> Layer:
+    """The layer of a look, in a drawing with these facts."""
     columns, is_path = COORDINATES[look.kind], look.kind == "path"
-    width = width_of(look.width, total, len(rows))
+    width = width_of(look.width, values, len(rows))
     layer = Layer(look.kind, rows[:, :columns], look.colour, width, look.dash)
     layer = layer._replace(last=is_path, casing=is_path)
     if look.kind == "labels":
         return layer._replace(texts=tuple(in_form(row[columns], look.form) for row in rows))
+    if look.ends:
+        layer, rows = layer._replace(until=rows[:, -1]), rows[:, :-1]
     if look.grows:
         layer = layer._replace(when=rows[:, -1])
     if not look.says:
         return layer
     numbers = dict(zip(look.names, rows[:, columns:].T))
-    return with_notes(layer, get_template(f"board.note.{look.says}", chosen_language()), **numbers)
+    return with_notes(layer, *templates_of(look), **numbers)
 
 
-def width_of(width: float | str, total: int, rows: int) -> float:
-    """The width of a look in pixels, LINE and DOT by their numbers of steps or rows."""
-    if isinstance(width, str):
-        return line_width(total) if width == LINE else dot_size(rows) / 2.0
-    return width
+def width_of(width: float | str, values: dict[str, float], rows: int) -> float:
+    """The width of a look in pixels."""
+    if not isinstance(width, str):
+        return width
+    if width == LINE:
+        return line_width(int(values[TOTAL]))
+    return dot_size(rows) / 2.0 if width == DOT else values[width]
+
+
+def fill_texts(look: Look, rows: Array) -> list[str]:
+    """The text of each row."""
+    templates, named = templates_of(look), [split_form(name) for name in look.names]
+    texts = []
+    for row in rows.tolist():
+        values = {name: in_form(number, form) for (name, form), number in zip(named, row)}
+        texts.append(templates[int(values["which"])].format(**values))
+    return texts
+
+
+def templates_of(look: Look) -> list[str]:
+    """What the rows of a look say, with blanks."""
+    return [template_of(say, chosen_language()) for say in look.says]
 
 
 def fault_of(scene: Scene, kind: int, ring: int, i: int, j: int) -> InvalidPolygon:

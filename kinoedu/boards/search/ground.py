@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...browser.search_layers import MOST_NUMBERED
+from ...browser.searches import ENDS
 from ...errors import InvalidGraph, InvalidParameter
 from ...geometry.checks import Array, as_point
 from ...graphs import Graph
@@ -17,11 +19,9 @@ from ...worlds.polygon_world import PolygonWorldRecord
 from ...worlds.terrain import TerrainRecord
 from ..core.scene import Scene, handle, make_scene, stop
 from ..planning.plans import make_problem_scene
-from .expanding import MOST_NUMBERED
 
 MOST = 900  # the most nodes: all their expansions are drawn again while something is dragged
 SAMPLES, NEIGHBOURS = 40, 5  # of the roadmap that is made for a problem among polygons
-ENDS = 2  # the handles before those of the nodes: start and goal
 
 
 class Ground(NamedTuple):
@@ -123,7 +123,7 @@ def place_nodes(graph: Graph, places: ArrayLike) -> Graph:
     Weights that were lengths become the new lengths; others stay.
     """
     nodes, edges, weights = graph.nodes, graph.edges, graph.weights
-    were_lengths = np.isclose(weights, edge_lengths(graph.space, nodes, edges), rtol=1e-9, atol=0.0)
+    were_lengths = has_length_weights(graph)
     nodes[list(graph)] = places
     weights = np.where(were_lengths, edge_lengths(graph.space, nodes, edges), weights)
     moved = Graph(
@@ -132,6 +132,12 @@ def place_nodes(graph: Graph, places: ArrayLike) -> Graph:
     for u in set(range(graph.size)) - set(graph):
         moved.delete_node(u)
     return moved
+
+
+def has_length_weights(graph: Graph) -> NDArray[np.bool_]:
+    """Whether the weight of each edge is its length, (m,)."""
+    lengths = edge_lengths(graph.space, graph.nodes, graph.edges)
+    return np.isclose(graph.weights, lengths, rtol=1e-9, atol=0.0)
 
 
 def fix_obstacles(scene: Scene, searched: Scene) -> Scene:

@@ -5,19 +5,19 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...browser.searches import ENDS, lower_bounds
 from ...geometry.checks import Array
 from ...graphs import Expansion, Graph, astar_expansions, bfs_expansions, dfs_expansions
 from ...messages import get_message
 from ...planners.tuning import one_of
 from ...problems import ProblemRecord
+from ...support.json_fields import JsonObject
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
 from ..core.framed import Framed, make_menu
 from ..core.scene import Scene
-from .expanding import draw_search
-from .ground import ENDS, make_ground, move_nodes
-
-SEARCHES = ("bfs", "dfs", "dijkstra", "astar")
+from .expanding import SEARCHES, describe_live, draw_search
+from .ground import make_ground, move_nodes
 
 
 def search_board(
@@ -71,9 +71,8 @@ class SearchBoard(Framed):
         goal: int | None,
     ) -> None:
         self.ground = make_ground(graph_or_problem, start, goal)
-        self.moments: list[Expansion] = []
         options = [(get_message(f"search_board.{name}"), name) for name in SEARCHES]
-        chosen = one_of(search, "search", SEARCHES)
+        chosen = one_of(search, "search", tuple(SEARCHES))
         self.search = make_menu("search_board.search", options, chosen)
         canvas = Canvas(self.ground.scene, self.answer, free=self.ground.free)
         super().__init__([self.search], [canvas])
@@ -84,9 +83,18 @@ class SearchBoard(Framed):
         here = np.array([item["at"] for item in scene["handles"][:ENDS]])
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
         guess = heuristic_to(graph, goal) if self.search.value == "astar" else None
-        self.moments = list_expansions(graph, self.search.value, start, goal, guess)
-        self.graph, self.ends, side = graph, (start, goal), self.ground.side
-        return draw_search(graph, self.moments, self.ends, here, side, scene, guess)
+        self.graph, self.ends, self._guess = graph, (start, goal), guess
+        return draw_search(self.search.value, self.ground, graph, self.ends, here, guess)
+
+    @property
+    def moments(self) -> list[Expansion]:
+        """The expansions shown."""
+        return list_expansions(self.graph, self.search.value, *self.ends, self._guess)
+
+    def record(self) -> list[JsonObject]:
+        """The board as it is now, which a page answers itself."""
+        self.canvas.live = describe_live(self.ground, self.search.value)
+        return super().record()
 
 
 def list_expansions(
@@ -105,9 +113,5 @@ def heuristic_to(graph: Graph, goal: int) -> Array:
 
     They are distances, scaled down where an edge costs less than its length.
     """
-    ends = graph.nodes[graph.edges]
-    lengths = np.sqrt(((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1))
-    long = lengths > 0.0
-    rate = min(1.0, float((graph.weights[long] / lengths[long]).min(initial=1.0)))
     apart = graph.distances(graph.nodes[goal])
-    return np.where(np.isfinite(apart), rate * apart, 0.0)
+    return np.asarray(lower_bounds(graph.nodes, graph.edges, graph.weights, apart))
