@@ -7,6 +7,7 @@ from ..geometry.rings import FAULTS
 from ..messages import get_template
 from ..support.json_fields import JsonObject
 from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
+from .grids import GridSettings, show_grid
 from .looks import DOT, HANDLES, LINE, TEXTS, Body, Look, Say, describe_body
 from .nearest import NoSettings, ShownNearest, show_nearest
 from .plans import (
@@ -46,6 +47,7 @@ ROADMAP = (
     PATH,
 )
 PLAN_FACTS = ("length:.4g", "total:,", "iterations:,", "nodes:,")
+GRID_FACTS = ("length:.4g", "total:,", "spacing:.6g", "nodes:,")
 NODES, EDGES = "figure.nodes", "figure.edges"
 
 
@@ -90,6 +92,16 @@ PLANNED = {
         "plan.goal_alone",
         "plan.parts_apart",
     ),
+    "astar": plan_body(
+        show_grid,
+        "A*",
+        GridSettings,
+        NODES,
+        TREES,
+        "plan.grid_failed",
+        "plan.start_off_grid",
+        "plan.goal_off_grid",
+    )._replace(facts=GRID_FACTS, is_random=False),
 }
 NEAREST = Body(
     show_nearest,
@@ -157,7 +169,7 @@ SEARCH_FACTS = (
     *("radius", "rim", "large", "reach"),
 )
 SEARCHED = {
-    name: Body(
+    f"search_{name}": Body(
         function,
         SearchSettings,
         ShownSearch,

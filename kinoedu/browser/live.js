@@ -151,7 +151,7 @@ function controlsOf(answers) {
   row.className = "kinoedu-live";
   const names = Object.keys(answers.settings).filter((name) => name in LIVE.bodies);
   if (names.length > 1) row.append(menuOf(answers, names));
-  if (LIVE.bodies[answers.body].random) {
+  if (names.some((name) => LIVE.bodies[name].random)) {
     row.append(button(WORDS.seed, () => { answers.seed += 1; answers.answer(); }));
   }
   const share = button(WORDS.share, () => {

@@ -253,7 +253,7 @@ def show_plan(
     dots: Array,
     steps: int,
     nodes: int,
-    iterations: int,
+    iterations: float,
 ) -> ShownPlan:
     """A plan as it is shown."""
     found = len(path) > 0
@@ -285,11 +285,16 @@ def write_edge(edges: Array, row: int, nodes: Array, u: int, v: int) -> None:
 @compiled
 def branch_to(nodes: Array, parent: Numbers, node: int) -> Array:
     """The places of the nodes from the root to a node, (k, 2)."""
+    return nodes[numbers_to(parent, node)]
+
+
+@compiled
+def numbers_to(parent: Numbers, node: int) -> Numbers:
+    """The nodes from the root to a node, (k,)."""
     size, above = 1, parent[node]
     while above >= 0:
         size, above = size + 1, parent[above]
-    branch = np.empty((size, 2))
+    branch = np.empty(size, np.int64)
     for k in range(size - 1, -1, -1):
-        branch[k, 0], branch[k, 1] = nodes[node, 0], nodes[node, 1]
-        node = parent[node]
+        branch[k], node = node, parent[node]
     return branch

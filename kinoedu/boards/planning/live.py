@@ -4,6 +4,8 @@ import inspect
 from typing import Any
 
 from ...browser.bodies import PLANNED
+from ...browser.grids import GridSettings
+from ...planners.grids.grid import grid_for
 from ...planners.problem_input import as_step_size
 from ...planners.registry import PLANNERS
 from ...planners.trees.rrt_star import sufficient_gamma
@@ -44,12 +46,15 @@ def list_settings(problem: ProblemRecord, name: str, settings: dict[str, Any]) -
     """The numbers that a planner's body takes; the planner's defaults where no control has one."""
     planner = PLANNERS[name]
     values = {name: p.default for name, p in inspect.signature(planner.function).parameters.items()}
-    for setting in planner.board or ("step_size",):
+    for setting in ("step_size",) if planner.board is None else planner.board:
         values[planner.options[setting]] = settings[setting]
     values["clearance"] = problem.clearance
     if "step_size" in values:
         values["step_size"] = as_step_size(problem, values["step_size"], "step_size")
         values["max_iterations"] = iteration_limit(values["max_iterations"], values["max_nodes"])
+    if PLANNED[name].settings is GridSettings:
+        grid = grid_for(problem, values["spacing"])
+        values |= {"spacing": grid.side, "columns": grid.columns, "rows": grid.rows}
     if "gamma" in values:
         values["gamma"] = sufficient_gamma(problem)
     return [float(values[setting]) for setting in PLANNED[name].settings._fields]

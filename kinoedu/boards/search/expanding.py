@@ -22,6 +22,7 @@ SEARCHES: dict[str, Callable[[Posed], ShownSearch]] = {
     "dijkstra": lambda posed: show_best_first(posed, False),
     "astar": lambda posed: show_best_first(posed, True),
 }
+BODY = "search_{}"  # the name of the body of each
 
 
 def draw_search(
@@ -49,7 +50,7 @@ def draw_search(
         Posed(graph.flat(), graph.nodes, there, *ends, here, bounds, ground.side, size)
     )
     status, *facts = shown.facts.tolist()
-    return draw_shown(BODIES[name], int(status), facts, shown)
+    return draw_shown(BODIES[BODY.format(name)], int(status), facts, shown)
 
 
 def describe_live(ground: Ground, search: str) -> JsonObject | None:
@@ -64,5 +65,9 @@ def describe_live(ground: Ground, search: str) -> JsonObject | None:
     nodes[list(graph)] = [(*graph.nodes[u], 1.0) for u in graph]
     edges = np.column_stack([graph.edges, graph.weights, has_length_weights(graph)])
     given: list[Any] = [ground.side, float(graph.directed), nodes.tolist(), edges.tolist()]
-    first, *others = SEARCHES
-    return {"body": search, "seed": 0, "settings": {first: given, **dict.fromkeys(others, first)}}
+    first, *others = map(BODY.format, SEARCHES)
+    return {
+        "body": BODY.format(search),
+        "seed": 0,
+        "settings": {first: given, **dict.fromkeys(others, first)},
+    }

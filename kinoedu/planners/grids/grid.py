@@ -5,17 +5,18 @@ LaValle, section 5.4.2. On a terrain's own cells these are the moves of N. R. St
 because touching is contact.
 """
 
-from itertools import product
+import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiled import generic, inlined
+from ...compiled import callable_from_compiled, generic, inlined
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import astar
 from ...graphs.flat import degree, edge
+from ...messages import get_message
 from ...problems import Plan, ProblemRecord, Tree
 from ...robots.round import RoundRobot
 from ...spaces import RealSpace
@@ -186,8 +187,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     grid = grid_for(problem, None if spacing is None else positive(spacing, "spacing"))
     first, last = (find_joined_node(problem, grid, q) for q in (problem.start, problem.goal))
     if first < 0 or last < 0:
-        name = "start" if first < 0 else "goal"
-        reason = f"no free motion joins the {name} to a grid node; try a finer spacing"
+        reason = get_message("plan.start_off_grid" if first < 0 else "plan.goal_off_grid")
         return Plan(None, np.inf, reason=reason, problem=problem, planner="A*")
     graph: Grid | JumpPoints = grid
     if isinstance(grid.moves, Cells):
@@ -200,17 +200,11 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
         "expanded": len(found.expanded),
         "checks": count_checks(problem) - before + examined,
     }
-    reason = (
-        f"the goal cannot be reached on a grid of spacing {grid.side:g}; a finer one may have a "
-        "path"
-    )
+    reason = get_message("plan.grid_failed", spacing=f"{grid.side:g}")
     if numbers is None:
         return plan_along(problem, tree.nodes, None, reason, planner="A*", tree=tree, stats=stats)
     nodes = centres(grid, fill_in(numbers, grid.columns))
-    if first == last and problem.is_free_path(problem.start, problem.goal):
-        nodes = nodes[:0]  # both in one cell, whose centre would be a detour
-    path = np.concatenate([[problem.start], nodes, [problem.goal]])
-    path = path[np.append(True, (path[1:] != path[:-1]).any(axis=1))]
+    path = path_through(problem, nodes)
     return plan_along(
         problem, path, np.arange(len(path)), reason, planner="A*", tree=tree, stats=stats
     )
@@ -243,37 +237,55 @@ def grid_for(problem: ProblemRecord, spacing: float | None) -> Grid:
     return Grid(moves, x, y, side, columns + 2, rows + 2)
 
 
+@callable_from_compiled
+def path_through(problem: ProblemRecord, nodes: Array) -> Array:
+    """The path (k, 2) from start to goal through grid nodes (m, 2), each place once."""
+    if len(nodes) == 1 and problem.is_free_path(problem.start, problem.goal):
+        nodes = nodes[:0]  # both in one cell, whose centre would be a detour
+    path = np.concatenate((problem.start.reshape(1, 2), nodes, problem.goal.reshape(1, 2)))
+    is_new = np.ones(len(path), np.bool_)
+    is_new[1:] = (path[1:, 0] != path[:-1, 0]) | (path[1:, 1] != path[:-1, 1])
+    return path[is_new]
+
+
+@callable_from_compiled
 def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
     """The positions of grid nodes (k,), shape (k, 2)."""
-    rows, columns = np.divmod(nodes, grid.columns)
-    return np.column_stack(
-        [grid.x + (columns - 0.5) * grid.side, grid.y + (rows - 0.5) * grid.side]
-    )
+    places = np.empty((len(nodes), 2))
+    places[:, 0] = grid.x + (nodes % grid.columns - 0.5) * grid.side
+    places[:, 1] = grid.y + (nodes // grid.columns - 0.5) * grid.side
+    return places
 
 
+@callable_from_compiled
 def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
     """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
     order = np.empty(len(parent), np.int64)  # filled in for expanded nodes; parents are expanded
     order[expanded] = np.arange(len(expanded))
     above = parent[expanded]
-    return np.where(above >= 0, order[above], -1)
+    positions = order[above]
+    positions[above < 0] = -1
+    return positions
 
 
+@callable_from_compiled
 def find_joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
     """The nearest of the nine grid nodes round q that a free motion joins it to, or -1."""
-    last = np.array([grid.columns, grid.rows]) - 2
-    cell = np.clip(np.floor((q - [grid.x, grid.y]) / grid.side).astype(int) + 1, 1, last)
-    around = [cell + np.array(step) for step in product((-1, 0, 1), repeat=2)]
-    nodes = np.array(
-        [j * grid.columns + i for i, j in around if 1 <= i <= last[0] and 1 <= j <= last[1]]
-    )
-    places = centres(grid, nodes)
-    for i in np.argsort(((places - q) ** 2).sum(axis=1), kind="stable"):
-        if problem.is_free_path(q, places[i]):
-            return int(nodes[i])
+    column = min(max(math.floor((q[0] - grid.x) / grid.side) + 1, 1), grid.columns - 2)
+    row = min(max(math.floor((q[1] - grid.y) / grid.side) + 1, 1), grid.rows - 2)
+    nodes, n = np.empty(9, np.int64), 0
+    for i in range(max(column - 1, 1), min(column + 1, grid.columns - 2) + 1):
+        for j in range(max(row - 1, 1), min(row + 1, grid.rows - 2) + 1):
+            nodes[n], n = j * grid.columns + i, n + 1
+    places = centres(grid, nodes[:n])
+    dx, dy = places[:, 0] - q[0], places[:, 1] - q[1]
+    for k in np.argsort(dx * dx + dy * dy, kind="mergesort"):
+        if problem.is_free_path(q, places[k]):
+            return int(nodes[k])
     return -1
 
 
+@callable_from_compiled
 def octile(grid: Grid, goal: int) -> Array:
     """The octile distance from each node to the goal, (n,): the length without obstacles."""
     across = np.abs(np.arange(grid.columns) - goal % grid.columns).astype(np.float64)
