@@ -488,6 +488,10 @@ def test_poses_are_dragged_in_the_page(page):
         drawing = answer_by("curves", (2.0,), moved(scene, "handle", number, list(end)))
         scene = move_parts(moved(scene, "handle", number, list(end)), drawing.places)
         page.wait_for_function(SAYS, arg=[3, drawing.text])
+    page.locator(".kinoedu-record").nth(3).locator(".kinoedu-live button").click()
+    linked = json.loads(base64.urlsafe_b64decode(page.evaluate("location.hash").partition("=")[2]))
+    places = [at for _, _, at in linked["places"]]
+    assert places == [pytest.approx(item["at"], abs=1e-9) for item in scene["handles"]]
     keep(page, "live_curves")
 
 
