@@ -13,6 +13,7 @@ from test_board import Page
 import kinoedu as ke
 from kinoedu.boards import curves_board, distance_board, search_board
 from kinoedu.boards.car.curves import pose_in
+from kinoedu.boards.core.drawing import as_rows
 from kinoedu.boards.core.page_script import BROWSER, CORE, page_script
 from kinoedu.boards.core.recorded import pack_records
 from kinoedu.boards.core.scene import move_parts
@@ -171,6 +172,7 @@ def graph_case(seed, search):
         made = search_board(rng.random((4 + seed % 9, 12)) < 0.7, search=search)
     else:
         pairs = [(u, v) for u in range(n) for v in range(u) if rng.random() < 3.0 / n]
+        pairs = pairs if seed % 7 else []
         weights = rng.random(len(pairs)) if seed % 4 == 0 else None
         graph = Graph(nodes=9.0 * rng.random((n, 2)), edges=pairs, weights=weights)
         if seed % 5 == 0:
@@ -198,7 +200,8 @@ def shown_natively(record):
     """What the body of a live board shows of its scene, run by Python."""
     live = record["live"]
     body = BODIES[live["body"]]
-    settings = [np.reshape(s, (len(s), -1)) if isinstance(s, list) else s for s in given_to(live)]
+    settings = [as_rows(s, 4) if s == [] else np.array(s) for s in given_to(live)]
+    settings = [s if s.ndim else float(s) for s in settings]
     rng = np.random.default_rng(live["seed"])
     return body.function(pack_scene(record["scene"]), body.settings(*settings), rng)
 
