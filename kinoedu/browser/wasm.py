@@ -5,7 +5,7 @@ WebAssembly by the same LLVM, and linked with `runtime.c`. Nothing of numba or P
 module.
 
 `write_scripts` needs the package `ziglang`, which brings a C compiler and a linker. It compiles in
-another process, because numba reads its settings only once.
+other processes, because numba reads its settings only once.
 """
 
 import base64
@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 from typing import Any
 
@@ -65,8 +66,30 @@ def module_files() -> dict[str, Path]:
     if not all(file.exists() for file in files.values()):
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
         command = [sys.executable, "-P", "-m", "kinoedu.browser.wasm", str(place)]
-        subprocess.run(command, env={**os.environ, **PLAIN}, check=True)
+        several = [
+            subprocess.Popen(command, env={**os.environ, **PLAIN})
+            for _ in range(os.cpu_count() or 1)
+        ]
+        failed = [one for one in several if one.wait() != 0]
+        if failed:
+            raise subprocess.CalledProcessError(failed[0].returncode, command)
     return files
+
+
+def make_missing_modules(place: Path) -> None:
+    """Make the modules that are missing in a folder; several processes share the work."""
+    missing = set(BODIES)
+    while missing:
+        for name in sorted(missing):
+            file = place / f"{name}.wasm"
+            with open(place / f"{name}.lock", "wb") as lock:
+                if not file.exists() and store.try_lock(lock):
+                    with written_whole(file) as unfinished:
+                        unfinished.write_bytes(make_module(name))
+            if file.exists():
+                missing.discard(name)
+        if missing:
+            time.sleep(0.2)  # others are making them
 
 
 def make_module(name: str) -> bytes:
@@ -123,6 +146,4 @@ def link(part: bytes) -> bytes:
 
 
 if __name__ == "__main__":
-    for chosen in BODIES:
-        with written_whole(Path(sys.argv[1], f"{chosen}.wasm")) as unfinished:
-            unfinished.write_bytes(make_module(chosen))
+    make_missing_modules(Path(sys.argv[1]))
