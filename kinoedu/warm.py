@@ -42,40 +42,53 @@ ROOM = [(0, 0), (9, 0), (9, 9), (0, 9)]
 BEAM = [(-0.5, -0.2), (0.5, -0.2), (0.5, 0.2), (-0.5, 0.2)]
 
 
-def warm_up() -> None:
+def warm_up() -> list[str]:
     """Compile what the tour and the first lessons use: planners, bugs, and searches on a graph.
 
     Functions that are compiled already are skipped. Without a cache nothing is done.
+
+    Returns
+    -------
+    list
+        The functions that could not be compiled; they stay interpreted.
     """
-    compile_all(first_jobs(), workers=os.cpu_count() or 1)
+    return compile_all(first_jobs(), workers=os.cpu_count() or 1)
 
 
-def warm_all() -> None:
-    """Compile what all lessons use."""
-    compile_all(chain(first_jobs(), later_jobs()), workers=os.cpu_count() or 1)
+def warm_all() -> list[str]:
+    """Compile what all lessons use; returns the functions that could not be compiled."""
+    return compile_all(chain(first_jobs(), later_jobs()), workers=os.cpu_count() or 1)
 
 
-def warm_behind() -> None:
-    """Compile what all lessons use, the first lessons first, at low priority."""
-    for jobs in (first_jobs(), later_jobs()):
-        compile_all(jobs, workers=max(1, (os.cpu_count() or 1) - 1), gives_way=True)
+def warm_behind() -> list[str]:
+    """Compile what all lessons use, the first lessons first, at low priority.
+
+    Returns the functions that could not be compiled.
+    """
+    workers = max(1, (os.cpu_count() or 1) - 1)
+    first = compile_all(first_jobs(), workers=workers, gives_way=True)
+    return first + compile_all(later_jobs(), workers=workers, gives_way=True)
 
 
-def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -> None:
-    """Run all jobs interpreted to record the algorithms and types they call; compile those."""
+def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -> list[str]:
+    """Run all jobs interpreted to record the algorithms and types they call; compile those.
+
+    Returns the functions that could not be compiled.
+    """
     place = folder()
     if place is None or not HAS_COMPILER:
-        return
+        return []
     for _, job, *given in jobs:
         job(*given)
     with show_progress("compiling once") as report_progress:
-        requests.compile_all(
+        left = requests.compile_all(
             place,
             requests_of_called_algorithms(),
             workers=workers,
             gives_way=gives_way,
             report_progress=report_progress,
         )
+    return sorted({f"{request.module}.{request.function}" for request in left})
 
 
 def first_jobs() -> Iterator[Job]:

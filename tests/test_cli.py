@@ -325,3 +325,10 @@ def test_as_a_module_from_another_folder(tmp_path):
     )
     assert run.returncode == 2
     assert "Traceback" not in run.stderr
+
+
+def test_warm_names_what_could_not_be_compiled(monkeypatch, capsys):
+    """An algorithm that numba no longer takes would only be slow, and nobody would notice."""
+    monkeypatch.setattr("kinoedu.warm.warm_up", lambda: ["kinoedu.planners.trees.rrt.grow"])
+    assert main(["warm"]) == 1
+    assert "rrt.grow could not be compiled" in capsys.readouterr().err

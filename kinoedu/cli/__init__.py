@@ -109,8 +109,12 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def run_warm(arguments: argparse.Namespace) -> int:
-    """Compile ahead of use."""
+    """Compile ahead of use; an error is what numba cannot compile, which stays interpreted."""
+    from ..compiled.store import folder
     from ..warm import warm_all, warm_behind, warm_up
 
-    (warm_behind if arguments.behind else warm_all if arguments.all else warm_up)()
-    return 0
+    warm = warm_behind if arguments.behind else warm_all if arguments.all else warm_up
+    interpreted = warm()
+    for name in interpreted:
+        print(f"{name} could not be compiled: see *.refused in {folder()}", file=sys.stderr)
+    return 1 if interpreted else 0
