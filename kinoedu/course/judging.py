@@ -259,16 +259,16 @@ def likely_slips(exercise: Exercise, seen: list[JudgedCase]) -> list[Slip]:
     failures = [one for one in seen if not one.verdict.is_right]
     if not failures or failures[0].verdict.rule == CONTRACT:
         return []
-    failing, first = {one.case.kind for one in failures}, failures[0].case.kind
+    failing = {one.case.kind for one in failures}
+    of_first_kind = [one for one in failures if one.case.kind == failures[0].case.kind]
     passed = [one for one in seen if one.case.kind not in failing]
 
     def is_likely(slip: Slip) -> bool:
-        explained = [explains(exercise, slip, one) for one in failures]
         if isinstance(exercise.answer, Truth):
             return all(explains(exercise, slip, one) for one in seen)
         return (
-            2 * sum(explained) >= len(failures)
-            and all(yes or one.case.kind != first for yes, one in zip(explained, failures))
+            all(explains(exercise, slip, one) for one in of_first_kind)
+            and 2 * sum(explains(exercise, slip, one) for one in failures) >= len(failures)
             and not any(contradicts(exercise, slip, one) for one in passed)
         )
 
