@@ -20,6 +20,9 @@ def compiled_test(problem: ProblemRecord) -> FreeMotion:
     """
     import numba
 
+    from kinoedu.compiled.compiler import register_choices
+
+    register_choices()  # numba learns which implementation of is_free_path is for which records
     robot, world, clearance = problem.robot, problem.world, problem.clearance
 
     @numba.njit
