@@ -14,7 +14,8 @@ import numpy as np
 from kinoedu.course.bank import Solutions, wrong
 from kinoedu.geometry import line_through_points, point_segment_distance
 
-changed = Solutions(Path(__file__).parents[1] / "14_moving_and_uncertain.ipynb").changed
+solutions = Solutions(Path(__file__).parents[1] / "14_moving_and_uncertain.ipynb")
+changed, varied = solutions.changed, solutions.varied
 
 # The first contact
 
@@ -484,6 +485,19 @@ def shares_by_sigma(sigma, delta):
 def three_sigma(sigma, delta):
     """Uses the rule of three sigma."""
     return 3 * sigma
+
+
+SHARE = "delta / len(sigma)"
+two_drives = varied("chance_margins", "two_drives", (SHARE, "delta / (2 * len(sigma))"))
+percent = varied("chance_margins", "percent", (SHARE, "delta / (100 * len(sigma))"))
+each_drive_alone = changed("chance_margins", (SHARE, "delta / 2"), variant="two_drives")
+twice_the_margin = changed(
+    "chance_margins", ("return sigma", "return 2 * sigma"), variant="two_drives"
+)
+percent_not_shared = changed(
+    "chance_margins", (SHARE, "delta / 100"), variant="percent", slip="not_shared"
+)
+a_hundred_times = changed("chance_margins", (SHARE, "100 * " + SHARE), variant="percent")
 
 
 # The chance of a collision

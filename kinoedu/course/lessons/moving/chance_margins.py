@@ -11,7 +11,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....worlds.uncertain import chance_margins
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from .pictures import draw_margins
@@ -59,6 +59,10 @@ class ChanceMargins(ValueExercise):
         ),
     )
     reference = staticmethod(chance_margins)
+    changes = (
+        Change("two_drives", lambda margins, sigma, delta: margins(sigma, delta / 2)),
+        Change("percent", lambda margins, sigma, delta: margins(sigma, delta / 100)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases with one obstacle first, then with several."""
