@@ -21,20 +21,26 @@ from kinoedu.course.feedback import Feedback
 from kinoedu.course.judging import judge_outcomes, judge_until_failure, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import search_breadth_first
+from kinoedu.course.section import vary_exercises
 from kinoedu.course.shapes import Numbers
 from kinoedu.course.trivial import find_trivial_kinds
 from kinoedu.errors import InvalidParameter
-from kinoedu.grading.assignments.questions import draw_cases, read_assignment
+from kinoedu.grading import class_grading
+from kinoedu.grading.assignments.questions import Assignment, draw_cases, read_assignment
 from kinoedu.grading.collect.submissions import Submission
+from kinoedu.grading.export.autograder import autograde
+from kinoedu.grading.export.autograder_zip import pack_autograder
+from kinoedu.grading.judge import variants as handing_out
 from kinoedu.grading.judge.contracts import (
     add_contracts,
+    add_section,
     apply_contracts,
     choose_contract,
     choose_contracts,
     refuse_forgotten,
 )
-from kinoedu.grading.judge.running import compute_key
-from kinoedu.grading.judge.variants import write_variants
+from kinoedu.grading.judge.running import Graded, compute_key
+from kinoedu.grading.judge.variants import write_section, write_variants
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.planners import bug1, bug2
 
@@ -42,6 +48,7 @@ NO_SANDBOX = sandbox.explain_no_sandbox()
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
 SECRET = b"a secret of the tests, no course's"
 GRAPHS, BUGS = "04_graph_search", "02_bug_algorithms"
+NO_VARIANTS = Assignment("01_walls", (), {})
 HOUSE = Path(__file__).resolve().parent.parent
 CHANGED = [  # variants with another right answer
     find(exercise.name, change.key)
@@ -229,7 +236,7 @@ def test_contracts_follow_from_secret_and_student():
         choose_contract(EXERCISES["bug2"], b"another", student) for student in students
     ]
     assert first != [choose_contract(EXERCISES["bug1"], SECRET, student) for student in students]
-    assert choose_contracts(read_assignment("14_moving_and_uncertain"), SECRET, "ann") == ()
+    assert choose_contracts(NO_VARIANTS, SECRET, "ann") == ()
     task = apply_contracts(read_assignment(GRAPHS), (("bfs_tree", "largest"),))
     assert [one.exercise.variant for one in task.questions if one.exercise.name == "bfs_tree"] == [
         "largest"
@@ -253,7 +260,7 @@ def test_hidden_cases_and_results_know_the_contract():
     )
 
 
-def test_each_student_gets_their_own_notebook(tmp_path):
+def test_each_student_gets_their_own_notebook(tmp_path, monkeypatch):
     """The contract stands before the answer and in the check; nothing else changes.
 
     A table lists which student has which contract.
@@ -277,8 +284,9 @@ def test_each_student_gets_their_own_notebook(tmp_path):
     rows = (tmp_path / "variants.csv").read_text(encoding="utf-8").splitlines()
     assert rows[0] == "student,assignment,question,variant"
     assert {row.rpartition(",")[2] for row in rows[1:]} == {"smallest", "largest"}
-    with pytest.raises(InvalidParameter, match="no exercise of 14_moving"):
-        write_variants(["14_moving_and_uncertain"], students, SECRET, tmp_path)
+    monkeypatch.setattr(handing_out, "read_assignment", lambda *_: NO_VARIANTS)
+    with pytest.raises(InvalidParameter, match="no exercise of 04_graph"):
+        write_variants([GRAPHS], students, SECRET, tmp_path)
 
 
 def test_forgotten_contracts_are_refused(tmp_path):
@@ -290,6 +298,83 @@ def test_forgotten_contracts_are_refused(tmp_path):
     refuse_forgotten([given, plain])
     with pytest.raises(InvalidParameter, match="--variants"):
         refuse_forgotten([given, given, plain])
+
+
+def test_the_kit_of_a_section_has_its_variants():
+    """A is the first variant of each exercise, B the second; other files stay as they are."""
+    files = {
+        place: (HOUSE / place).read_bytes()
+        for place in ("exercises/README.md", f"exercises/{BUGS}.ipynb", f"exercises/{GRAPHS}.ipynb")
+    }
+    for letter, bugs, graphs in (("A", "left", "smallest"), ("B", "right", "largest")):
+        made = vary_exercises(files, letter)
+        assert set(made) == {f"exercises/{BUGS}.ipynb", f"exercises/{GRAPHS}.ipynb"}
+        checks = re.findall(r"check\((\w+), variant=.\W(\w+)", b"".join(made.values()).decode())
+        assert checks == [("bug1", bugs), ("bug2", bugs), ("bfs_tree", graphs)]
+    for wrong in ("C", "b", "AB", "students.txt"):
+        with pytest.raises(InvalidParameter, match="A, B, got"):
+            vary_exercises(files, wrong)
+
+
+def test_a_notebook_of_another_section_has_no_score(tmp_path):
+    """It is not graded as its own section's: the reason names the variant that it asks for."""
+    plain = Submission("ann", GRAPHS, "x", (HOUSE / "exercises" / f"{GRAPHS}.ipynb").read_bytes())
+    given = {
+        letter: plain._replace(data=write_section([GRAPHS], letter, tmp_path)[0].read_bytes())
+        for letter in "AB"
+    }
+    mine = add_section(given["B"], "B")
+    assert (mine.trouble, mine.letter) == ("", "B")
+    assert mine.variants == (("bfs_tree", "largest"),)
+    other = add_section(given["A"], "B").trouble
+    assert other.startswith("its checks ask for variant A (bfs_tree: smallest)")
+    assert other.endswith("this section has variant B: grade it apart, with --variant A")
+    assert "usual form" in add_section(plain, "B").trouble
+    assert add_section(given["A"], "") == given["A"]
+    with pytest.raises(InvalidParameter, match="with --variant and the letter"):
+        refuse_forgotten([given["B"]])
+
+
+def test_a_section_is_graded_by_its_variant(tmp_path, capsys, monkeypatch):
+    """The judges of a section's notebooks are those of its variant, also where it is regraded.
+
+    A notebook of section A among those of section B is listed, and has no score.
+    """
+    given = []
+
+    def grade_all(submissions, *_, **__):
+        given.extend(submissions)
+        return [Graded(one, None, one.trouble) for one in submissions]
+
+    monkeypatch.setattr(class_grading, "grade_all", grade_all)
+    monkeypatch.setattr(class_grading, "require_sandbox", lambda trusted: None)
+    for student, letter in (("ann", "B"), ("bob", "A")):
+        folder = tmp_path / "in" / student
+        assert main(["release", GRAPHS, "--variant", letter, "--out", str(folder)]) == 0
+    (tmp_path / "secret").write_text(SECRET.hex())
+    options = ["--secret", str(tmp_path / "secret"), "--out"]
+    grade = ["grade", str(tmp_path / "in"), *options, str(tmp_path / "out"), "--variant", "B"]
+    for command in (grade, ["regrade", str(tmp_path / "out"), *options, str(tmp_path / "new")]):
+        given.clear()
+        assert main(command) == 1
+        ann, bob = given
+        questions = apply_contracts(read_assignment(GRAPHS), ann.variants).questions
+        assert questions[0].exercise is find("bfs_tree", "largest")
+        assert bob.trouble.endswith("grade it apart, with --variant A")
+        listed = capsys.readouterr().out
+        assert f"bob/{GRAPHS}.ipynb: unreadable: {bob.trouble}" in listed
+
+
+@needs_sandbox
+def test_an_autograder_knows_its_section(tmp_path):
+    """Gradescope tells a student of another section so; a letter without variants is refused."""
+    write_section([GRAPHS], "A", tmp_path / "submission")
+    (tmp_path / "results").mkdir()
+    results = autograde(tmp_path, GRAPHS, SECRET, letter="B")
+    assert results["tests"] == []
+    assert "variant A (bfs_tree: smallest)" in results["output"]
+    with pytest.raises(InvalidParameter, match="A, B, got 'Z'"):
+        pack_autograder(tmp_path / "a.zip", GRAPHS, SECRET, letter="Z")
 
 
 ANSWER = """
@@ -356,9 +441,15 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
 
 
 def test_the_page_of_variants_lists_all():
-    """As they are: python docs/variants.py writes it anew. Lessons 1 to 13 have some."""
+    """As they are: python docs/variants.py writes it anew.
+
+    Each lesson has some. Each exercise without any is listed once, with the reason.
+    """
     page = HOUSE / "docs" / "variants.md"
     written = runpy.run_path(str(HOUSE / "docs" / "variants.py"))["written"]()
     assert page.read_text(encoding="utf-8") == written, "run python docs/variants.py"
     lessons = sorted({one.lesson for one in EXERCISES.values()})
-    assert re.findall("^## (.*)$", written, re.MULTILINE) == lessons[:13]
+    assert re.findall("^## (.*)$", written, re.MULTILINE)[:-1] == lessons
+    without = re.findall(r"`(\w+)`", written.partition("## Exercises without variants")[2])
+    without.remove("similar")
+    assert sorted(without) == sorted(one.name for one in EXERCISES.values() if not one.variants)

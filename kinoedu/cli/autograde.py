@@ -35,6 +35,9 @@ def add_autograde(commands: Commands) -> None:
         action="store_true",
         help="if no sandbox can be made, run programs WITHOUT ONE, as an ordinary user",
     )
+    autograde.add_argument(
+        "--variant", default="", metavar="LETTER", help="all students have this variant"
+    )
     autograde.set_defaults(run=run_autograde)
 
 
@@ -49,7 +52,11 @@ def run_autograde(arguments: argparse.Namespace) -> int:
         )
     secret = read_course_secret(arguments.secret)
     results = autograde(
-        arguments.root, arguments.assignment, secret, container_is_wall=arguments.trust_container
+        arguments.root,
+        arguments.assignment,
+        secret,
+        container_is_wall=arguments.trust_container,
+        letter=arguments.variant,
     )
     print(f"score {results['score']}; {results['output']}")
     return 0

@@ -86,6 +86,12 @@ def add_export(commands: Commands) -> None:
         type=Path,
         help="gradescope-autograder: the course's secret, which is packed too",
     )
+    export.add_argument(
+        "--variant",
+        default="",
+        metavar="LETTER",
+        help="gradescope-autograder: all students have variant A, or B, of the exercises",
+    )
     export.add_argument("--trust-container", action="store_true", help=TRUST_CONTAINER)
     export.set_defaults(run=run_export)
 
@@ -160,7 +166,9 @@ def pack_for_gradescope(arguments: argparse.Namespace) -> int:
     secret = read_course_secret(find_secret_file(arguments, ""))
     file, wall = arguments.gradescope_autograder, arguments.trust_container
     with show_stage(f"packing {file}"):
-        count = pack_autograder(file, arguments.assignment, secret, container_is_wall=wall)
+        count = pack_autograder(
+            file, arguments.assignment, secret, container_is_wall=wall, letter=arguments.variant
+        )
     print(
         f"packed {count} files in {file}; it holds the course's secret, so give it to Gradescope "
         "and to nobody else"

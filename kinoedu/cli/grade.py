@@ -109,10 +109,17 @@ def add_grading_options(command: argparse.ArgumentParser) -> None:
         type=Path,
         help="the course's secret, from which hidden cases are drawn",
     )
-    command.add_argument(
+    which = command.add_mutually_exclusive_group()
+    which.add_argument(
         "--variants",
         action="store_true",
         help="each student has their own variants of exercises (release --variants)",
+    )
+    which.add_argument(
+        "--variant",
+        default="",
+        metavar="LETTER",
+        help="all students have variant A, or B, of the exercises (release --variant)",
     )
     command.add_argument(
         "--names",
@@ -219,6 +226,7 @@ def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, wri
         arguments.variants,
         arguments.patience,
         arguments.names,
+        arguments.variant,
     )
 
 

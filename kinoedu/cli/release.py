@@ -24,6 +24,12 @@ each line, spelled as in the column student of grades.csv.
 
   python start.py release 02_bug_algorithms --variants students.txt --out handouts
 
+With --variant all students of a section get the same: A is the first variant of each exercise, B
+the second. Then grade this section with the same --variant.
+
+  python start.py release --zip course_B.zip --variant B
+  python start.py release 02_bug_algorithms --variant B --out section_B     only the notebooks
+
 In the zip, students can check themselves with the concept questions at the end of each lesson. If
 you grade these elsewhere (python start.py questions), leave the answers out:
 
@@ -52,14 +58,24 @@ def add_release(commands: Commands) -> None:
         metavar="NAME",
         help="zip: lessons whose concept questions come without answers",
     )
-    release.add_argument(
+    which = release.add_mutually_exclusive_group()
+    which.add_argument(
         "--variants",
         type=Path,
         metavar="STUDENTS",
         help="write each student's own variants of released exercises",
     )
+    which.add_argument(
+        "--variant",
+        default="",
+        metavar="LETTER",
+        help="give all students variant A, or B, of the exercises",
+    )
     release.add_argument(
-        "--out", type=Path, metavar="FOLDER", help="variants: the folder to write them to"
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="variants, variant: the folder to write notebooks to",
     )
     release.add_argument(
         "--secret",
@@ -77,6 +93,11 @@ def run_release(arguments: argparse.Namespace) -> int:
     if arguments.variants is not None:
         return release_variants(arguments)
     names = arguments.assignments or assignments()
+    if arguments.variant:
+        if arguments.out is not None:
+            return release_section(names, arguments)
+        if arguments.zip is None:
+            raise InvalidParameter("--variant needs --zip FILE or --out FOLDER")
     if importlib.util.find_spec("nbgrader") is None:
         raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
 
@@ -86,8 +107,20 @@ def run_release(arguments: argparse.Namespace) -> int:
         print(f"made exercises/{made.name}")
     if arguments.zip is not None:
         with show_stage(f"packing {arguments.zip}"):
-            count = pack_course(arguments.zip, graded=arguments.graded_questions)
+            count = pack_course(
+                arguments.zip, graded=arguments.graded_questions, letter=arguments.variant
+            )
         print(f"packed {count} files in {arguments.zip}")
+    return 0
+
+
+def release_section(names: list[str], arguments: argparse.Namespace) -> int:
+    """Write released exercises with the variants of a section, and print where they are."""
+    from ..grading.judge.variants import write_section
+
+    for made in write_section(names, arguments.variant, arguments.out):
+        print(f"wrote {made}")
+    print(f"grade them with --variant {arguments.variant}")
     return 0
 
 

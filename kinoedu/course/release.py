@@ -20,6 +20,7 @@ from ..support.whole_files import written_whole
 from .kit import compress_results, record_results, take_out_answers
 from .questions.asking import ASKED, Questions
 from .questions.question import Question, hold_back, parse_questions, read_questions
+from .section import vary_exercises
 from .withheld import FILE
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
@@ -183,7 +184,10 @@ def require_unanswered(number: int, cell: Any) -> None:
 
 
 def pack_course(
-    zip_file: str | os.PathLike[str], house: Path = HOUSE, graded: Iterable[str] = ()
+    zip_file: str | os.PathLike[str],
+    house: Path = HOUSE,
+    graded: Iterable[str] = (),
+    letter: str = "",
 ) -> int:
     """Pack the files for students into a zip, without solutions, banks, tests and answers.
 
@@ -192,6 +196,7 @@ def pack_course(
     Parameters
     ----------
     graded : lessons whose concept questions are graded elsewhere; the zip has no answers to them.
+    letter : the variant of the exercises that this zip has, such as B; by default the usual form.
 
     Returns
     -------
@@ -201,6 +206,8 @@ def pack_course(
     files = files_for_students(house)
     for lesson in graded:
         files |= hold_questions_back(lesson, files)
+    if letter:
+        files |= vary_exercises(files, letter)
     files[RESULTS] = compress_results(record_results())
     write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
     return len(files)

@@ -19,7 +19,7 @@ from .judge.class_list import (
     read_class,
     write_class,
 )
-from .judge.contracts import add_contracts, refuse_forgotten
+from .judge.contracts import add_contracts, add_section, refuse_forgotten
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.rows import refuse_unknown_names
@@ -35,6 +35,7 @@ class Run(NamedTuple):
     trusted : whether programs run without a sandbox.
     grading, writing : called with the progress of each stage.
     variants : whether each student has contracts of their own.
+    letter : the variant of the section, such as B, or "".
     patience : a factor on all time limits, for slow computers.
     names : a table with the students' names, or None.
     """
@@ -47,6 +48,7 @@ class Run(NamedTuple):
     variants: bool = False
     patience: float = 1.0
     names: Path | None = None
+    letter: str = ""
 
 
 def list_pairs(
@@ -90,7 +92,8 @@ def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
     OSError
         Where a file cannot be written.
     """
-    return grade_found([(folder, only, collect(folder, only))], out, run)
+    found = [add_section(one, run.letter) for one in collect(folder, only)]
+    return grade_found([(folder, only, found)], out, run)
 
 
 def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, run: Run) -> Class:
@@ -119,9 +122,9 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     variants = run.variants or (earlier is not None and earlier.variants)
     submissions = [one for _, _, found in sources for one in found]
     if variants:
-        submissions = [add_contracts(one, secret) for one in submissions]
+        submissions = [one if one.letter else add_contracts(one, secret) for one in submissions]
     else:
-        refuse_forgotten(submissions)
+        refuse_forgotten(one for one in submissions if not one.letter)
     out.mkdir(parents=True, exist_ok=True)
     graded = iter(
         grade_all(

@@ -11,6 +11,7 @@ from .assignments.questions import read_course_secret
 from .class_grading import Run, grade_found
 from .collect.submissions import collect
 from .judge.class_list import Class, Entry, mark_secret, read_class
+from .judge.contracts import add_section
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
 from .report.rows import Row, list_class_rows
 
@@ -68,14 +69,17 @@ def regrade(
             f"{old} was graded with the secret that was in {before.secret_file}; give it with "
             "--secret"
         )
-    sources = dict.fromkeys((entry.folder, entry.only) for entry in before.entries)
-    if folder is not None and len({place for place, _ in sources}) > 1:
+    sources = dict.fromkeys((entry.folder, entry.only, entry.letter) for entry in before.entries)
+    if folder is not None and len({place for place, _, _ in sources}) > 1:
         raise InvalidParameter(
             f"{old} was made of several folders; put each where it was: "
-            f"{', '.join(place for place, _ in sources)}"
+            f"{', '.join(place for place, _, _ in sources)}"
         )
-    places = [(Path(place) if folder is None else folder, only) for place, only in sources]
-    found = [(place, only, collect(place, only)) for place, only in places]
+    found = [
+        (place, only, [add_section(one, run.letter or letter) for one in collect(place, only)])
+        for name, only, letter in sources
+        for place in (Path(name) if folder is None else folder,)
+    ]
     out.mkdir(parents=True, exist_ok=True)
     for name in (OVERRIDES, BY_HAND):
         if (old / name).exists() and not (out / name).exists():

@@ -14,6 +14,8 @@ COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)
 # a function at the left margin, and the check of one; a cell may have errors, so it is not parsed
 ABOUT = re.compile(r"^(?:(?:async +)?def +|check *\( *)(\w+)", re.MULTILINE)
 
+CONTRACT = re.compile(r"""^check *\( *(\w+) *, *variant *= *["'](\w+)["']""", re.MULTILINE)
+
 
 def find_assignment(
     name: str, place: tuple[str, ...], shared: dict[str, int], known: list[str]
@@ -50,6 +52,23 @@ def find_questions(data: bytes) -> set[str]:
             if cell.get("cell_type") == "code":
                 found.update(ABOUT.findall(join_text(cell.get("source"))))
     return found - {""}
+
+
+def find_contracts(data: bytes) -> set[tuple[str, str]]:
+    """The contracts for which a notebook's checks ask, as pairs of a question and a name.
+
+    Raises
+    ------
+    UnreadableSubmission
+        Where the file is no notebook.
+    """
+    cells = parse_notebook(data)["cells"]
+    sources = (
+        join_text(cell.get("source"))
+        for cell in (cells if isinstance(cells, list) else [])
+        if isinstance(cell, dict) and cell.get("cell_type") == "code"
+    )
+    return {pair for source in sources for pair in CONTRACT.findall(source)}
 
 
 def get_mark(cell: dict[str, object]) -> str:

@@ -37,6 +37,7 @@ class Submission(NamedTuple):
     file : where it was found, for people to read.
     variants : the student's own contracts, as pairs of a question and a name, if the class has any.
     late : whether Canvas marked it as late.
+    letter : the variant of the student's section, such as B, if all of them have one.
     """
 
     student: str
@@ -46,6 +47,7 @@ class Submission(NamedTuple):
     trouble: str = ""
     variants: tuple[tuple[str, str], ...] = ()
     late: bool = False
+    letter: str = ""
 
 
 def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:

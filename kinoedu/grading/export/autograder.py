@@ -22,6 +22,7 @@ from ..collect.found import read_files
 from ..collect.marks import count_shared, find_assignment, find_questions
 from ..collect.notebook import UnreadableSubmission
 from ..collect.submissions import Submission, is_candidate, merge_doubles
+from ..judge.contracts import add_section
 from ..judge.running import grade_all, use_local_workers
 from ..judge.submission import RIGHT, Grade
 from ..report.failures import explain_failure
@@ -32,11 +33,17 @@ from .tables import make_gradescope_results
 Results = dict[str, Any]  # JSON data in Gradescope's format
 
 
-def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool = False) -> Results:
+def autograde(
+    root: Path, name: str, secret: bytes, *, container_is_wall: bool = False, letter: str = ""
+) -> Results:
     """Grade the one submission for an assignment, write the results, and return them.
 
     Errors that the student can correct, such as a file that is no notebook, are reported in the
     results and give no points.
+
+    Parameters
+    ----------
+    letter : the variant of the section, such as B, or "" for the usual form.
 
     Raises
     ------
@@ -44,7 +51,7 @@ def autograde(root: Path, name: str, secret: bytes, *, container_is_wall: bool =
         Where the machine fails. Nothing is written then, so that Gradescope reports a failure and
         gives no score.
     """
-    one = find_submission(root / "submission", name)
+    one = add_section(find_submission(root / "submission", name), letter)
     with tempfile.TemporaryDirectory() as results:
         found = grade_all(
             [one],

@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ...course.release import HOUSE, Packed, is_generated, remove_answers, solution_path, write_zip
+from ...course.section import choose_for_section
+from ..assignments.questions import read_assignment
 
 COURSE = "kinoedu-course"
 SECRET = "course_secret"
@@ -50,7 +52,7 @@ chmod 600 "$root/source/{SECRET}"
 chmod go-w "$root/results"
 export PYTHONPATH="$course" KINOEDU_CACHE="${{KINOEDU_CACHE:-$root/source/cache}}"
 exec "${{KINOEDU_PYTHON:-$course/.venv/bin/python}}" -P -m kinoedu \\
-    autograde "$root" --assignment ASSIGNMENT --secret "$root/source/{SECRET}"CONTAINER
+    autograde "$root" --assignment ASSIGNMENT --secret "$root/source/{SECRET}"OPTIONS
 """
 
 
@@ -60,6 +62,7 @@ def pack_autograder(
     secret: bytes,
     *,
     container_is_wall: bool = False,
+    letter: str = "",
     house: Path = HOUSE,
 ) -> int:
     """Write the zip for an assignment. It contains the secret, so keep it private.
@@ -67,6 +70,7 @@ def pack_autograder(
     Parameters
     ----------
     container_is_wall : run programs without a sandbox where none can be made in the container.
+    letter : the variant of the section, such as B, or "" for the usual form.
 
     Returns
     -------
@@ -76,11 +80,14 @@ def pack_autograder(
     Raises
     ------
     InvalidParameter
-        Where there is no such assignment.
+        Where there is no such assignment, or no variant of that letter.
     """
-    run = RUN.replace("ASSIGNMENT", name).replace(
-        "CONTAINER", " --trust-container" if container_is_wall else ""
-    )
+    options = " --trust-container" if container_is_wall else ""
+    if letter:
+        exercises = [one.exercise for one in read_assignment(name, house).questions]
+        choose_for_section(exercises, letter)
+        options += f" --variant {letter}"
+    run = RUN.replace("ASSIGNMENT", name).replace("OPTIONS", options)
     files = [
         Packed("setup.sh", SETUP.encode(), 0o755),
         Packed("run_autograder", run.encode(), 0o755),

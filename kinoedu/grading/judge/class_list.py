@@ -34,6 +34,7 @@ class Entry(NamedTuple):
     trouble : if there is a key and no result, this is the machine's trouble.
     late : whether Canvas marked the file as late.
     name : the student's name, or "" if it is not known.
+    letter : the variant of the student's section, or "".
     """
 
     student: str
@@ -46,6 +47,7 @@ class Entry(NamedTuple):
     trouble: str
     late: bool = False
     name: str = ""
+    letter: str = ""
 
 
 class Class(NamedTuple):
@@ -72,7 +74,7 @@ def make_entry(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
     where = (mine.file, str(folder.resolve()), only)
     key = "" if mine.trouble else compute_key(mine, secret)
     result = (digest_submission(mine), key, "" if one.grade is not None else one.trouble)
-    return Entry(mine.student, mine.assignment, *where, *result, mine.late)
+    return Entry(mine.student, mine.assignment, *where, *result, mine.late, letter=mine.letter)
 
 
 def digest_submission(one: Submission) -> str:

@@ -7,14 +7,16 @@ contract follows from the course's secret and the student's id, both at release 
 import hashlib
 import hmac
 from collections.abc import Iterable
+from string import ascii_uppercase
 
 from ...course.exercise import Exercise
 from ...course.lessons import find
+from ...course.section import Choices, choose_for_section
 from ...errors import InvalidParameter
 from ..assignments.questions import Assignment, read_assignment
+from ..collect.marks import find_contracts
 from ..collect.submissions import Submission
 
-Choices = tuple[tuple[str, str], ...]  # pairs of a question and its contract's name
 MARK = b"variant="  # stands in a notebook with contracts of its student
 
 
@@ -55,13 +57,58 @@ def add_contracts(one: Submission, secret: bytes) -> Submission:
     )
 
 
-def refuse_forgotten(submissions: Iterable[Submission]) -> None:
-    """Raise InvalidParameter if most notebooks hold contracts of their students.
+def add_section(one: Submission, letter: str) -> Submission:
+    """The submission with the contracts of a section, "" for the usual form.
 
-    Call it where notebooks are graded without `--variants`.
+    One whose checks ask for other contracts has that trouble, and no score.
+
+    Raises
+    ------
+    InvalidParameter
+        Where an exercise has no variant of that letter.
+    """
+    if not letter or not one.assignment or one.trouble:
+        return one._replace(letter=letter)
+    exercises = [question.exercise for question in read_assignment(one.assignment).questions]
+    chosen = choose_for_section(exercises, letter)
+    asked = find_contracts(one.data)
+    if chosen and (not asked or asked - set(chosen)):
+        one = one._replace(trouble=explain_other_section(asked, exercises, letter))
+    return one._replace(letter=letter, variants=chosen)
+
+
+def explain_other_section(
+    asked: set[tuple[str, str]], exercises: list[Exercise], letter: str
+) -> str:
+    """Why a notebook of another section has no score."""
+    if not asked:
+        return (
+            f"its checks ask for the usual form, and this section has variant {letter}: grade it "
+            "apart, without --variant"
+        )
+    theirs = {
+        ascii_uppercase[one.variants.index(name)]
+        for one in exercises
+        for question, name in asked
+        if question == one.name and name in one.variants
+    }
+    which = theirs.pop() if len(theirs) == 1 else ""
+    names = ", ".join(f"{question}: {name}" for question, name in sorted(asked))
+    return (
+        f"its checks ask for {f'variant {which}' if which else 'other variants'} ({names}), and "
+        f"this section has variant {letter}: grade it apart"
+        + (f", with --variant {which}" if which else "")
+    )
+
+
+def refuse_forgotten(submissions: Iterable[Submission]) -> None:
+    """Raise InvalidParameter if most notebooks hold contracts.
+
+    Call it where notebooks are graded without `--variants` and `--variant`.
     """
     readable = [one for one in submissions if not one.trouble]
     if 2 * sum(MARK in one.data for one in readable) > len(readable):
         raise InvalidParameter(
-            "these notebooks give each student contracts of their own: grade them with --variants"
+            "these notebooks ask for variants of exercises: grade them with --variants if each "
+            "student has their own, or with --variant and the letter of their section"
         )

@@ -1,18 +1,17 @@
-"""Write each student a notebook whose statements and checks hold the student's own contracts."""
+"""Write notebooks whose statements and checks hold the contracts of a student or of a section."""
 
 import json
 from pathlib import Path
 from typing import Any
 
-from ...course.lessons import find
 from ...course.release import HOUSE, solution_path
+from ...course.section import choose_for_section, format_notebook, insert_contracts
 from ...errors import InvalidParameter
-from ...messages import get_message
 from ...support.csv_cells import escape_formula, write_rows
 from ...support.file_names import file_name
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
-from .contracts import Choices, choose_contracts
+from .contracts import choose_contracts
 
 COLUMNS = ("student", "assignment", "question", "variant")
 
@@ -44,13 +43,29 @@ def write_variants(
             file = out / file_name(student) / f"{name}.ipynb"
             file.parent.mkdir(parents=True, exist_ok=True)
             with written_whole(file) as part:
-                part.write_text(
-                    json.dumps(insert_contracts(book, mine), indent=1, ensure_ascii=False) + "\n",
-                    encoding="utf-8",
-                )
+                part.write_text(format_notebook(insert_contracts(book, mine)), encoding="utf-8")
             lines += [[escape_formula(student), name, *pair] for pair in mine]
     write_rows(out / "variants.csv", [COLUMNS, *lines])
     return len(books) * len(students)
+
+
+def write_section(names: list[str], letter: str, out: Path, house: Path = HOUSE) -> list[Path]:
+    """Write the exercises with the variants of a class section to OUT/NAME.ipynb.
+
+    Raises
+    ------
+    InvalidParameter
+        Where an assignment is not released, or an exercise has no variant of that letter.
+    """
+    made = []
+    for name in names:
+        exercises = [one.exercise for one in read_assignment(name, house).questions]
+        book = insert_contracts(read_released(name, house), choose_for_section(exercises, letter))
+        made.append(out / f"{name}.ipynb")
+        out.mkdir(parents=True, exist_ok=True)
+        with written_whole(made[-1]) as part:
+            part.write_text(format_notebook(book), encoding="utf-8")
+    return made
 
 
 def read_released(name: str, house: Path) -> Any:
@@ -60,28 +75,3 @@ def read_released(name: str, house: Path) -> Any:
     if not file.is_file():
         raise InvalidParameter(f"exercises/{name}.ipynb is not there: release {name} first")
     return json.loads(file.read_text(encoding="utf-8"))
-
-
-def insert_contracts(book: Any, chosen: Choices) -> Any:
-    """The exercise with a student's contract in the statement and the check of each question."""
-    mine, cells = dict(chosen), []
-    for cell in book["cells"]:
-        name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
-        if name in mine:
-            message = get_message("variants.yours", contract=find(name, mine[name]).contract)
-            cells.append(
-                {
-                    "cell_type": "markdown",
-                    "id": f"contract_{name}",
-                    "metadata": {},
-                    "source": [message],
-                }
-            )
-        if name.removeprefix("check_") in mine and name.startswith("check_"):
-            question = name.removeprefix("check_")
-            source = "".join(cell["source"]).replace(
-                f"check({question}", f'check({question}, variant="{mine[question]}"', 1
-            )
-            cell = {**cell, "source": source.splitlines(keepends=True)}
-        cells.append(cell)
-    return {**book, "cells": cells}
