@@ -221,6 +221,8 @@ def test_a_problem_for_ompl_app_has_the_obstacles_and_the_ends(tmp_path):
     assert [float(problem[f"start.{c}"]) for c in ("x", "y", "theta")] == [1.0, 1.0, 0.0]
     assert [float(problem[f"volume.max.{c}"]) for c in "xy"] == [10.0, 10.0]
     assert {problem["robot"], problem["world"]} == {"hall_robot.obj", "hall_env.obj"}
+    assert set(settings["benchmark"]) == {"time_limit", "mem_limit", "run_count"}
+    assert set(settings["planner"]) == {"rrt", "prm"}
     made = mesh_world(tmp_path / problem["world"], boundary=[(0, 0), (10, 0), (10, 10), (0, 10)])
     areas = [shapely.Polygon(r[0], r[1:]).area for r in rings_of(made)[1:]]
     assert sorted(areas)[1:] == pytest.approx([math.pi, 16.0], rel=0.01)
@@ -235,6 +237,7 @@ def test_a_car_for_ompl_app_is_a_kinematic_car(tmp_path):
     write_ompl_app(car, tmp_path / "car.cfg")
     text = (tmp_path / "car.cfg").read_text()
     assert "control = kinematic_car" in text and "goal.theta = -1.0" in text
+    assert "rrt=" in text and "prm" not in text
 
 
 @pytest.mark.parametrize("name", ["maze-32-32-2-even-1", "empty-8-8-even-1"])

@@ -25,6 +25,8 @@ from ..support.whole_files import written_whole
 from ..worlds.polygon_world import PolygonWorldRecord
 
 CORNERS = 32  # of the polygon that replaces a disc
+# ompl_benchmark stops without these; the numbers are those of OMPL.app's examples
+BENCHMARK = ("[benchmark]", "time_limit = 20.0", "mem_limit = 1000.0", "run_count = 30")
 
 
 def write_ompl_app(problem: ProblemRecord, path: str | os.PathLike[str]) -> None:
@@ -110,4 +112,5 @@ def config_text(problem: ProblemRecord, name: str, robot: str, world: str) -> st
         lines += [f"{end}.x = {x!r}", f"{end}.y = {y!r}", f"{end}.theta = {theta!r}"]
     for end, corner in (("min", problem.world.lo), ("max", problem.world.hi)):
         lines += [f"volume.{end}.{axis} = {float(c)!r}" for axis, c in zip("xy", corner)]
-    return "\n".join([*lines, "", "[planner]", "rrt=", "prm=", ""])
+    other = "est=" if isinstance(problem.robot, CarRobot) else "prm="  # PRM plans no controls
+    return "\n".join([*lines, "", *BENCHMARK, "", "[planner]", "rrt=", other, ""])
