@@ -180,8 +180,8 @@ def test_an_exercise_from_a_plain_function_passes_the_tests_of_the_house(house, 
         ("check", LESSON, "exists already"),
         ("pictures", "06_sampling", "exists already"),
         ("planner", LESSON, "exists already"),
-        ("halfway", "walls", "14_walls"),
-        ("halfway", "../14_walls", "14_walls"),
+        ("halfway", "walls", "15_walls"),
+        ("halfway", "../15_walls", "15_walls"),
     ],
 )
 def test_impossible_names_are_refused(name, lesson, words, capsys):

@@ -12,13 +12,13 @@ Create an exercise of your own, with the name and the lesson that you give. It i
 (the middle of two points): cells in the solution notebook, cases and judge, messages, a bank of
 wrong answers, and a test. It passes all tests as it is; edit it step by step.
 
-  python start.py new-exercise closest_wall --lesson 14_walls
+  python start.py new-exercise closest_wall --lesson 15_walls
 
 In ten minutes, from a plain function: write it into a file with a docstring, an example, and its
 kinds of input as annotations (point, points, polygon, number, length, angle, count; the answer may
 also be truth). The exercise gets cases, a judge, the usual mistakes that are mistakes here, a bank.
 
-  python start.py new-exercise closest_wall --lesson 14_walls --from closest_wall.py
+  python start.py new-exercise closest_wall --lesson 15_walls --from closest_wall.py
 
   import numpy as np
 
@@ -30,12 +30,18 @@ also be truth). The exercise gets cases, a judge, the usual mistakes that are mi
       \"\"\"
       return np.linalg.norm(wall - q, axis=1).min()
 """
+FROM_EXAMPLE = "Edit these files, in this order; the word Edit marks the places."
+FROM_PLAIN = """\
+It is complete. The first file has the statement, the .toml the words that students read; to add
+mistakes of your students, edit the .py beside it and the bank."""
 NEXT = """\
-Edit these files, in this order; the word Edit marks the places. Then run
+{what} Then run
 
+  python start.py release {lesson}
   python start.py test tests/lessons/test_{name}.py tests/test_course.py \
 tests/test_bank.py -k {name}
-  python start.py release {lesson}
+
+The first makes exercises/{lesson}.ipynb: open it, answer wrongly, and see what your students see.
 """
 
 
@@ -82,5 +88,6 @@ def run_new_exercise(arguments: argparse.Namespace) -> int:
     ):
         files = new_exercise(arguments.name, arguments.lesson, plain=plain)
     print("\n".join(f"  {file}" for file in files))
-    print(NEXT.format(name=arguments.name, lesson=arguments.lesson), end="")
+    what = FROM_PLAIN if plain is not None else FROM_EXAMPLE
+    print(NEXT.format(what=what, name=arguments.name, lesson=arguments.lesson), end="")
     return 0

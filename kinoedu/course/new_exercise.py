@@ -134,7 +134,7 @@ def check_names(name: str, lesson: str, house: Path) -> None:
         )
     if not re.fullmatch(r"\d\d_[a-z0-9_]+", lesson):
         raise InvalidParameter(
-            "the name of a lesson is two digits and one or more words, such as 14_walls; "
+            "the name of a lesson is two digits and one or more words, such as 15_walls; "
             f"got {lesson!r}"
         )
     if not (house / TEMPLATES).is_dir():
