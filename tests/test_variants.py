@@ -338,7 +338,8 @@ def test_a_notebook_of_another_section_has_no_score(tmp_path):
 def test_a_section_is_graded_by_its_variant(tmp_path, capsys, monkeypatch):
     """The judges of a section's notebooks are those of its variant, also where it is regraded.
 
-    A notebook of section A among those of section B is listed, and has no score.
+    Another section may be graded into the same folder. A notebook of section A among those of
+    section B is listed, and has no score.
     """
     given = []
 
@@ -348,16 +349,20 @@ def test_a_section_is_graded_by_its_variant(tmp_path, capsys, monkeypatch):
 
     monkeypatch.setattr(class_grading, "grade_all", grade_all)
     monkeypatch.setattr(class_grading, "require_sandbox", lambda trusted: None)
-    for student, letter in (("ann", "B"), ("bob", "A")):
-        folder = tmp_path / "in" / student
+    for folder, letter in (("in/ann", "B"), ("in/bob", "A"), ("other/cy", "A")):
+        folder = tmp_path / folder
         assert main(["release", GRAPHS, "--variant", letter, "--out", str(folder)]) == 0
     (tmp_path / "secret").write_text(SECRET.hex())
     options = ["--secret", str(tmp_path / "secret"), "--out"]
     grade = ["grade", str(tmp_path / "in"), *options, str(tmp_path / "out"), "--variant", "B"]
-    for command in (grade, ["regrade", str(tmp_path / "out"), *options, str(tmp_path / "new")]):
+    other = ["grade", str(tmp_path / "other"), *grade[2:-1], "A"]
+    again = ["regrade", str(tmp_path / "out"), *options, str(tmp_path / "new")]
+    for command in (grade, other, again):
+        before = [] if command is again else list(given)
         given.clear()
         assert main(command) == 1
-        ann, bob = given
+        ann, bob, *others = [*before, *given]
+        assert [one.variants for one in others] == [(("bfs_tree", "smallest"),)] * len(others)
         questions = apply_contracts(read_assignment(GRAPHS), ann.variants).questions
         assert questions[0].exercise is find("bfs_tree", "largest")
         assert bob.trouble.endswith("grade it apart, with --variant A")
