@@ -13,6 +13,7 @@ import kinoedu as ke
 from kinoedu.boards import board, code_board
 from kinoedu.boards.code.searches import draw_search_state
 from kinoedu.boards.core.drawing import dots, encode_drawing
+from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.lit import CODE
 from kinoedu.boards.tracing.moments import rows_over_time
 from kinoedu.boards.tracing.variables import Variable, note_variables
@@ -368,6 +369,7 @@ def own(problem, rng):
         ("rrt_connect", "def extend(problem, tree,"),
         ("rrt_star", "def grow_shortest(problem, costs,"),
         ("prm", "def join_in_order(problem, nodes,"),
+        ("astar", "def expand(graph, goal,"),
     ],
 )
 def test_a_planners_lines_are_shown_on_its_board(planner, head):
@@ -382,15 +384,102 @@ def test_a_planners_lines_are_shown_on_its_board(planner, head):
     assert made.canvas.drawing.text == before.text
 
 
-@pytest.mark.parametrize("planner", CODE)
+@pytest.mark.parametrize("planner", sorted(CODE.keys() & ON_BOARD))
 def test_the_lit_planner_is_the_planner(planner):
     """Tracing changes no answer, and all points that the picture names are drawn."""
     made = board(walled(), planner=planner, samples=400)
     length = made.plan.cost
     made.code.value = True
-    assert made.plan.length == pytest.approx(length)
+    assert made.plan.cost == length
     look, noted = CODE[planner][1], made.canvas.drawing.listing.values
     assert {*look.points, *look.circles} <= {name for values in noted for name in values}
+
+
+CAR = ke.Problem(ke.Car(1, 0.5, 1), walled().world, (2, 2, 0), (2, 8, 3))
+NEAR = ke.Problem(ke.Point(), walled().world, (1, 1), (2, 2))
+HALL = ke.MovingWorld(walled().world, [ke.Moving(1.0, [0, 5], [(9, 5), (1, 5)])])
+FREE = np.ones((9, 9), bool)
+OTHER_BOARDS = {  # a board, and how the code that it shows begins
+    "roadmap": (lambda: ke.boards.roadmap_board(walled(), 40), "def join_in_order("),
+    "forest": (
+        lambda: ke.boards.roadmap_board(walled(), 40, rule="component"),
+        "def join_components(",
+    ),
+    "rewiring": (lambda: ke.boards.rewiring_board(walled(), nodes=60), "def grow_shortest("),
+    "bfs": (lambda: ke.boards.search_board(ROADS), "def breadth_first("),
+    "dfs": (lambda: ke.boards.search_board(ROADS, search="dfs"), "def depth_first("),
+    "dijkstra": (lambda: ke.boards.search_board(ROADS, search="dijkstra"), "def expand("),
+    "grid": (lambda: ke.boards.search_board(FREE, search="astar"), "def expand("),
+    "sweep": (lambda: ke.boards.sweep_board(walled().world), "def handle_event("),
+    **{
+        bug: (
+            lambda bug=bug: ke.boards.bug_board((0, 5), (10, 5), [WALL], bug=bug),
+            f"def {bug}_walk(",
+        )
+        for bug in ("bug_base", "bug0", "bug1", "bug2_prelim", "bug2")
+    },
+    "exploring": (
+        lambda: ke.boards.exploring_board(NEAR, 6.0),
+        "def receding_horizon_looks(",
+    ),
+    "moving": (
+        lambda: ke.boards.moving_board(ke.TimedProblem(ke.Point(), HALL, (1, 1), (9, 1)), nodes=40),
+        "def search_intervals(",
+    ),
+    "car": (lambda: ke.boards.car_board(CAR, "rrt", max_iterations=20), "def grow("),
+    "driven": (lambda: ke.boards.car_board(CAR, max_iterations=3), "def grow_by_driving("),
+    "drives": (
+        lambda: ke.boards.car_board(CAR, "kinodynamic_prm", max_iterations=2),
+        "def drive_from_nearest(",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", OTHER_BOARDS)
+def test_every_growing_board_shows_the_code_that_ran(name):
+    """With the box "code" a step is a line; the board's own drawing grows with the lines."""
+    make, head = OTHER_BOARDS[name]
+    made = make()
+    before = made.canvas.drawing
+    box = made.controls.code if hasattr(made, "controls") else made.code
+    box.value = True
+    drawing = made.canvas.drawing
+    assert not before.listing and drawing.listing.lines[0].startswith(head), drawing.warning
+    assert drawing.total == len(drawing.listing.ran) > 1
+    for layer in drawing.layers:
+        assert layer.when is None or np.isfinite(layer.when).all()
+    assert drawing.text and not drawing.warning
+    box.value = False
+    assert made.canvas.drawing.text == before.text
+
+
+@pytest.mark.parametrize("search", ["bfs", "dfs", "astar"])
+def test_a_search_expands_its_nodes_with_its_lines(search):
+    """After the last line all that the search expanded is shown, before the first line nothing."""
+    made = ke.boards.search_board(ROADS, search=search)
+    plain = made.canvas.drawing
+    made.code.value = True
+    lit = made.canvas.drawing
+    grows = [layer for layer in plain.layers if not layer.last]
+    assert any(layer.when is not None for layer in grows)
+    for one, other in zip(grows, lit.layers, strict=False):
+        if one.when is not None:
+            assert len(shown(other, lit.total)) == len(shown(one, plain.total))
+            assert len(shown(other, 0)) == len(shown(one, 0))
+
+
+def test_a_trace_that_is_full_keeps_the_line_that_fails_later():
+    """The last moment of a long run is the line that raised the exception, with its variables."""
+
+    def fails(n):
+        for i in range(n):
+            x = 1 / (50 - i)
+        return x
+
+    with pytest.raises(ZeroDivisionError), LineTrace(fails, lambda v, _: v["i"], most=9) as trace:
+        fails(99)
+    last = trace.moments[-1]
+    assert (len(trace.moments), last.line, last.note, last.ending) == (10, 2, 50, RAISED)
 
 
 def test_a_notebook_stores_the_code_in_its_picture():

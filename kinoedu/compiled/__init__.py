@@ -34,6 +34,7 @@ from .tiers import (
     algorithm,
     callable_from_compiled,
     compiled,
+    in_python,
     inlined,
 )
 
@@ -47,6 +48,7 @@ __all__ = [
     "callable_from_compiled",
     "compiled",
     "generic",
+    "in_python",
     "inlined",
     "record",
     "running",

@@ -73,6 +73,7 @@ class TieredFunction:
         self.is_algorithm = is_algorithm
         self.options = options
         self.can_be_stored = store.is_digested(function)
+        self.is_traced = False  # see in_python
         # the dispatcher, once machine code is loaded
         self.machine: Function | None = None
         self.inner: Any = None  # numba's function for compiled callers, in a process that compiles
@@ -81,13 +82,18 @@ class TieredFunction:
 
     def __call__(self, *args: Any) -> Any:
         machine = self.machine
-        if machine is None or thread_state.interpreting or modes.mode is modes.INTERPRETED:
+        if (
+            machine is None
+            or self.is_traced
+            or thread_state.interpreting
+            or modes.mode is modes.INTERPRETED
+        ):
             return self.without_machine_code(*args)
         return machine(*args)
 
     def without_machine_code(self, *args: Any) -> Any:
         """Run a call for whose kinds no machine code is loaded."""
-        if thread_state.interpreting or modes.mode is modes.INTERPRETED:
+        if self.is_traced or thread_state.interpreting or modes.mode is modes.INTERPRETED:
             return self.py_func(*args)
         kinds = kinds_of(args)
         if kinds is None:
@@ -102,6 +108,29 @@ class TieredFunction:
 
     def __repr__(self) -> str:
         return f"<compiled function {self.__module__}.{self.__qualname__}>"
+
+
+@contextmanager
+def in_python(*functions: Any) -> Iterator[None]:
+    """Run these functions interpreted, so that their lines can be traced.
+
+    The functions that they call run as always. It holds in all threads.
+
+    Examples
+    --------
+    >>> from kinoedu.graphs.paths import extract_path
+    >>> with in_python(extract_path):
+    ...     extract_path([-1, 0, 1], 2)
+    array([0, 1, 2])
+    """
+    tiered = [function for function in functions if isinstance(function, TieredFunction)]
+    for function in tiered:
+        function.is_traced = True
+    try:
+        yield
+    finally:
+        for function in tiered:
+            function.is_traced = False
 
 
 def find_function(module: str, name: str) -> Any:

@@ -7,6 +7,7 @@ import sys
 import textwrap
 from collections.abc import Callable
 from dataclasses import dataclass
+from traceback import walk_tb
 from types import CodeType, FrameType, TracebackType
 from typing import Any, NamedTuple
 
@@ -15,6 +16,10 @@ from .text import shortened
 
 Variables = dict[str, Any]
 RETURNED, RAISED = "returned", "raised"
+
+
+class Enough(BaseException):
+    """As many lines have run as a trace keeps; raised in the function to end the call."""
 
 
 class Source(NamedTuple):
@@ -51,7 +56,9 @@ class LineTrace:
     function : a function written in Python; decorators are looked through.
     note : called after each line with the local and the global variables. It returns what is to be
         kept of them, because they go on changing.
-    most : the number of lines that are kept; later ones run at full speed.
+    most : the number of lines that are kept; later ones run at full speed. Where the function
+        then raises an exception, the line that raised it is kept too.
+    ends : whether Enough is raised in the function after these lines, instead of going on.
 
     Attributes
     ----------
@@ -78,8 +85,9 @@ class LineTrace:
         note: Callable[[Variables, Variables], Any],
         *,
         most: int,
+        ends: bool = False,
     ) -> None:
-        self.source, self.note, self.most = source_of(function), note, most
+        self.source, self.note, self.most, self.ends = source_of(function), note, most, ends
         self.moments: list[Moment] = []
         self.is_cut = False
 
@@ -95,6 +103,15 @@ class LineTrace:
         traceback: TracebackType | None,
     ) -> None:
         sys.settrace(self.before)
+        if self.is_cut and isinstance(error, Exception):
+            self.keep_failure(error.__traceback__)
+
+    def keep_failure(self, traceback: TracebackType | None) -> None:
+        """Add the line of the function that raised an exception after the trace was full."""
+        calls = [call for call in walk_tb(traceback) if call[0].f_code is self.source.code]
+        for frame, line in calls[-1:]:
+            note = self.note(frame.f_locals, frame.f_globals)
+            self.moments.append(Moment(line - self.source.first, note, RAISED))
 
     def enter_call(self, frame: FrameType, event: str, _: object) -> Any:
         """Trace the calls of the function, and no others."""
@@ -107,6 +124,8 @@ class LineTrace:
         if len(self.moments) == self.most:
             self.is_cut = True
             sys.settrace(None)
+            if self.ends:
+                raise Enough
             return None
         self.moments.append(Moment(line))
         return self.moments[-1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import Any
 
 import ipywidgets as widgets
@@ -17,10 +18,11 @@ from ...planners.tuning import one_of
 from ...problems import Plan, Walk
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.framed import Pictured, make_menu
+from ..core.framed import Pictured, make_code_box, make_menu
 from ..core.printed import join_pictures
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import GOAL, START
+from .lit import trace_bug
 from .walks import (
     Clock,
     describe_steps,
@@ -51,6 +53,8 @@ def bug_board(
     turn: str = "left",
 ) -> BugBoard:
     """Drag start, goal, obstacles or vertices; a bug walks again. Scrub along its walk.
+
+    With the box "code" a step is a line of the bug, which is shown beside the picture.
 
     Parameters
     ----------
@@ -97,6 +101,7 @@ class BugBoard(Pictured, widgets.VBox):
         self.bug = make_menu("bug_board.bug", [*bugs, (get_message("bug_board.all"), ALL)], chosen)
         turns = [(get_message(f"bug_board.{side}"), side) for side in ("left", "right")]
         self.turn = make_menu("bug_board.turn", turns, heading)
+        self.code = make_code_box()
         self.plot = Canvas(make_plot_scene(), self._plotted)
         self.canvas = Canvas(scene, self.answer)
         self.plot.partner = self.canvas.key
@@ -105,9 +110,24 @@ class BugBoard(Pictured, widgets.VBox):
         pictures = widgets.HBox(
             [self.canvas, self.plot], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
         )
-        super().__init__([self.bug, self.turn, pictures])
-        for control in (self.bug, self.turn):
-            control.observe(lambda _: self.canvas.refresh(), "value")
+        super().__init__([self.bug, self.turn, self.code, pictures])
+        self._dress()
+        for control in (self.bug, self.turn, self.code):
+            control.observe(self._changed, "value")
+
+    @property
+    def shows_code(self) -> bool:
+        """Whether the lines of one bug are the steps; then there is no plot beside them."""
+        return bool(self.code.value) and self.bug.value != ALL
+
+    def _changed(self, _: object) -> None:
+        self._dress()
+        self.canvas.refresh()
+
+    def _dress(self) -> None:
+        """Show the box for one bug only, and the plot without code only."""
+        self.code.layout.display = "none" if self.bug.value == ALL else None
+        self.plot.layout.display = "none" if self.shows_code else None
 
     def answer(self, scene: Scene) -> Drawing:
         """Walk in a scene with the settings of the controls; draw the walk here and in the plot."""
@@ -125,18 +145,24 @@ class BugBoard(Pictured, widgets.VBox):
             self._texts = describe_steps(plans, self._clock)
             if len(plans) > 1:
                 return draw_race(plans, self._clock, self._texts)
-            return draw_walk(*plans[0], self._clock, self._texts, check_obstacles(obstacles))
+            drawing = draw_walk(*plans[0], self._clock, self._texts, check_obstacles(obstacles))
+            if not self.shows_code:
+                return drawing
+            walk = partial(BUGS[name][1], start, goal, obstacles, self.step, turn=self.turn.value)
+            return trace_bug(name, self._clock.tick, walk).draw_over(drawing)
         finally:
             self.plot.refresh()
 
     def _plotted(self, _: Scene) -> Drawing:
         """The plot of the walks shown."""
-        if not self.plans:
+        if not self.plans or self.shows_code:
             return Drawing(text=get_message("bug_board.nothing"))
         return draw_plot(self.plans, self._clock, self._texts)
 
     def picture(self) -> bytes:
-        """World and plot side by side, as a PNG."""
+        """World and plot side by side, as a PNG; with code the world alone."""
+        if self.shows_code:
+            return self.canvas.picture()
         return join_pictures(self.canvas.picture(), self.plot.picture())
 
 

@@ -24,7 +24,7 @@ from ...support.text import shortened
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..arm.arm import obstacle_places
 from ..core.drawing import Drawing, Layer
-from ..core.framed import Framed, make_counter, make_menu, title_of
+from ..core.framed import Framed, make_code_box, make_counter, make_menu, title_of
 from ..core.scene import Scene, list_places, move_parts
 from ..planning.plans import make_canvas, world_in
 from .car_drawn import (
@@ -40,6 +40,7 @@ from .car_drawn import (
 )
 from .car_poses import CAR, handle_places, make_car_scene, poses_in
 from .driving import continue_drive, is_at_goal, start_drive, steering_angle
+from .lit import trace_car_planner
 
 YOU = "you"
 VIEWS = ("above", "followed")
@@ -62,7 +63,8 @@ def car_board(
     tips and obstacles. A pose that is not free is refused, with the reason, and returns to where it
     was free. Scrub: first the tree or roadmap grows, then the car drives with its wheels steered.
     Hold arrow keys at the car to drive it: left and right turn the wheel by notches, up and down
-    drive forward and back. The car stops before a collision.
+    drive forward and back. The car stops before a collision. With the box "code" the lines of the
+    planner are shown as they run.
 
     Parameters
     ----------
@@ -113,12 +115,14 @@ class CarBoard(Framed):
         self.iterations = make_counter("car_board.iterations", most, 50, 3000)
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.view = make_menu("car_board.view", make_options(VIEWS), one_of(view, "view", VIEWS))
+        self.code = make_code_box()
         self._drive, self._ends = start_drive(problem), (problem.start, problem.goal)
         self._home = self._good = make_car_scene(problem)
         self._drawing = Drawing()
         self._dress()
         canvas = make_canvas(problem.world, self._home, self.answer, self.hold)
-        super().__init__([self.planner, self.iterations, self.seed, self.view], [canvas])
+        controls = [self.planner, self.iterations, self.seed, self.view, self.code]
+        super().__init__(controls, [canvas])
 
     @property
     def driven(self) -> TrajectoryRecord:
@@ -131,7 +135,7 @@ class CarBoard(Framed):
             self._take(scene)
         except KinoeduError as error:
             return self._refusal(scene, str(error))
-        self.plan = None if self.planner.value == YOU else self._planned()
+        self.plan = None if self.planner.value == YOU else self._plan(self.problem)
         drawing = self._by_you() if self.plan is None else self._by_planner(self.plan)
         self._good, self._drawing = move_parts(scene, drawing.places), drawing
         return drawing
@@ -166,10 +170,10 @@ class CarBoard(Framed):
         layers = [*self._drawing.layers, *draw_refused(last.robot, wrong)]
         return replace(self._drawing, layers=layers, warning=reason, places=list_places(self._good))
 
-    def _planned(self) -> Plan:
-        """The plan of the chosen planner."""
+    def _plan(self, problem: Any) -> Plan:
+        """The plan of the chosen planner for the problem, or for a recorder of it."""
         planner, most = ON_BOARD[self.planner.value], self.iterations.value
-        return planner.plan(self.problem, seed=self.seed.value, iterations=most)
+        return planner.plan(problem, seed=self.seed.value, iterations=most)
 
     def _by_planner(self, plan: Plan) -> Drawing:
         """Draw a plan: its growth, then the ride along its trajectory.
@@ -178,6 +182,12 @@ class CarBoard(Framed):
         """
         layers, begin = draw_growth(self.problem.robot, plan)
         total, unit = growth_of(plan)
+        if self.code.value:
+            run = trace_car_planner(
+                self.planner.value, self.problem, self._plan, begin / max(total, 1)
+            )
+            ends = draw_ends(self.problem.robot, (self.problem.start, self.problem.goal))
+            return run.draw_over(Drawing([*layers, *ends], text=summary(plan, total)))
         counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
         ride, shown = make_ride(trajectory_of(plan)), (k * total // begin for k in range(begin))
         texts = [get_message("figure.growing", shown=f"{count:,}", **counts) for count in shown]
@@ -214,7 +224,7 @@ class CarBoard(Framed):
 
     def _dress(self) -> None:
         """Show the controls that apply to the chosen planner."""
-        for control in (self.iterations, self.seed):
+        for control in (self.iterations, self.seed, self.code):
             control.layout.display = "none" if self.planner.value == YOU else None
 
     def _changed(self, change: Any) -> None:

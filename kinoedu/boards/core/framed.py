@@ -94,6 +94,11 @@ def make_menu(name: str, options: Sequence[tuple[str, str]], chosen: str) -> wid
     return widgets.Dropdown(options=options, value=chosen, **control_style(name))
 
 
+def make_code_box() -> widgets.Checkbox:
+    """The box "code": whether a board shows the lines of its algorithm."""
+    return widgets.Checkbox(False, indent=False, **control_style("board.show_code"))
+
+
 def title_of(planner: Planner, table: str) -> str:
     """A planner's text in a menu: the message `<table>.<name>`, or else its row of the registry."""
     key = f"{table}.{planner.name}"

@@ -12,12 +12,17 @@ from ...robots.round import RoundRobot
 from ...support.text import shortened
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..core.drawing import Drawing
-from ..core.framed import Framed, make_counter, make_length_slider
+from ..core.framed import Framed, make_code_box, make_counter, make_length_slider
 from ..core.scene import Scene
 from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
-from .explored import draw_exploration
+from ..tracing.code_run import Look as CodeLook
+from ..tracing.code_run import trace_lines
+from .explored import MOVES, draw_exploration
 
 RAYS = 180
+LOOK = CodeLook(  # at the code: the points, and the step of the drawing
+    {"q": "q", "walls in map": "len(walls)"}, colours={"q": "robot"}, progress=f"{MOVES} * moves"
+)
 
 
 def exploring_board(
@@ -31,7 +36,7 @@ def exploring_board(
 
     The region seen is blue, the region seen now is framed, and the walls in the map are red. The
     dashed line is the plan in the map, where everything unseen counts as free. Drag start, goal and
-    obstacles.
+    obstacles. With the box "code" a step is a line of the loop.
 
     Parameters
     ----------
@@ -76,16 +81,23 @@ class ExploringBoard(Framed):
         self.seed = make_counter("exploring_board.seed", integer(rng, "rng", least=0), 0, 99)
         self.looks: list[Look] = []
         self.plan: Plan | None = None
-        super().__init__(
-            [self.reach, self.horizon, self.seed], [make_problem_canvas(problem, self.answer)]
-        )
+        self.code = make_code_box()
+        controls = [self.reach, self.horizon, self.seed, self.code]
+        super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
         """Explore a scene, and draw the path with everything seen on it."""
         self.looks, self.plan = [], None
         problem = problem_in(scene, self._given)
         given = {"reach": self.reach.value, "horizon": self.horizon.value, "rng": self.seed.value}
-        looks = receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60)
-        self.looks = list(looks)
+
+        def explore(_: object) -> None:
+            for look in receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60):
+                self.looks.append(look)
+
+        run = trace_lines(receding_horizon_looks, LOOK, explore) if self.code.value else None
+        if run is None:
+            explore(None)
         self.plan = plan_from_looks(problem, self.looks)
-        return draw_exploration(self.plan, self.looks)
+        drawing = draw_exploration(self.plan, self.looks)
+        return drawing if run is None else run.draw_over(drawing)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import ipywidgets as widgets
@@ -16,10 +17,11 @@ from ...messages import get_message
 from ...worlds.polygon_world import PolygonWorldRecord, rings_of
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, cells, dots, edges, labels
-from ..core.framed import Pictured
+from ..core.framed import Pictured, make_code_box
 from ..core.notes import note, with_notes
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..planning.plans import world_in
+from .lit import draw_events, trace_sweep
 
 FLOOR, CEILING = "floor", "ceiling"  # colours of the status, as in the figures
 
@@ -27,7 +29,8 @@ FLOOR, CEILING = "floor", "ceiling"  # colours of the status, as in the figures
 def sweep_board(world: PolygonWorldRecord, *, x: float | None = None) -> SweepBoard:
     """Drag the sweep line across a world, or obstacles and their vertices.
 
-    The closed and the open cells and the status of the line are shown.
+    The closed and the open cells and the status of the line are shown. With the box "code" a step
+    is a line of the algorithm, from the event on at which the sweep line is.
 
     Parameters
     ----------
@@ -60,18 +63,29 @@ class SweepBoard(Pictured, widgets.HBox):
     def __init__(self, world: PolygonWorldRecord, *, x: float | None) -> None:
         sweep(world)  # raises for a world that it cannot cut
         self.steps: list[Step] = []
+        self.code = make_code_box()
+        self.code.layout = widgets.Layout(width="auto")
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
         self.canvas = Canvas(make_sweep_scene(world, x), self.answer)
         self.canvas.layout = widgets.Layout(flex="4 1 22em", max_width="650px", min_width="0")
+        beside = widgets.VBox([self.code, self.status], layout=widgets.Layout(flex="1 1 11em"))
         super().__init__(
-            [self.canvas, self.status], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
+            [self.canvas, beside], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
         )
+        self.code.observe(self._changed, "value")
+
+    def _changed(self, _: object) -> None:
+        """Show or hide the code; the variables beside it list the status."""
+        self.status.layout.display = "none" if self.code.value else None
+        self.canvas.layout.max_width = "none" if self.code.value else "650px"
+        self.canvas.refresh()
 
     def answer(self, scene: Scene) -> Drawing:
         """Sweep a scene up to the line."""
         self.steps, rows = [], np.empty((0, 4))
         try:
-            everything = list(sweep(world_in(scene)))
+            world = world_in(scene)
+            everything = list(sweep(world))
             x = float(place_of(scene, get_message("sweep_board.line"))[0])
             self.steps = [step for step in everything if step.x <= x]
             names = number_edges(everything)
@@ -80,9 +94,27 @@ class SweepBoard(Pictured, widgets.HBox):
                     [draw_line(x, scene)], text=get_message("sweep_board.before", x=f"{x:.4g}")
                 )
             rows = self.steps[-1].status
+            if self.code.value:
+                return self._with_code(world, everything, names, scene)
             return draw_sweep(self.steps, x, names, scene)
         finally:
             self.status.value = list_status(rows, names if len(rows) else {})
+
+    def _with_code(
+        self,
+        world: PolygonWorldRecord,
+        everything: Sequence[Step],
+        names: dict[tuple[float, ...], int],
+        scene: Scene,
+    ) -> Drawing:
+        """The lines of the whole sweep; the handle says which of its events is shown at first."""
+        run = trace_sweep(world, everything, names)
+        layers = draw_events(everything, lambda steps, x: draw_sweep(steps, x, names, scene))
+        text = get_message("sweep_board.events", events=len(everything))
+        drawing = run.draw_over(Drawing(layers, text=text))
+        progress = [0.0 if one.note is None else one.note.progress for one in run.trace.moments]
+        first = np.searchsorted(np.maximum.accumulate(progress), len(self.steps)) + 1
+        return replace(drawing, first=min(int(first), drawing.total))
 
 
 def make_sweep_scene(world: PolygonWorldRecord, x: float | None) -> Scene:

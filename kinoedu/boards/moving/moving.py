@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import ipywidgets as widgets
@@ -13,6 +14,7 @@ from ...figures.robots import outline_at
 from ...geometry.checks import Array
 from ...messages import get_message
 from ...planners import plan_in_time
+from ...planners.moving.safe_intervals import search_intervals
 from ...planners.tuning import integer
 from ...problems import Plan
 from ...problems.in_time import TimedProblem, TimedProblemRecord
@@ -21,17 +23,28 @@ from ...support.text import shortened
 from ...worlds.moving import MovingWorldRecord, movers_at
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies, dots, edges, path_edges, segments_along
-from ..core.framed import Framed, control_style, make_counter
+from ..core.framed import Framed, control_style, make_code_box, make_counter
 from ..core.scene import Scene, handle, place_of
 from ..planning.plans import GOAL, START, make_world_scene, world_in
+from ..tracing.code_run import Look, trace_lines
 
 STEPS = 150  # of the time slider
+LOOK = Look(  # at the code of the search
+    {
+        "q_u": "nodes[u]",
+        "q_v": "nodes[v]",
+        "intervals of v": "safe[first[v]:first[v + 1]].tolist()",
+    },
+    lines=(("q_u", "q_v"),),
+    colours={"q_u": "path", "q_v": "hit"},
+)
 
 
 def moving_board(problem: TimedProblemRecord, *, nodes: int = 200, rng: int = 0) -> MovingBoard:
     """Scrub through time: the moving obstacles and the robot on its path.
 
-    Drag start, goal or static obstacles, or change the speed, and it is planned again.
+    Drag start, goal or static obstacles, or change the speed, and it is planned again. With the box
+    "code" a step is a line of the search over safe intervals.
 
     Parameters
     ----------
@@ -75,13 +88,14 @@ class MovingBoard(Framed):
             problem.speed, **span, **control_style("moving_board.speed")
         )
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
+        self.code = make_code_box()
         self.plan: Plan | None = None
         handles = [
             handle(START, problem.start, colour="start"),
             handle(GOAL, problem.goal, colour="goal", marker="star"),
         ]
         canvas = Canvas(make_world_scene(problem.world.still, handles), self.answer)
-        super().__init__([self.speed, self.seed], [canvas])
+        super().__init__([self.speed, self.seed, self.code], [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene and draw all moments.
@@ -98,7 +112,8 @@ class MovingBoard(Framed):
         """The drawing of a plan in a scene, at all its moments, or KinoeduError."""
         problem = self._problem_in(scene)
         world = problem.world
-        self.plan = plan = plan_in_time(problem, n=self._nodes, rng=self.seed.value)
+        call = partial(plan_in_time, problem, n=self._nodes, rng=self.seed.value)
+        self.plan = plan = call()
         rest = float(world.times.max()) if len(world.times) else 1.0
         last = plan.cost if plan.path is not None else rest
         moments = np.linspace(0.0, max(last, 1e-9), STEPS + 1)
@@ -118,6 +133,9 @@ class MovingBoard(Framed):
             )
             for t in moments[:-1]
         ]
+        if self.code.value:
+            run = trace_lines(search_intervals, LOOK, lambda _: call())
+            return run.draw_over(Drawing(layers, text=text))
         unit = get_message("moving_board.unit")
         return Drawing(layers, text=text, total=STEPS, unit=unit, step_texts=texts)
 

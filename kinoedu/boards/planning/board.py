@@ -18,10 +18,17 @@ from ...problems import Plan, ProblemRecord
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
 from ..core.drawing import Drawing
-from ..core.framed import Framed, control_style, make_length_slider, make_menu, title_of
+from ..core.framed import (
+    Framed,
+    control_style,
+    make_code_box,
+    make_length_slider,
+    make_menu,
+    title_of,
+)
 from ..core.scene import Scene
 from ..tracing.code_run import CodeRun, Look
-from .lit import CODE
+from .lit import CODE, draw_lines_of, trace_planner
 from .live import describe_live
 from .own import Attempt, draw_attempt, try_planner
 from .plans import check_in_plane, draw_plan, make_problem_canvas, problem_in
@@ -49,7 +56,7 @@ def board(
         or `f(problem, rng)`, that returns a path (n, 2), a Plan or None. The questions that yours
         asks are recorded and drawn in order, its path is compared with our RRT's, and it is stopped
         after two seconds. With the box "code" the lines of the planner are shown beside the picture
-        as they run; A* on a grid has no such box.
+        as they run.
     step_size : the first value of the control for the longest edge of a tree.
     samples : the first value of the control for the number of a roadmap's samples, and of RRT*'s
         nodes.
@@ -98,7 +105,7 @@ class Board(Framed):
         self._stuck: Attempt | None = None
         self.planner = self._menu(chosen)
         self.seed, self.step_size, self.samples = self._sliders(step_size, samples, rng)
-        self.code = widgets.Checkbox(False, indent=False, **control_style("board.show_code"))
+        self.code = make_code_box()
         self._dress()
         controls = [self.planner, self.seed, self.step_size, self.samples, self.code]
         super().__init__(controls, [make_problem_canvas(problem, self.answer)])
@@ -133,12 +140,10 @@ class Board(Framed):
         planner = ON_BOARD[self.planner.value]
         given = self._settings()
         settings = {name: given[name] for name in planner.board or ()}
-        if self.code.value and planner.name in CODE:
-            run = CodeRun(*CODE[planner.name])
-            own = partial(planner.plan, seed=seed, **settings)
-            self.plan = try_planner(own, problem, seed, run=run)
-            return draw_attempt(self.plan, None, run)
         self.plan = planner.plan(problem, seed=seed, **settings)
+        if self.code.value and planner.name in CODE:
+            call = partial(planner.plan, seed=seed, **settings)
+            return draw_lines_of(self.plan, trace_planner(planner.name, problem, call))
         return draw_plan(self.plan)
 
     def record(self) -> list[JsonObject]:

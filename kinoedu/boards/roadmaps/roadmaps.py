@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -17,8 +19,9 @@ from ...problems import Plan, ProblemRecord, Roadmap
 from ...sampling import halton, sukharev_grid
 from ...support.json_fields import JsonObject
 from ..core.drawing import Drawing, Layer, dots, edges, path
-from ..core.framed import Framed, make_counter, make_length_slider, make_menu
+from ..core.framed import Framed, make_code_box, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
+from ..planning.lit import draw_lines_of, trace_planner
 from ..planning.plans import check_in_plane, make_problem_canvas, note_roadmap, problem_in
 
 RULES = ("closest", "radius", "component")
@@ -44,7 +47,8 @@ class RoadmapControls:
         self.sampler = make_menu("roadmap_board.sampler", samplers, chosen)
         self.n = make_counter("roadmap_board.n", integer(n, "n", least=1), 1, 1000)
         self.seed = make_counter("roadmap_board.seed", integer(rng, "rng", least=0), 0, 99)
-        self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
+        self.code = make_code_box()
+        self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed, self.code)
         self.dress()
 
     def dress(self) -> None:
@@ -77,7 +81,7 @@ def roadmap_board(
     """Choose neighbours and samples, drag start, goal and obstacles; scrub through the growth.
 
     A step is a node; when all nodes are there, a step is the edges that one node gets when it is
-    tried with its neighbours.
+    tried with its neighbours. With the box "code" a step is a line of the planner that joins nodes.
 
     Parameters
     ----------
@@ -119,7 +123,12 @@ class RoadmapBoard(Framed):
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene with the settings of the controls, and draw the roadmap."""
-        self.plan = prm(problem_in(scene, self._given), **self.controls.given)
+        problem = problem_in(scene, self._given)
+        call: Any = partial(prm, **self.controls.given)
+        self.plan = call(problem)
+        if self.controls.code.value:
+            name = "prm_components" if self.controls.rule.value == "component" else "prm"
+            return draw_lines_of(self.plan, trace_planner(name, problem, call))
         return draw_growing_roadmap(self.plan)
 
     def _changed(self, change: object) -> None:

@@ -14,10 +14,11 @@ from ...problems import ProblemRecord
 from ...support.json_fields import JsonObject
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.framed import Framed, make_menu
+from ..core.framed import Framed, make_code_box, make_menu
 from ..core.scene import Scene
 from .expanding import SEARCHES, describe_live, draw_search
 from .ground import make_ground, move_nodes
+from .lit import trace_search
 
 
 def search_board(
@@ -31,7 +32,8 @@ def search_board(
 
     Frontier, parents and path are shown. Start and goal can be dragged. The nodes of a Graph with
     up to 40 nodes can be dragged too, and the search runs again; weights that are lengths follow.
-    A click on a node, or Enter, moves the goal to it, with Shift the start.
+    A click on a node, or Enter, moves the goal to it, with Shift the start. With the box "code" a
+    step is a line of the search.
 
     Parameters
     ----------
@@ -74,8 +76,9 @@ class SearchBoard(Framed):
         options = [(get_message(f"search_board.{name}"), name) for name in SEARCHES]
         chosen = one_of(search, "search", tuple(SEARCHES))
         self.search = make_menu("search_board.search", options, chosen)
+        self.code = make_code_box()
         canvas = Canvas(self.ground.scene, self.answer, free=self.ground.free)
-        super().__init__([self.search], [canvas])
+        super().__init__([self.search, self.code], [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
         """Search from the node nearest to the start to that nearest to the goal, and draw it."""
@@ -84,7 +87,11 @@ class SearchBoard(Framed):
         start, goal = graph.closest(here[0])[0], graph.closest(here[1])[0]
         guess = heuristic_to(graph, goal) if self.search.value == "astar" else None
         self.graph, self.ends, self._guess = graph, (start, goal), guess
-        return draw_search(self.search.value, self.ground, graph, self.ends, here, guess)
+        name = self.search.value
+        drawing = draw_search(name, self.ground, graph, self.ends, here, guess)
+        if not self.code.value:
+            return drawing
+        return trace_search(name, graph, self.ends, guess).draw_over(drawing)
 
     @property
     def moments(self) -> list[Expansion]:
@@ -92,8 +99,9 @@ class SearchBoard(Framed):
         return list_expansions(self.graph, self.search.value, *self.ends, self._guess)
 
     def record(self) -> list[JsonObject]:
-        """The board as it is now, which a page answers itself."""
-        self.canvas.live = describe_live(self.ground, self.search.value)
+        """The board as it is now; without its code a page answers it, with it the page plays it."""
+        chosen = self.search.value
+        self.canvas.live = None if self.code.value else describe_live(self.ground, chosen)
         return super().record()
 
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from inspect import CO_GENERATOR
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...compiled import in_python
 from ...figures.robots import Outlined
+from ...geometry.checks import Array
 from ...messages import get_message
-from ...problems import Question
-from ...support.line_trace import RAISED, LineTrace
+from ...problems import ProblemRecord, Question, Recorder
+from ...support.line_trace import RAISED, Enough, LineTrace
 from ..core.drawing import Drawing, Layer, edges
 from ..core.listing import Listing, read_code
 from .moments import (
@@ -42,7 +45,9 @@ COLOURS = ("tree", "path", "hit", "robot", "roadmap")  # of variables, in the or
 class Look:
     """What the picture shows of a function's variables, as `code_board` takes it.
 
-    The body of `robot` is drawn at each variable that is a pose.
+    The body of `robot` is drawn at each variable that is a pose. `names` are further names that the
+    expressions may use, and `colours` those of some variables; the others get one by their order.
+    `progress` is an expression too: the step of the board's own drawing that a line belongs to.
     """
 
     points: Mapping[str, str] = field(default_factory=dict)
@@ -53,6 +58,9 @@ class Look:
     first: int | None = None
     most: int = 1000
     robot: Outlined | None = None
+    names: Mapping[str, Any] = field(default_factory=dict)
+    colours: Mapping[str, str] = field(default_factory=dict)
+    progress: str = ""
 
 
 class Note(NamedTuple):
@@ -64,37 +72,52 @@ class Note(NamedTuple):
     radii : of the circles that have one now, by the names of their points.
     drawn : the layers of the reader's own `draw`.
     asked : the number of questions so far.
+    progress : the step of the board's own drawing, 0 where the expression has no value yet.
     """
 
     variables: Noted
     radii: Mapping[str, float]
     drawn: Sequence[Layer]
     asked: int
+    progress: float = 0.0
 
 
 class CodeRun:
     """One run of a function; `trace` is the context in which it is to be called.
+
+    Parameters
+    ----------
+    ends : whether the call is given up after the lines that are shown.
 
     Attributes
     ----------
     log : the questions that the function asks a Recorder.
     """
 
-    def __init__(self, function: Callable[..., object], look: Look) -> None:
+    def __init__(self, function: Callable[..., object], look: Look, *, ends: bool = False) -> None:
         self.name, self.look = getattr(function, "__name__", "?"), look
         self.points = compile_expressions(look.points)
         self.circles = compile_expressions(look.circles)
+        self.progress = compile_expressions({"step": look.progress} if look.progress else {})
         self.log = FirstQuestions()
-        self.trace = LineTrace(function, self.note, most=look.most)
+        self.trace = LineTrace(function, self.note, most=look.most, ends=ends)
+
+    def record(self, problem: ProblemRecord) -> Recorder:
+        """A recorder of a problem, whose questions are drawn."""
+        recorder = Recorder(problem)
+        recorder.log = self.log
+        return recorder
 
     def note(self, local: dict[str, Any], names: dict[str, Any]) -> Note:
         """What is kept after a line."""
+        names = {**names, **self.look.names}
         values = {**local, **evaluate(self.points, local, names)}
         return Note(
             note_variables(values),
             compute_radii(self.circles, values, names),
             [] if self.look.draw is None else list(self.look.draw(dict(local))),
             len(self.log),
+            compute_radii(self.progress, local, names).get("step", 0.0),
         )
 
     def draw(self, *, fault: str = "", dragged: Collection[str] = ()) -> Drawing:
@@ -111,7 +134,8 @@ class CodeRun:
         kept = [moment.note or last for moment in moments]
         notes = [one.variables for one in kept]
         robot = self.look.robot
-        colours = choose_colours(notes, dragged, with_poses=robot is not None)
+        chosen = choose_colours(notes, dragged, with_poses=robot is not None)
+        colours = {name: self.look.colours.get(name, colour) for name, colour in chosen.items()}
         layers = [
             *draw_asked(self.log[:], [one.asked for one in kept]),
             *draw_moments([one.drawn for one in kept]),
@@ -138,6 +162,16 @@ class CodeRun:
             first=None if first is None else min(first, len(moments)),
         )
 
+    def draw_over(self, drawing: Drawing) -> Drawing:
+        """The lines over another drawing of the same run, which grows as they run."""
+        own, code = self.draw(), read_code(self.trace.source)
+        notes = [moment.note for moment in self.trace.moments if moment.line in code]
+        steps = np.maximum.accumulate([0.0 if note is None else note.progress for note in notes])
+        beneath = [retime(layer, steps) for layer in drawing.layers if not layer.last]
+        layers = [*beneath, *own.layers, *(layer for layer in drawing.layers if layer.last)]
+        text = get_message("board.code.planned", lines=own.text, plan=drawing.text)
+        return replace(own, layers=layers, text=text, warning=drawing.warning)
+
     def describe(self) -> str:
         """What the run came to, in words."""
         if self.trace.is_cut:
@@ -145,7 +179,42 @@ class CodeRun:
         last = self.trace.moments[-1] if self.trace.moments else None
         if last is None or last.ending in ("", RAISED):
             return get_message("board.code.raised", name=self.name)
+        if self.trace.source.code.co_flags & CO_GENERATOR:
+            return get_message("board.code.ended", name=self.name)
         return get_message("board.code.returned", name=self.name, value=format_short(last.result))
+
+
+def trace_lines(
+    function: Callable[..., object],
+    look: Look,
+    call: Callable[[CodeRun], object],
+    *callers: Callable[..., object],
+) -> CodeRun:
+    """The first lines of one of this library's functions in a call, which ends after them.
+
+    Parameters
+    ----------
+    call : is called with the run, which may record a problem.
+    callers : functions between the call and the function; machine code would hide its lines.
+    """
+    run = CodeRun(function, look, ends=True)
+    try:
+        with in_python(function, *callers), run.trace:
+            call(run)
+    except Enough:
+        pass
+    return run
+
+
+def retime(layer: Layer, steps: Array) -> Layer:
+    """A layer whose rows appear and disappear with the first line that has come to their step."""
+    if layer.when is None:
+        return layer
+    when = np.where(layer.when > 0.0, np.searchsorted(steps, layer.when) + 1.0, 0.0)
+    until: Array | None = None
+    if layer.until is not None:
+        until = np.searchsorted(steps, layer.until).astype(float) + 1.0
+    return layer._replace(when=when, until=until)
 
 
 def choose_colours(

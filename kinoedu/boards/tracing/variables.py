@@ -42,9 +42,10 @@ def find_pose(value: object) -> Array | None:
 
 
 def is_hidden(value: object) -> bool:
-    """Whether a value is a tool of the function rather than something that it computes."""
+    """Whether a value is a tool of the function, or a record of the library, which has no text."""
     tools = (ModuleType, type, Recorder, np.random.Generator)
-    return isinstance(value, tools) or callable(value) or hasattr(value, "is_free_path")
+    record = hasattr(value, "_fields") and type(value).__module__.partition(".")[0] == "kinoedu"
+    return isinstance(value, tools) or record or callable(value) or hasattr(value, "is_free_path")
 
 
 def find_points(value: object) -> tuple[Array | None, bool]:
@@ -78,7 +79,7 @@ def format_short(value: object) -> str:
     ('{a: (1, 2.5)}', '30 x 2 numbers')
     """
     if isinstance(value, bool | np.bool_ | str) or value is None:
-        return str(value)
+        return str(value) or '""'
     if isinstance(value, int | np.integer):
         return str(int(value))
     if isinstance(value, float | np.floating):

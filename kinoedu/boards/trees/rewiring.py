@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Any
+
 from ...messages import get_message
 from ...planners.problem_input import world_size
 from ...planners.trees.rewiring import rrt_star_rewirings
 from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
 from ..core.drawing import Drawing
-from ..core.framed import Framed, make_counter, make_length_slider
+from ..core.framed import Framed, make_code_box, make_counter, make_length_slider
 from ..core.scene import Scene
+from ..planning.lit import draw_lines_of, trace_planner
 from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
 from .rewired import (
     costs_at,
@@ -28,7 +32,8 @@ def rewiring_board(
     """Scrub through RRT*: each new node, its ball and neighbours, its parent, the rewired edges.
 
     The edge to the new node is black; edges that are attached to it are red, their former places
-    dashed. Drag start, goal and obstacles.
+    dashed. Drag start, goal and obstacles. With the box "code" the lines of RRT* are shown as they
+    run.
 
     Parameters
     ----------
@@ -65,17 +70,19 @@ class RewiringBoard(Framed):
         self.nodes = make_counter("rewiring_board.n", integer(nodes, "nodes", least=1), 50, 1000)
         self.step_size = make_length_slider("board.step_size", world_size(problem), step_size)
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
+        self.code = make_code_box()
         self.plan: Plan | None = None
-        super().__init__(
-            [self.nodes, self.step_size, self.seed], [make_problem_canvas(problem, self.answer)]
-        )
+        controls = [self.nodes, self.step_size, self.seed, self.code]
+        super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene, and draw all steps."""
         problem = problem_in(scene, self._given)
-        self.plan, self.rewirings = rrt_star_rewirings(
-            problem, max_nodes=self.nodes.value, step_size=self.step_size.value, rng=self.seed.value
-        )
+        given: dict[str, Any] = {"max_nodes": self.nodes.value, "step_size": self.step_size.value}
+        call: Any = partial(rrt_star_rewirings, **given, rng=self.seed.value)
+        self.plan, self.rewirings = call(problem)
+        if self.code.value:
+            return draw_lines_of(self.plan, trace_planner("rrt_star", problem, call))
         log = self.rewirings
         n, paths, near = len(log.nodes), find_paths_to_goal(log), find_near_pairs(log)
         *texts, text = describe_steps(log, near, costs_at(paths, n))

@@ -1,0 +1,42 @@
+"""The lines of the sweep that its board shows as they run."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...decomposition import Step, sweep
+from ...decomposition.crossing import handle_event
+from ...decomposition.trapezoidation import drain, edges_on_line
+from ...worlds.polygon_world import PolygonWorldRecord
+from ..core.drawing import Drawing, Layer
+from ..tracing.code_run import CodeRun, Look, trace_lines
+from ..tracing.moments import draw_moments
+
+
+def trace_sweep(
+    world: PolygonWorldRecord, steps: Sequence[Step], names: dict[tuple[float, ...], int]
+) -> CodeRun:
+    """The lines that handle the events of a sweep; `names` are the numbers of the edges."""
+    met = np.cumsum([len(step.vertices) for step in steps])
+
+    def list_status(state: Any) -> list[int]:
+        rows = state.ends[edges_on_line(state.nodes, state.sides)]
+        return [names.get(tuple(row), -1) for row in rows.tolist()]
+
+    look = Look(
+        {"p": "(float(x), float(y))", "status": "list_status(sweep)"},
+        names={"list_status": list_status, "count": lambda n: np.searchsorted(met, n, "right")},
+        colours={"p": "path"},
+        progress="count(now)",
+    )
+    return trace_lines(handle_event, look, lambda _: list(sweep(world)), drain)
+
+
+def draw_events(
+    steps: Sequence[Step], draw: Callable[[Sequence[Step], float], Drawing]
+) -> list[Layer]:
+    """What the board shows after each event, one step each."""
+    shown = [draw(steps[: k + 1], step.x).layers for k, step in enumerate(steps)]
+    plain = [[layer._replace(says=(), names=(), notes=None) for layer in one] for one in shown]
+    return draw_moments(plain)
