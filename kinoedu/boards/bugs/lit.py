@@ -34,6 +34,7 @@ def trace_bug(name: str, tick: float, walk: Callable[[], object]) -> CodeRun:
         POINTS,
         names={"tick": tick},
         colours={"place": "robot", "hit": "contact", "nearest": "hit"},
+        hidden=("robot",),
         progress="robot.travelled / tick + 1e-6",
     )
     return trace_lines(CODE[name], look, lambda _: walk())

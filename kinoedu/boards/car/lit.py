@@ -28,8 +28,13 @@ def trace_car_planner(
     """
     function, poses, progress = CODE[name]
     points = {**poses, "nodes in tree": "tree.size[0]"}
-    step = f"pace * ({progress})"
     look = Look(
-        points, most=MOST, robot=problem.robot, names={"pace": pace}, colours=COLOURS, progress=step
+        points,
+        most=MOST,
+        robot=problem.robot,
+        names={"pace": pace},
+        colours=COLOURS,
+        progress=f"pace * ({progress})",
+        hidden=("apart",),
     )
     return trace_lines(function, look, lambda _: call(problem))

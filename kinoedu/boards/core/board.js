@@ -1477,6 +1477,7 @@ class Code {
     this.lines.replaceChildren(...lines.map((text, k) => {
       const line = make("button", "kinoedu-line", null, { type: "button", "data-line": k });
       line.textContent = text || " ";
+      line.style.setProperty("--kinoedu-indent", text.search(/\S|$/));
       line.addEventListener("click", () => board.goToLine(k));
       return line;
     }));
@@ -1484,7 +1485,9 @@ class Code {
 
   list({ colours }) {
     const { board } = this.view, { values, changed } = board.variables();
-    this.table.replaceChildren(...[...values].map(([name, text]) => {
+    const drawn = ([name]) => (colours[name] ? 0 : 1);      // what the picture shows comes first
+    const rows = [...values].sort((one, other) => drawn(one) - drawn(other));
+    this.table.replaceChildren(...rows.map(([name, text]) => {
       const row = make("tr", changed.includes(name) ? "kinoedu-changed" : "", null);
       const head = make("th", "", row, { scope: "row" });
       head.textContent = name;

@@ -29,6 +29,7 @@ def trace_sweep(
         names={"list_status": list_status, "count": lambda n: np.searchsorted(met, n, "right")},
         colours={"p": "path"},
         progress="count(now)",
+        hidden=("ends",),
     )
     return trace_lines(handle_event, look, lambda _: list(sweep(world)), drain)
 

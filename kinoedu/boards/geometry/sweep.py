@@ -64,14 +64,12 @@ class SweepBoard(Pictured, widgets.HBox):
         sweep(world)  # raises for a world that it cannot cut
         self.steps: list[Step] = []
         self.code = make_code_box()
-        self.code.layout = widgets.Layout(width="auto")
+        self.code.layout = widgets.Layout(flex="1 1 100%")
         self.status = widgets.HTML(layout=widgets.Layout(flex="1 1 11em"))
         self.canvas = Canvas(make_sweep_scene(world, x), self.answer)
         self.canvas.layout = widgets.Layout(flex="4 1 22em", max_width="650px", min_width="0")
-        beside = widgets.VBox([self.code, self.status], layout=widgets.Layout(flex="1 1 11em"))
-        super().__init__(
-            [self.canvas, beside], layout=widgets.Layout(flex_flow="row wrap", grid_gap="8px")
-        )
+        layout = widgets.Layout(flex_flow="row wrap", grid_gap="8px")
+        super().__init__([self.code, self.canvas, self.status], layout=layout)
         self.code.observe(self._changed, "value")
 
     def _changed(self, _: object) -> None:

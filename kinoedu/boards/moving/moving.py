@@ -37,6 +37,10 @@ LOOK = Look(  # at the code of the search
     },
     lines=(("q_u", "q_v"),),
     colours={"q_u": "path", "q_v": "hit"},
+    hidden=(
+        *("nodes", "safe", "first", "hulls", "knots", "times", "places", "owner", "collisions"),
+        *("arrival", "departure", "parent"),
+    ),
 )
 
 

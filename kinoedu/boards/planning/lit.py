@@ -20,6 +20,12 @@ from ..tracing.code_run import CodeRun, Look, trace_lines
 from .plans import draw_plan
 
 TREE = "nodes in tree"
+PAIRS = Look(
+    {"q_i": "nodes[i]", "q_j": "nodes[j]"},
+    lines=(("q_i", "q_j"),),
+    colours={"nodes": "tree", "q_i": "path", "q_j": "hit"},
+    hidden=("first", "to", "order", "cost_of_pair", "root", "costs", "edges", "closest", "tries"),
+)
 CODE: dict[str, tuple[Callable[..., object], Look]] = {
     "rrt": (
         grow,
@@ -31,17 +37,15 @@ CODE: dict[str, tuple[Callable[..., object], Look]] = {
             {"q_nearest": "costs.tree.nodes[nearest]", TREE: "costs.tree.size[0]"},
             lines=(("q_nearest", "q_rand"),),
             circles={"q_new": "radii[tree.size[0]]"},
+            hidden=("radii",),
         ),
     ),
     "rrt_connect": (
         extend,
         Look({"q_near": "tree.nodes[near]", TREE: "tree.size[0]"}, lines=(("q_near", "q"),)),
     ),
-    "prm": (join_in_order, Look({"q_i": "nodes[i]", "q_j": "nodes[j]"}, lines=(("q_i", "q_j"),))),
-    "prm_components": (
-        join_components,
-        Look({"q_i": "nodes[i]", "q_j": "nodes[j]"}, lines=(("q_i", "q_j"),)),
-    ),
+    "prm": (join_in_order, PAIRS),
+    "prm_components": (join_components, PAIRS),
     "astar": (
         expand,
         Look(
@@ -56,6 +60,7 @@ CODE: dict[str, tuple[Callable[..., object], Look]] = {
             lines=(("q_u", "q_v"),),
             colours={"queue": "frontier", "q_u": "path", "q_v": "hit"},
             progress="n",
+            hidden=("heuristic", "expanded", "cost", "parent", "settled"),
         ),
     ),
 }

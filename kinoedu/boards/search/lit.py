@@ -29,6 +29,7 @@ BLIND = {  # function, the search that calls it, what waits, the number of expan
         "np.isfinite(cost).sum()",
     ),
 }
+ARRAYS = ("heuristic", "expanded", "cost", "parent", "settled", "examined")  # over all nodes
 BEST = {
     "queue": "order_queue(queue, cost, heuristic, settled)",
     "g": "cost[u]",
@@ -44,7 +45,7 @@ def trace_search(
     flat, nodes = graph.flat(), graph.nodes
     if name in BLIND:
         function, whole, points, progress = BLIND[name]
-        look = Look(points, draw=mark_edge(nodes, flat, "v", "u"), progress=progress)
+        look = Look(points, draw=mark_edge(nodes, flat, "v", "u"), progress=progress, hidden=ARRAYS)
         call: Callable[[CodeRun], Any] = lambda _: whole(flat, flat.size, *ends)  # noqa: E731
         return trace_lines(function, look, call, whole)
     bounds = np.zeros(flat.size) if heuristic is None else heuristic
@@ -53,6 +54,7 @@ def trace_search(
         draw=mark_edge(nodes, flat, "u", "v"),
         names={"order_queue": order_queue},
         progress="n",
+        hidden=ARRAYS,
     )
     return trace_lines(expand, look, lambda _: search(flat, *ends, bounds), search)
 

@@ -47,6 +47,7 @@ class Look:
 
     The body of `robot` is drawn at each variable that is a pose. `names` are further names that the
     expressions may use, and `colours` those of some variables; the others get one by their order.
+    The variables in `hidden` are neither listed nor drawn.
     `progress` is an expression too: the step of the board's own drawing that a line belongs to.
     """
 
@@ -61,6 +62,7 @@ class Look:
     names: Mapping[str, Any] = field(default_factory=dict)
     colours: Mapping[str, str] = field(default_factory=dict)
     progress: str = ""
+    hidden: Collection[str] = ()
 
 
 class Note(NamedTuple):
@@ -111,7 +113,8 @@ class CodeRun:
     def note(self, local: dict[str, Any], names: dict[str, Any]) -> Note:
         """What is kept after a line."""
         names = {**names, **self.look.names}
-        values = {**local, **evaluate(self.points, local, names)}
+        seen = {name: value for name, value in local.items() if name not in self.look.hidden}
+        values = {**seen, **evaluate(self.points, local, names)}
         return Note(
             note_variables(values),
             compute_radii(self.circles, values, names),
@@ -137,10 +140,10 @@ class CodeRun:
         chosen = choose_colours(notes, dragged, with_poses=robot is not None)
         colours = {name: self.look.colours.get(name, colour) for name, colour in chosen.items()}
         layers = [
+            *draw_lines(notes, self.look.lines),  # beneath the motion that is asked about
             *draw_asked(self.log[:], [one.asked for one in kept]),
             *draw_moments([one.drawn for one in kept]),
             *draw_circles(notes, [one.radii for one in kept]),
-            *draw_lines(notes, self.look.lines),
             *draw_vectors(notes, self.look.vectors, colours),
             *draw_variables(notes, without(colours, self.look.vectors)),
             *([] if robot is None else draw_bodies(notes, robot, colours)),
