@@ -66,8 +66,10 @@ def entries(page: str) -> Iterator[Entry]:
 
 def cell_of(book: dict[str, Any], name: str) -> int:
     """The first cell with a statement that opens the board."""
-    opens = re.compile(rf"(?m)^(ke\.)?(boards\.)?{name}\(")
-    sources = ["".join(cell["source"]) for cell in book["cells"]]
+    opens = re.compile(rf"(?m)^.*\b{name}\(")
+    sources = [
+        "".join(cell["source"]) if cell["cell_type"] == "code" else "" for cell in book["cells"]
+    ]
     return next(number for number, source in enumerate(sources) if opens.search(source))
 
 

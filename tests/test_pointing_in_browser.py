@@ -265,6 +265,24 @@ def test_a_page_that_turns_dark_takes_its_boards_along(light):
         frames(page)
         assert root.get_attribute("data-theme") == "dark"
         assert root.locator("canvas").screenshot() != before
+        for theme, text, expected in (
+            ("vscode-dark", "#d4d4d4", "dark"),
+            ("vscode-light", "#3b3b3b", "light"),
+            ("vscode-high-contrast", "#ffffff", "dark"),
+            ("vscode-high-contrast vscode-high-contrast-light", "#292929", "light"),
+        ):  # VS Code names its theme so, and gives its colours by variables
+            page.evaluate(
+                """([theme, text]) => { document.body.className = theme;
+                delete document.body.dataset.theme;
+                document.body.style.setProperty("--vscode-editor-foreground", text); }""",
+                [theme, text],
+            )
+            page.wait_for_function(
+                "theme => document.querySelector('.kinoedu-board').dataset.theme === theme",
+                arg=expected,
+            )
+            channels = ", ".join(str(int(text[k : k + 2], 16)) for k in (1, 3, 5))
+            assert root.evaluate("root => getComputedStyle(root).color") == f"rgb({channels})"
 
 
 def test_the_colours_of_words_are_those_of_the_palette():

@@ -60,7 +60,8 @@ export default {
 
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-const SPOTS = [[10, -12], [10, 14], [-10, -12], [-10, 14]];  // of a label beside its point
+const BESIDE = [[10, -12], [10, 14], [-10, -12], [-10, 14]];   // the spots of a label at its point
+const SPOTS = [...BESIDE, [10, -28], [10, 30], [-10, -28], [-10, 30]];
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
@@ -865,7 +866,12 @@ class View {
     this.paintGround();
     paint(layers.filter((layer) => layer.kind === "cells"));
     this.paintSolids();
-    paint(layers.filter((layer) => layer.kind !== "cells"));
+    paint(layers.filter(({ kind }) => kind !== "cells" && kind !== "labels"));
+    const texts = layers.filter((layer) => layer.kind === "labels");
+    texts.forEach((layer) => this.eachRow(layer, 2, (px, py) => {     // no text covers their points
+      this.taken.push([px - 6, py - 6, px + 6, py + 6]);
+    }));
+    paint(texts);
     board.scene.handles.forEach((handle) => this.paintHandle(handle));
   }
 
