@@ -13,7 +13,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.path import Path as Outline
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..geometry.checks import Array
 from ..messages import get_message
@@ -118,16 +118,25 @@ def compound(rings: list[Array]) -> Outline:
 def _(world: TerrainRecord, ax: Axes | None = None) -> list[Artist]:
     ax = axes_for(world, ax)
     (x0, y0), (x1, y1) = world.lo, world.hi
-    look: Style = {"origin": "lower", "extent": (x0, x1, y0, y1), "interpolation": "nearest"}
+    extent = x0, x1, y0, y1
     ax.set_facecolor(palette.OUTSIDE)
     if world.cost.size:
         ground = LinearSegmentedColormap.from_list("ground", [palette.FREE, palette.DEAR])
         ground.set_bad(palette.OBSTACLE)
         costs = np.ma.masked_invalid(world.cost)
         dearest = float(np.quantile(costs.compressed(), 0.98)) + 1e-9
+        look: Style = {"origin": "lower", "extent": extent, "interpolation": "nearest"}
         return [ax.imshow(costs, cmap=ground, vmin=1.0, vmax=dearest, zorder=1, **look)]
+    return [draw_cells(world.free, extent, ax)]
+
+
+def draw_cells(
+    free: NDArray[np.bool_], extent: tuple[float, float, float, float], ax: Axes
+) -> Artist:
+    """Draw cells (rows, columns), the lowest row first, in a rectangle x0, x1, y0, y1."""
     colours = ListedColormap([palette.OBSTACLE, palette.FREE])
-    return [ax.imshow(world.free, cmap=colours, vmin=0, vmax=1, zorder=1, **look)]
+    look: Style = {"origin": "lower", "extent": extent, "interpolation": "nearest"}
+    return ax.imshow(free, cmap=colours, vmin=0, vmax=1, zorder=1, **look)
 
 
 @draw_world.register

@@ -94,7 +94,7 @@ def draw_routes(graphs: Mapping[str, Plan], routes: Sequence[Sequence[Any]]) -> 
     """
     artists: list[Artist] = []
     for ax, (name, plan), rows in zip(
-        panels(len(graphs), width=3.2, height=3.3), graphs.items(), routes
+        panels(len(graphs), width=3.2, height=3.8), graphs.items(), routes
     ):
         artists += draw_problem(plan.problem, ax)
         if plan.roadmap is not None:
@@ -106,8 +106,9 @@ def draw_routes(graphs: Mapping[str, Plan], routes: Sequence[Sequence[Any]]) -> 
             places = drive.at(np.linspace(0.0, drive.duration, 300))[:, :2]
             look: palette.Style = {"linewidth": width, "color": colour, "zorder": 5}
             artists += ax.plot(*places.T, label=f"{cost:.0f}", **look)
-        place: palette.Style = {"fontsize": palette.TEXT_SIZE, "loc": "lower right"}
-        legend = ax.legend(title=get_message("routes.length"), **place)
+        below: palette.Style = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "ncols": 3}
+        look = {"fontsize": palette.TEXT_SIZE, "handlelength": 1.0, "columnspacing": 0.8}
+        legend = ax.legend(title=get_message("routes.length"), **below, **look)
         artists += [legend, ax.set_title(name, fontsize=palette.TEXT_SIZE + 2)]
         ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
     return artists

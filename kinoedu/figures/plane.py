@@ -57,13 +57,19 @@ def title(text: str, ax: Axes) -> Artist:
 
 
 def dot(
-    at: ArrayLike, name: str, ax: Axes, *, colour: str = palette.INK, marker: str = "o"
+    at: ArrayLike,
+    name: str,
+    ax: Axes,
+    *,
+    colour: str = palette.INK,
+    marker: str = "o",
+    offset: tuple[float, float] = (9, 9),
 ) -> list[Artist]:
     """Draw a point with its name beside it."""
     x, y = np.asarray(at, float)
     look: Style = {"color": colour, "markersize": 15 if marker == "*" else 9, **palette.RIM}
     artists: list[Artist] = [*ax.plot(x, y, marker, zorder=6, **look)]
-    return [*artists, label((x, y), name, ax, colour=colour)] if name else artists
+    return [*artists, label((x, y), name, ax, colour=colour, offset=offset)] if name else artists
 
 
 def label(

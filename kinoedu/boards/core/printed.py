@@ -24,6 +24,7 @@ Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
 DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
 LINE_HEIGHT = 0.2  # inches, of a line of code
+TITLE_HEIGHT = 0.4  # inches
 ENOUGH = 64_000  # bytes, so that a notebook with a dozen boards stays small
 
 
@@ -57,7 +58,8 @@ def make_page(
     """A figure and the axes of the picture; the code stands to the right of it."""
     texts, lit = write_listing(listing, step)
     beside = 0.115 * max(map(len, texts)) + 0.3 if texts else 0.0
-    height = max(height, LINE_HEIGHT * (len(texts) + 1))
+    if texts:  # the title stands above both
+        height = max(height, LINE_HEIGHT * (len(texts) + 1)) + TITLE_HEIGHT
     figure = Figure(figsize=(width + beside, height), dpi=DPI[0], layout="constrained")
     FigureCanvasAgg(figure)
     if not texts:

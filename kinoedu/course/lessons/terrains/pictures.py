@@ -114,6 +114,7 @@ def draw_runs(exercise: Exercise, case: Case, found: Array | None, truth: Array,
 def draw_samples_on(value: Value, text: str, ax: Axes) -> None:
     """Draw a small terrain, a motion and its samples."""
     from ....figures import palette, plane
+    from ....figures.drawing import draw_cells
 
     if value is None or find_motion_fault(*value):
         plane.frame([(0, 0), (3, 2)], ax)
@@ -122,15 +123,7 @@ def draw_samples_on(value: Value, text: str, ax: Axes) -> None:
     else:
         free, a, b = value
         rows, columns = free.shape
-        ax.imshow(
-            1.0 - free,
-            origin="lower",
-            extent=(0, columns, 0, rows),
-            cmap="Greys",
-            vmin=0,
-            vmax=1.4,
-            zorder=0,
-        )
+        draw_cells(free, (0, columns, 0, rows), ax)
         ax.plot(*np.array([a, b]).T, color=palette.PATH, linewidth=3.0, zorder=4)
         look: palette.Style = {"color": palette.TREE, "markeredgecolor": "white", "zorder": 5}
         ax.plot(*sample_motion(a, b).T, "o", markersize=8, **look)
