@@ -441,15 +441,14 @@ def test_every_growing_board_shows_the_code_that_ran(name):
     make, head = OTHER_BOARDS[name]
     made = make()
     before = made.canvas.drawing
-    box = made.controls.code if hasattr(made, "controls") else made.code
-    box.value = True
+    made.code.value = True
     drawing = made.canvas.drawing
     assert not before.listing and drawing.listing.lines[0].startswith(head), drawing.warning
     assert drawing.total == len(drawing.listing.ran) > 1
     for layer in drawing.layers:
         assert layer.when is None or np.isfinite(layer.when).all()
     assert drawing.text and not drawing.warning
-    box.value = False
+    made.code.value = False
     assert made.canvas.drawing.text == before.text
 
 

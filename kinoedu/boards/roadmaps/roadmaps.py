@@ -47,8 +47,7 @@ class RoadmapControls:
         self.sampler = make_menu("roadmap_board.sampler", samplers, chosen)
         self.n = make_counter("roadmap_board.n", integer(n, "n", least=1), 1, 1000)
         self.seed = make_counter("roadmap_board.seed", integer(rng, "rng", least=0), 0, 99)
-        self.code = make_code_box()
-        self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed, self.code)
+        self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
         self.dress()
 
     def dress(self) -> None:
@@ -118,15 +117,17 @@ class RoadmapBoard(Framed):
     def __init__(self, problem: ProblemRecord, n: int, rule: str, sampler: str, rng: int) -> None:
         self._given = check_in_plane(problem)
         self.controls = RoadmapControls(problem, n, rule, sampler, rng)
+        self.code = make_code_box()
         self.plan: Plan | None = None
-        super().__init__(self.controls.all, [make_problem_canvas(problem, self.answer)])
+        controls = [*self.controls.all, self.code]
+        super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
         """Plan in a scene with the settings of the controls, and draw the roadmap."""
         problem = problem_in(scene, self._given)
         call: Any = partial(prm, **self.controls.given)
         self.plan = call(problem)
-        if self.controls.code.value:
+        if self.code.value:
             name = "prm_components" if self.controls.rule.value == "component" else "prm"
             return draw_lines_of(self.plan, trace_planner(name, problem, call))
         return draw_growing_roadmap(self.plan)
