@@ -316,7 +316,7 @@ def page(folder):
         browser.close()
 
 
-RUN = """([source, module, fields, cases]) => new Promise((resolve) => {
+RUN = """([source, module, name, fields, cases]) => new Promise((resolve) => {
     const worker = new Worker(URL.createObjectURL(new Blob([source])));
     const letter = (byte) => String.fromCharCode(byte), answers = [];
     const text = ({ numbers }) => btoa(Array.from(new Uint8Array(numbers.buffer), letter).join(""));
@@ -327,8 +327,8 @@ RUN = """([source, module, fields, cases]) => new Promise((resolve) => {
     };
     const letters = atob(module);
     const bytes = Uint8Array.from(letters, (c) => c.charCodeAt(0));
-    worker.postMessage({ name: "body", fields, module: bytes });
-    cases.forEach((one, k) => worker.postMessage({ ...one, name: "body", ask: k }));
+    worker.postMessage({ name, fields, module: bytes });
+    cases.forEach((one, k) => worker.postMessage({ ...one, name, ask: k }));
 })"""
 
 
@@ -358,7 +358,7 @@ def run_in_page(page, folder, name, cases):
     module = (folder / "live" / f"{name}.js").read_text(encoding="ascii").split('"')[3]
     assert base64.b64decode(module)[:4] == b"\0asm"
     source = (folder / "worker.js").read_text(encoding="utf-8")
-    return page.evaluate(RUN, [source, module, list(BODIES[name].shows._fields), cases])
+    return page.evaluate(RUN, [source, module, name, list(BODIES[name].shows._fields), cases])
 
 
 def in_base64(layer):

@@ -65,7 +65,7 @@ function argument(hold, body, value) {
   return [0, 0, BigInt(numbers.length), BigInt(size), at, ...[...shape, ...strides].map(BigInt)];
 }
 
-function answer(body, names, { scene, free, settings, seed }) {
+function answer(body, names, { name, scene, free, settings, seed }) {
   const held = [];                   // memory to give back
   const hold = (size) => { held.push(body.allocate(size)); return held.at(-1); };
   const given = [...arraysOf(scene, free ?? [new Uint8Array(0), [0, 0]]), ...settings.map(rowsOf)];
@@ -75,7 +75,7 @@ function answer(body, names, { scene, free, settings, seed }) {
   args.push(0, ...[generator, generator, ...draws, 0].map(BigInt), 0, 0);
   const result = hold(2048), failure = hold(8);
   try {
-    const status = body.answer(result, failure, ...args);
+    const status = body[name](result, failure, ...args);
     if (status !== 0) throw new Error(`the body ended with status ${status}`);
     return read(body, result, names);
   } finally {

@@ -15,6 +15,7 @@ code on the disk.
 | requests.py | requests machine code, and starts the processes that compile |
 | machine.py | loads machine code with numba |
 | compiler.py, worker.py | make machine code with numba, in a separate process |
+| intermediate.py | compiles functions for other processors, as far as LLVM |
 | choices.py | generic functions, and methods of records |
 | modes.py | the modes in which calls run |
 

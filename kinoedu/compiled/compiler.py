@@ -48,18 +48,28 @@ def compile_entry(function: TieredFunction, kinds: tuple[Kind, ...]) -> CompileR
 
     Raises numba's error where it cannot be compiled.
     """
+    result = compile_as(EntryCompiler, LeanLibrary, function, kinds)
+    for environment in result._find_referenced_environments():
+        result.library.codegen.set_env(environment.env_name, environment)
+    return result
+
+
+def compile_as(
+    pipeline: type[CompilerBase],
+    library: type[JITCodeLibrary],
+    function: TieredFunction,
+    kinds: tuple[Kind, ...],
+) -> CompileResult:
+    """Compile a function and those that it calls, by numba's passes, into libraries of a kind."""
     register_choices()
     shorten_message_about_shapes()
     boxing.use_c_functions_alone()
     entry = borrowing(function.py_func) if function.is_algorithm else function.py_func
-    dispatcher = numba.njit(**OPTIONS, pipeline_class=EntryCompiler)(entry)
+    dispatcher = numba.njit(**OPTIONS, pipeline_class=pipeline)(entry)
     signature = tuple(map(numba_type, kinds))
-    with lean_libraries():
+    with lean_libraries(library):
         dispatcher.compile(signature)
-    result = dispatcher.overloads[signature]
-    for environment in result._find_referenced_environments():
-        result.library.codegen.set_env(environment.env_name, environment)
-    return result
+    return dispatcher.overloads[signature]
 
 
 def register_choices() -> None:
@@ -143,11 +153,11 @@ entry_from_python_of_numba = Lower.create_cpython_wrapper
 
 
 @contextmanager
-def lean_libraries() -> Iterator[None]:
-    """Make new libraries lean while the block runs."""
+def lean_libraries(kind: type[JITCodeLibrary]) -> Iterator[None]:
+    """Make new libraries of a lean kind while the block runs."""
     codegen = numba.core.registry.cpu_target.target_context.codegen()
     with (
-        replaced(codegen, "_library_class", LeanLibrary),
+        replaced(codegen, "_library_class", kind),
         replaced(cpu.CPUContext, "get_executable", executable),
         replaced(Lower, "create_cpython_wrapper", entry_from_python),
         replaced(Lower, "create_cfunc_wrapper", entry_from_c),
