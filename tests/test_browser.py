@@ -21,9 +21,10 @@ from kinoedu.boards.core.shown import answer_by, draw_shown
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.live import describe_live, list_settings
 from kinoedu.boards.planning.plans import draw_plan, make_problem_scene
-from kinoedu.browser.bodies import BODIES, PLANNED, SEARCHED, describe_bodies
+from kinoedu.browser.bodies import BODIES, ON_TERRAIN, PLANNED, SEARCHED, describe_bodies
 from kinoedu.browser.scenes import pack_scene
 from kinoedu.browser.wasm import write_scripts
+from kinoedu.compiled import INTERPRETED, running
 from kinoedu.curves import dubins_path, reeds_shepp_path
 from kinoedu.errors import InvalidPolygon, KinoeduError
 from kinoedu.geometry.rings import as_ring, find_ring_fault
@@ -33,10 +34,12 @@ from kinoedu.planners.grids.grid import grid_for
 from kinoedu.planners.registry import PLANNERS
 
 ROOM = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (5.0, 9.0), (0.0, 10.0)]
-CONTROLS = {"step_size": 0.7, "nodes": 150}
+CONTROLS = {"step_size": 0.7, "nodes": 60}
 SPACING = 0.4  # of a grid's cells
 CURVES_AGREE = 1e-12  # of coordinates up to 40
-PROBLEMS = 50  # of each body; the first seed of each problem is its number
+PROBLEMS = 50  # of each body; benchmarks/page.py compares 200
+FEW = {"max_nodes": 120, "max_iterations": 400}  # where there is no path
+PLANNERS_OF_PAGES = [*PLANNED, *ON_TERRAIN]
 
 
 def make_problem(seed):
@@ -54,6 +57,27 @@ def make_problem(seed):
             continue
 
 
+def make_terrain_problem(seed):
+    """A problem with a point or a disk on random cells, of side 1 or not."""
+    rng = np.random.default_rng(seed)
+    robot = ke.Disk(0.3) if seed % 3 == 0 else ke.Point()
+    size = [1.0, 0.5, 0.7][seed % 3]
+    while True:
+        free = rng.random((9 + seed % 4, 12)) < 0.85
+        try:
+            world = ke.Terrain(free, resolution=size)
+            ends = world.lo + rng.uniform(0.05, 0.95, (2, 2)) * (world.hi - world.lo)
+            return ke.Problem(robot, world, *ends, clearance=0.1 * (seed % 2))
+        except KinoeduError:
+            continue
+
+
+def posed(name, seed):
+    """A problem for a planner's body, its scene and its bitmap."""
+    problem = (make_terrain_problem if name in ON_TERRAIN else make_problem)(seed)
+    return problem, make_problem_scene(problem), getattr(problem.world, "free", None)
+
+
 def star(rng):
     """A simple polygon of three to eight corners."""
     angles = np.sort(rng.uniform(0.0, 2.0 * np.pi, rng.integers(3, 9)))
@@ -65,33 +89,39 @@ def star(rng):
 
 def short_settings(problem, name):
     """The numbers that a body takes, with few nodes where there is no path."""
-    few = {"max_nodes": 300.0, "max_iterations": 1000.0}
+    few = FEW
     if name == "astar":
         grid = grid_for(problem, SPACING)
-        few |= {"spacing": grid.side, "columns": float(grid.columns), "rows": float(grid.rows)}
+        few = {"spacing": grid.side, "columns": float(grid.columns), "rows": float(grid.rows)}
     numbers = list_settings(problem, name, CONTROLS)
-    return [few.get(key, n) for key, n in zip(PLANNED[name].settings._fields, numbers, strict=True)]
+    fields = PLANNED[name].settings._fields
+    return [float(few.get(key, n)) for key, n in zip(fields, numbers, strict=True)]
 
 
-def ask(name, problem, seed):
-    """What a body shows, run by Python."""
-    scene = pack_scene(make_problem_scene(problem))
-    settings = PLANNED[name].settings(*short_settings(problem, name))
-    return BODIES[name].function(scene, settings, np.random.default_rng(seed))
+def ask(name, seed, rng):
+    """What a body shows of a problem, and what a page asks its worker."""
+    problem, scene, free = posed(name, seed)
+    settings = short_settings(problem, name.removeprefix("terrain_"))
+    made = BODIES[name].settings(*settings)
+    with running(INTERPRETED):
+        shown = BODIES[name].function(pack_scene(scene, free), made, np.random.default_rng(rng))
+    cells = None if free is None else [free.astype(int).ravel().tolist(), list(free.shape)]
+    return shown, {"scene": scene, "cells": cells, "settings": settings, "seed": rng}
 
 
-@pytest.mark.parametrize("name", PLANNED)
+@pytest.mark.parametrize("name", PLANNERS_OF_PAGES)
 def test_a_body_shows_what_the_board_shows(name):
     """The same layers, to the last bit, and the same words, for 12 problems."""
+    planner = name.removeprefix("terrain_")
     for seed in range(12):
-        problem = make_problem(seed)
-        keywords = {"step_size": 0.7, "max_nodes": 300, "max_iterations": 1000}
-        keywords = {"n": 150} if name == "prm" else keywords
-        keywords = {"spacing": SPACING} if name == "astar" else {**keywords, "rng": seed}
-        theirs = draw_plan(PLANNERS[name].function(problem, **keywords))
-        shown = ask(name, problem, seed)
+        keywords = {"step_size": 0.7, "rng": seed, **FEW}
+        keywords = {"n": 60, "rng": seed} if planner == "prm" else keywords
+        keywords = {"spacing": SPACING} if planner == "astar" else keywords
+        with running(INTERPRETED):
+            theirs = draw_plan(PLANNERS[planner].function(posed(name, seed)[0], **keywords))
+        shown, _ = ask(name, seed, seed)
         status, *facts = shown.facts
-        mine = draw_shown(PLANNED[name], int(status), facts, shown)
+        mine = draw_shown(BODIES[name], int(status), facts, shown)
         for drawn, wanted in zip(mine.layers, theirs.layers, strict=True):
             assert same_layer(drawn, wanted)
         assert (mine.text, mine.total, mine.unit) == (theirs.text, theirs.total, theirs.unit)
@@ -106,16 +136,21 @@ def same_layer(a, b):
 
 
 def test_only_what_a_page_can_answer_is_called_live():
-    """No body drives a car, plans on a bitmap, or among rooms."""
+    """No body drives a car, plans among rooms, with costs, or by the jump points of a bitmap."""
     problem = make_problem(1)
     assert describe_live(problem, "rrt", 0, CONTROLS)["body"] == "rrt"
     assert describe_live(problem, "own", 0, CONTROLS) is None
     rooms = ke.PolygonWorld(ROOM, [([(1, 1), (9, 1), (9, 8), (1, 8)], [[(2, 2), (8, 2), (8, 7)]])])
-    bitmap = ke.Terrain(np.ones((5, 5), bool))
-    for world, start in ((rooms, (7, 3)), (bitmap, (1.5, 1.5))):
+    bitmap, costly = (ke.Terrain(np.ones((5, 5)), cost=c) for c in (None, np.full((5, 5), 2.0)))
+    for world, start in ((rooms, (7, 3)), (costly, (1.5, 1.5))):
         assert (
             describe_live(ke.Problem(ke.Point(), world, start, start), "rrt", 0, CONTROLS) is None
         )
+    bodies = describe_live(ke.Problem(ke.Point(), bitmap, (1, 1), (4, 4)), "prm", 0, CONTROLS)
+    assert bodies["body"] == "terrain_prm"
+    assert set(bodies["settings"]) == set(ON_TERRAIN) - {"terrain_astar"}
+    round_robot = ke.Problem(ke.Disk(0.1), bitmap, (1, 1), (4, 4))
+    assert describe_live(round_robot, "astar", 0, CONTROLS)["body"] == "terrain_astar"
 
 
 def test_a_board_says_what_a_page_needs():
@@ -282,6 +317,7 @@ def folder(tmp_path_factory):
     boards = [ke.board(problem, "rrt", step_size=0.5), ke.board(problem, "prm", samples=200)]
     boards += [distance_board(SQUARE, (8, 8)), curves_board((0, 0, 0), (0, 4, 0), 2.0)]
     boards.append(search_board(GRID, search="bfs"))
+    boards.append(ke.board(ke.Problem(ke.Point(), ke.Terrain(GRID), (1, 1), (8, 2)), "rrt"))
     records = [json.dumps(pack_records(board.record())) for board in boards]
     text = "".join(
         '<div class="kinoedu-record"><p class="still"></p>'
@@ -294,26 +330,42 @@ def folder(tmp_path_factory):
     return place
 
 
-@pytest.fixture
-def page(folder):
-    """The page, opened from the disk; nothing may be fetched and nothing fail."""
+@pytest.fixture(scope="module")
+def chromium():
+    """One browser for all tests."""
     from playwright.sync_api import sync_playwright
 
+    needs_chromium()
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        opened = browser.new_page(viewport={"width": 760, "height": 4200})
-        faults, asked = [], []
-        opened.on("console", lambda message: faults.append(message.text))
-        opened.on("pageerror", lambda error: faults.append(str(error)))
-        opened.on("request", lambda request: asked.append(request.url))
-        opened.goto((folder / "index.html").as_uri())
-        opened.wait_for_function(
-            "document.querySelectorAll('.kinoedu-board[data-paints]').length === 5"
-        )
-        yield opened
-        assert faults == []
-        assert all(url.startswith((folder.as_uri(), "blob:null/")) for url in asked)
+        yield browser
         browser.close()
+
+
+@pytest.fixture
+def page(chromium, folder):
+    """The page, opened from the disk; nothing may be fetched and nothing fail."""
+    opened = chromium.new_page(viewport={"width": 760, "height": 4900})
+    faults, asked = [], []
+    opened.on("console", lambda message: faults.append(message.text))
+    opened.on("pageerror", lambda error: faults.append(str(error)))
+    opened.on("request", lambda request: asked.append(request.url))
+    opened.goto((folder / "index.html").as_uri())
+    opened.wait_for_function(
+        "document.querySelectorAll('.kinoedu-board[data-paints]').length === 6"
+    )
+    yield opened
+    assert faults == []
+    assert all(url.startswith((folder.as_uri(), "blob:null/")) for url in asked)
+    opened.close()
+
+
+@pytest.fixture(scope="module")
+def blank(chromium):
+    """A page without boards, in which bodies are run."""
+    opened = chromium.new_page()
+    yield opened
+    opened.close()
 
 
 RUN = """([source, module, name, fields, cases]) => new Promise((resolve) => {
@@ -328,29 +380,20 @@ RUN = """([source, module, name, fields, cases]) => new Promise((resolve) => {
     const letters = atob(module);
     const bytes = Uint8Array.from(letters, (c) => c.charCodeAt(0));
     worker.postMessage({ name, fields, module: bytes });
-    cases.forEach((one, k) => worker.postMessage({ ...one, name, ask: k }));
+    const taken = (cells) => (cells ? [Uint8Array.from(cells[0]), cells[1]] : undefined);
+    cases.forEach((one, k) => worker.postMessage(
+        { ...one, free: taken(one.cells), name, ask: k }));
 })"""
 
 
-@pytest.mark.parametrize("name", PLANNED)
-def test_webassembly_gives_the_same_bits(page, folder, name):
+@pytest.mark.parametrize("name", PLANNERS_OF_PAGES)
+def test_webassembly_gives_the_same_bits(blank, folder, name):
     """Every number of what 50 problems show, their worlds and random numbers included."""
-    cases, wanted = [], []
-    for seed in range(PROBLEMS):
-        problem = make_problem(seed)
-        settings = short_settings(problem, name)
-        scene = make_problem_scene(problem)
-        cases.append(
-            {"scene": scene, "settings": settings, "seed": 1000 * seed + 2**31 * (seed % 2)}
-        )
-        shown = BODIES[name].function(
-            pack_scene(scene),
-            BODIES[name].settings(*settings),
-            np.random.default_rng(cases[-1]["seed"]),
-        )
-        wanted.append([in_base64(layer) for layer in shown[1:]])
-    given = run_in_page(page, folder, name, cases)
-    assert [layers for _, layers in given] == wanted
+    asked = [ask(name, seed, 1000 * seed + 2**31 * (seed % 2)) for seed in range(PROBLEMS)]
+    given = run_in_page(blank, folder, name, [case for _, case in asked])
+    for (shown, _), (facts, layers) in zip(asked, given, strict=True):
+        assert [float(fact) for fact in facts] == shown.facts.tolist()
+        assert layers == [in_base64(layer) for layer in shown[1:]]
 
 
 def run_in_page(page, folder, name, cases):
@@ -375,20 +418,20 @@ EXACT = [(name, make) for name in CASES if name != "curves" for make in CASES[na
 
 
 @pytest.mark.parametrize(("name", "make"), EXACT)
-def test_other_boards_give_the_same_bits(page, folder, name, make):
+def test_other_boards_give_the_same_bits(blank, folder, name, make):
     """Facts and layers of 50 scenes each, those with a fault included."""
     records = [make(seed) for seed in range(PROBLEMS)]
-    given = run_in_page(page, folder, name, [case_for_page(record) for record in records])
+    given = run_in_page(blank, folder, name, [case_for_page(record) for record in records])
     for record, (facts, layers) in zip(records, given, strict=True):
         shown = shown_natively(record)
         assert [float(fact) for fact in facts] == shown.facts.tolist()
         assert layers == [in_base64(layer) for layer in shown[1:]]
 
 
-def test_curves_differ_in_the_last_digits_only(page, folder):
+def test_curves_differ_in_the_last_digits_only(blank, folder):
     """The same words; numbers to 1e-12: sin, cos, atan2, acos and asin are each C library's own."""
     records, most = [curves_case(seed) for seed in range(PROBLEMS)], 0.0
-    given = run_in_page(page, folder, "curves", [case_for_page(record) for record in records])
+    given = run_in_page(blank, folder, "curves", [case_for_page(record) for record in records])
     for record, (facts, layers) in zip(records, given, strict=True):
         shown = shown_natively(record)
         assert [float(facts[k]) for k in (0, 1, 3)] == shown.facts[[0, 1, 3]].tolist()
@@ -504,7 +547,7 @@ def test_a_search_on_a_grid_is_dragged_in_the_page(page):
     made = search_board(GRID, search="bfs")
     made.canvas.arrange(moved(made.canvas.scene, "handle", 0, [2.5, 6.5]))
     page.wait_for_function(SAYS, arg=[4, made.canvas.drawing.text])
-    page.locator(".kinoedu-live select").last.select_option("search_astar")
+    page.locator(".kinoedu-live select").nth(2).select_option("search_astar")
     made.search.value = "astar"
     page.wait_for_function(SAYS, arg=[4, made.canvas.drawing.text])
     board = page.locator(".kinoedu-board").nth(4)
@@ -514,6 +557,20 @@ def test_a_search_on_a_grid_is_dragged_in_the_page(page):
         slider.press("ArrowRight")
     page.wait_for_function(SAYS, arg=[4, made.canvas.drawing.step_texts[9]])
     keep(page, "live_search")
+
+
+def test_planners_on_a_bitmap_are_dragged_in_the_page(page):
+    """Goal, another planner, and a start on a blocked cell: the words are those of a lesson."""
+    drag(page, 5, (8, 2), (6.5, 4.5))
+    problem = ke.Problem(ke.Point(), ke.Terrain(GRID), (1, 1), (6.5, 4.5))
+    page.wait_for_function(SAYS, arg=[5, draw_plan(ke.rrt(problem, rng=0)).text])
+    page.locator(".kinoedu-live select").last.select_option("terrain_rrt_connect")
+    page.wait_for_function(SAYS, arg=[5, draw_plan(ke.rrt_connect(problem, rng=0)).text])
+    drag(page, 5, (1, 1), (4.5, 3.5))
+    with pytest.raises(KinoeduError) as told:
+        ke.Problem(ke.Point(), ke.Terrain(GRID), (4.5, 3.5), (6.5, 4.5))
+    page.wait_for_function(SAYS, arg=[5, str(told.value)])
+    keep(page, "live_terrain")
 
 
 def test_a_link_brings_the_same_world(page, folder):

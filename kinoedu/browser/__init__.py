@@ -10,6 +10,7 @@ The boards of a distance, of curves and of searches call the body's own function
 | `scenes.py` | a scene as arrays, and the faults in it |
 | `plans.py` | the bodies of the planners |
 | `grids.py` | the body of A* on a grid |
+| `terrains.py` | the same planners on a bitmap |
 | `nearest.py` | the body of the distance board |
 | `curves.py` | the body of the curves' board |
 | `searches.py`, `search_runs.py`, `search_layers.py` | the bodies of the search board |

@@ -24,6 +24,13 @@ from .plans import (
 from .search_layers import ShownSearch
 from .search_runs import STATES
 from .searches import SearchSettings, show_astar, show_bfs, show_dfs, show_dijkstra
+from .terrains import (
+    show_terrain_grid,
+    show_terrain_prm,
+    show_terrain_rrt,
+    show_terrain_rrt_connect,
+    show_terrain_rrt_star,
+)
 
 WORDS = (
     "live.failed",
@@ -102,6 +109,16 @@ PLANNED = {
         "plan.start_off_grid",
         "plan.goal_off_grid",
     )._replace(facts=GRID_FACTS, is_random=False),
+}
+ON_TERRAIN = {
+    f"terrain_{name}": PLANNED[name]._replace(function=function)
+    for name, function in (
+        ("rrt", show_terrain_rrt),
+        ("rrt_star", show_terrain_rrt_star),
+        ("rrt_connect", show_terrain_rrt_connect),
+        ("prm", show_terrain_prm),
+        ("astar", show_terrain_grid),
+    )
 }
 NEAREST = Body(
     show_nearest,
@@ -187,7 +204,7 @@ SEARCHED = {
         ("astar", show_astar),
     )
 }
-BODIES = {**PLANNED, **SEARCHED, "nearest": NEAREST, "curves": CURVES}
+BODIES = {**PLANNED, **ON_TERRAIN, **SEARCHED, "nearest": NEAREST, "curves": CURVES}
 
 
 def describe_bodies(language: str = "en") -> JsonObject:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compiled import algorithm
+from ..compiled import algorithm, compiled
 from ..graphs.search import search
 from ..planners.grids.grid import (
     Grid,
@@ -15,6 +15,7 @@ from ..planners.grids.grid import (
     parent_positions,
     path_through,
 )
+from ..problems import ProblemRecord
 from .plans import NOT_FOUND, ShownPlan, numbers_to, pose_problem, show_plan, tree_edges
 from .scenes import FOUND, SceneArrays, no_rows
 
@@ -30,10 +31,16 @@ class GridSettings(NamedTuple):
 
 @algorithm
 def show_grid(scene: SceneArrays, settings: GridSettings, rng: np.random.Generator) -> ShownPlan:
-    """The nodes in the order in which A* settles them, and the path."""
+    """A* on a grid among polygons and discs."""
     refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
+    return plan_by_grid(problem, settings)
+
+
+@compiled
+def plan_by_grid(problem: ProblemRecord, settings: GridSettings) -> ShownPlan:
+    """The nodes in the order in which A* settles them, and the path."""
     side, (x, y) = settings.spacing, problem.space.lo
     grid = Grid(Motions(problem), x, y, side, int(settings.columns), int(settings.rows))
     first = find_joined_node(problem, grid, problem.start)

@@ -62,8 +62,9 @@ function script(file) {
 
 // The answers to a board: each from the scene as it is when a page asks.
 class Answers {
-  constructor({ body, seed, settings }, scene, key, tell) {
+  constructor({ live: { body, seed, settings }, scene, bitmap }, key, tell) {
     this.scene = copy(scene);
+    this.free = scene.size ? cellsOf(bytesOf(bitmap), scene.size) : undefined;
     Object.assign(this, { body, seed, settings, key, tell });
   }
 
@@ -73,13 +74,13 @@ class Answers {
   }
 
   async answer(to = null, seq = null) {
-    const { body: name, seed } = this, given = this.settings[name];
+    const { body: name, seed, free } = this, given = this.settings[name];
     const settings = this.settings[given] ?? given;     // those of another body, or its own
     const scene = copy(this.scene);
     let drawing;
     try {
       await load(name);
-      const shown = await ask({ name, scene, settings, seed });
+      const shown = await ask({ name, scene, free, settings, seed });
       drawing = drawn(LIVE.bodies[name], scene, settings, shown);
       move(this.scene, drawing.message.places);
     } catch (error) {
@@ -87,6 +88,12 @@ class Answers {
     }
     this.tell({ kind: "drawing", to, seq, ...drawing.message }, drawing.buffers);
   }
+}
+
+// The cells of a bitmap, one bit each, as the worker takes them.
+function cellsOf(bits, shape) {
+  return [Uint8Array.from({ length: shape[0] * shape[1] },
+    (_, k) => (bits[k >> 3] >> (7 - (k & 7))) & 1), shape];
 }
 
 const LISTS = { handle: "handles", disc: "discs", polygon: "polygons" };

@@ -99,24 +99,63 @@ class ShownPlan(NamedTuple):
 
 @algorithm
 def show_rrt(scene: SceneArrays, settings: TreeSettings, rng: np.random.Generator) -> ShownPlan:
-    """A tree of RRT."""
+    """RRT among polygons and discs."""
     refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    room, most = int(settings.max_nodes) + 1, int(settings.max_iterations)
-    tree = empty_tree(room, problem.space.lo, problem.space.hi)
-    at_goal, iterations = grow(problem, tree, settings.step_size, settings.goal_bias, most, rng)
-    return show_tree(problem, tree, at_goal, iterations)
+    return plan_by_rrt(problem, settings, rng)
 
 
 @algorithm
 def show_rrt_star(
     scene: SceneArrays, settings: StarSettings, rng: np.random.Generator
 ) -> ShownPlan:
-    """A tree of RRT*."""
+    """RRT* among polygons and discs."""
     refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
+    return plan_by_rrt_star(problem, settings, rng)
+
+
+@algorithm
+def show_rrt_connect(
+    scene: SceneArrays, settings: PairSettings, rng: np.random.Generator
+) -> ShownPlan:
+    """RRT-Connect among polygons and discs."""
+    refused, problem = pose_problem(scene, settings.clearance)
+    if refused.facts[0] != FOUND:
+        return refused
+    return plan_by_rrt_connect(problem, settings, rng)
+
+
+@algorithm
+def show_prm(scene: SceneArrays, settings: RoadmapSettings, rng: np.random.Generator) -> ShownPlan:
+    """PRM among polygons and discs."""
+    refused, problem = pose_problem(scene, settings.clearance)
+    if refused.facts[0] != FOUND:
+        return refused
+    return plan_by_prm(problem, settings, rng)
+
+
+# ---- the planners, in any world
+
+
+@compiled
+def plan_by_rrt(
+    problem: ProblemRecord, settings: TreeSettings, rng: np.random.Generator
+) -> ShownPlan:
+    """A tree of RRT."""
+    room, most = int(settings.max_nodes) + 1, int(settings.max_iterations)
+    tree = empty_tree(room, problem.space.lo, problem.space.hi)
+    at_goal, iterations = grow(problem, tree, settings.step_size, settings.goal_bias, most, rng)
+    return show_tree(problem, tree, at_goal, iterations)
+
+
+@compiled
+def plan_by_rrt_star(
+    problem: ProblemRecord, settings: StarSettings, rng: np.random.Generator
+) -> ShownPlan:
+    """A tree of RRT*."""
     eta, room, most = settings.step_size, int(settings.max_nodes), int(settings.max_iterations)
     space, radii = problem.space, neighbour_radii(settings.gamma, 2, room + 2, eta)
     costs = empty_costs(empty_tree(room + 1, space.lo, space.hi), 0)
@@ -125,14 +164,11 @@ def show_rrt_star(
     return show_tree(problem, costs.tree, at_goal, iterations)
 
 
-@algorithm
-def show_rrt_connect(
-    scene: SceneArrays, settings: PairSettings, rng: np.random.Generator
+@compiled
+def plan_by_rrt_connect(
+    problem: ProblemRecord, settings: PairSettings, rng: np.random.Generator
 ) -> ShownPlan:
     """The two trees of RRT-Connect."""
-    refused, problem = pose_problem(scene, settings.clearance)
-    if refused.facts[0] != FOUND:
-        return refused
     room, space = int(settings.max_nodes), problem.space
     owner = np.empty(room, np.int64)
     one = sparse_tree(room, roomy_size(room), space.lo, space.hi)
@@ -157,12 +193,11 @@ def show_rrt_connect(
     return ShownPlan(shown.facts, shown.edges, edges[~from_start], shown.dots, shown.path)
 
 
-@algorithm
-def show_prm(scene: SceneArrays, settings: RoadmapSettings, rng: np.random.Generator) -> ShownPlan:
+@compiled
+def plan_by_prm(
+    problem: ProblemRecord, settings: RoadmapSettings, rng: np.random.Generator
+) -> ShownPlan:
     """A roadmap of PRM, and the shortest path in it."""
-    refused, problem = pose_problem(scene, settings.clearance)
-    if refused.facts[0] != FOUND:
-        return refused
     n = int(settings.n)
     sampled = sample_free(problem, n, 100 * n, rng)
     nodes = np.concatenate((np.stack((problem.start, problem.goal)), sampled))
@@ -194,6 +229,9 @@ def join_closest(problem: ProblemRecord, nodes: Array, k: int) -> tuple[Numbers,
     to = k_closest_in_buckets(problem.space, tree, k)
     n = len(nodes)
     return join_in_order(problem, nodes, k * np.arange(n + 1), to.ravel(), np.arange(n))
+
+
+# ---- the problem of a scene
 
 
 @compiled
@@ -232,6 +270,9 @@ def find_end_in_contact(problem: ProblemRecord) -> int:
     if not problem.is_free(problem.start):
         return START_NOT_FREE
     return FOUND if problem.is_free(problem.goal) else GOAL_NOT_FREE
+
+
+# ---- a plan as it is shown
 
 
 @compiled

@@ -14,7 +14,7 @@ function recordedModel(stored, key, team) {
     bitmap: new DataView(bytesOf(record.bitmap).buffer), recorded: !isLive(record),
   };
   const tell = (message, buffers) => heard.forEach((hear) => hear(message, buffers));
-  const answers = isLive(record) ? new Answers(record.live, record.scene, key, tell) : null;
+  const answers = isLive(record) ? new Answers(record, key, tell) : null;
   const show = () => {
     if (record.moved) { answers.answer(); return; }
     const buffers = record.buffers.map((text) => new DataView(bytesOf(text).buffer));

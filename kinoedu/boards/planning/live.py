@@ -5,7 +5,7 @@ from typing import Any
 
 from ...browser.bodies import PLANNED
 from ...browser.grids import GridSettings
-from ...planners.grids.grid import grid_for
+from ...planners.grids.grid import Cells, grid_for
 from ...planners.problem_input import as_step_size
 from ...planners.registry import PLANNERS
 from ...planners.trees.rrt_star import sufficient_gamma
@@ -21,7 +21,7 @@ def describe_live(
 ) -> JsonObject | None:
     """What a page needs to answer a board itself; None where it cannot.
 
-    Bodies plan for a point or a disk among polygons without rooms, and discs.
+    Bodies plan for a point or a disk, among polygons without rooms and discs or on a bitmap.
 
     Parameters
     ----------
@@ -33,13 +33,29 @@ def describe_live(
     dict
         `body`, the planner; `seed`; and `settings`, for each body the numbers that it takes.
     """
+    names = answered_names(problem)
+    if planner not in names:
+        return None
+    numbers = {body: list_settings(problem, name, settings) for name, body in names.items()}
+    return {"body": names[planner], "seed": seed, "settings": numbers}
+
+
+def answered_names(problem: ProblemRecord) -> dict[str, str]:
+    """The planners that a page can answer with, each with the name of its body."""
     robot, world = problem.robot, problem.world
-    if not isinstance(robot, RoundRobot) or not isinstance(world, PolygonWorldRecord):
-        return None
-    if planner not in PLANNED or any(len(rings) > 1 for rings in rings_of(world)):
-        return None
-    numbers = {name: list_settings(problem, name, settings) for name in PLANNED}
-    return {"body": planner, "seed": seed, "settings": numbers}
+    if not isinstance(robot, RoundRobot):
+        return {}
+    if isinstance(world, PolygonWorldRecord):
+        has_rooms = any(len(rings) > 1 for rings in rings_of(world))
+        return {} if has_rooms else {name: name for name in PLANNED}
+    # a page knows the box of a terrain and its cells, from which the side of a cell must follow
+    side = (world.hi[0] - world.lo[0]) / world.free.shape[1]
+    if world.cost.size > 0 or side != world.resolution:
+        return {}
+    names = {name: f"terrain_{name}" for name in PLANNED}
+    if isinstance(grid_for(problem, None).moves, Cells):
+        del names["astar"]  # jump points need a table of the whole map
+    return names
 
 
 def list_settings(problem: ProblemRecord, name: str, settings: dict[str, Any]) -> list[float]:
