@@ -416,6 +416,45 @@ def test_our_own_functions_are_found_in_the_menu():
         board("problem")
 
 
+ROOMS = ke.PolygonWorld(
+    [(0, 0), (10, 0), (10, 10), (0, 10)],
+    [([(1, 1), (9, 1), (9, 8), (1, 8)], [[(2, 2), (8, 2), (8, 7)]]), ((9.5, 9.5), 0.25)],
+)
+TRIANGLE = ke.TranslatingPolygon([(0, 0), (0.2, 0), (0, 0.1)])
+CELLS = np.random.default_rng(0).random((3, 7)) < 0.9
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        ke.Problem(ke.Disk(0.1), ROOMS, (0.3, 0.3), (0.3, 9.1), clearance=0.02),
+        ke.Problem(TRIANGLE, ROOMS, (0.3, 0.3), (7.5, 2.2)),
+        ke.Problem(
+            ke.Point(),
+            ke.Terrain(CELLS, resolution=0.1, origin=(-3, 1), cost=np.arange(21).reshape(3, 7) + 1),
+            *([-3 + 0.1 * (i + 0.5), 1 + 0.1 * (j + 0.5)] for j, i in np.argwhere(CELLS)[[0, -1]]),
+        ),
+    ],
+)
+def test_a_board_as_code_is_the_same_board(problem):
+    """The code makes the same problem, with the same planner and settings, to the last bit."""
+    made = board(problem, "rrt_connect", step_size=0.3, samples=70, rng=5)
+    names = {}
+    exec(made.write_code().replace("ke.board(", "again = ke.board("), names)
+    again = names["again"]
+    assert flat(again.problem) == flat(made.problem)
+    for control in ("planner", "seed", "step_size", "samples"):
+        assert getattr(again, control).value == getattr(made, control).value
+    assert again.plan.cost == made.plan.cost
+
+
+def flat(record):
+    """The numbers of a record, in order."""
+    if isinstance(record, tuple):
+        return [number for field in record for number in flat(field)]
+    return np.asarray(record).ravel().tolist()
+
+
 def test_a_notebook_keeps_text_and_a_small_picture():
     """Without JavaScript: always the same text, and a PNG of less than 60 KB."""
     made = board(walled(), planner="prm", samples=2000)

@@ -1,6 +1,7 @@
 """Boards in a real JupyterLab: dragging, answers, and use without a mouse."""
 
 import json
+import re
 
 import pytest
 from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
@@ -267,3 +268,15 @@ def test_the_distance_board_follows_q(page):
     )
     assert not seen.board.locator(".kinoedu-slider").is_visible()
     keep(page, "distance")
+
+
+def test_a_board_is_copied_as_code(yard):
+    """The button puts Python code for the board as it is now on the clipboard."""
+    yard.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    yard.drag("handle-1", -25, 10)
+    yard.board.locator(".kinoedu-copy").click()
+    yard.until("root.querySelector('.kinoedu-copy').textContent === 'copied'")
+    code = yard.page.evaluate("navigator.clipboard.readText()")
+    x, y = map(float, re.findall(r"-?\d+\.\d+", code.partition("goal=")[2])[:2])
+    assert f"goal at ({x:g}, {y:g})" in yard.label("handle-1") and 'ke.board(problem, "rrt"' in code
+    assert not Seen(yard.page, 3).board.locator(".kinoedu-copy").is_visible()

@@ -104,6 +104,15 @@ function make(tag, className, parent, attributes = {}) {
   return element;
 }
 
+// Copy text where a page may not use the clipboard by itself, as one without encryption.
+function copyByHand(text) {
+  const area = make("textarea", "", document.body);
+  area.value = text;
+  area.select();
+  document.execCommand("copy");
+  area.remove();
+}
+
 function crossings(y, rings) {           // the x where a horizontal line crosses edges, ascending
   return rings.flatMap((ring) => ring.flatMap(([ax, ay], i) => {
     const [bx, by] = ring[(i + 1) % ring.length];
@@ -318,6 +327,7 @@ class Board {
   }
 
   receive(message, buffers) {
+    if (message.kind === "code" && message.to === this.id) this.copy(message.text);
     if (!["drawing", "skipped"].includes(message.kind)) return;
     if (message.to && message.to !== this.id) return;
     if (message.seq !== null) this.open = Math.max(this.open - 1, 0);
@@ -326,6 +336,15 @@ class Board {
       if (stale) this.stale += 1; else this.show(message, buffers);
     }
     if (this.waiting) this.ask(true);
+  }
+
+  async copy(text) {                     // put code on the clipboard, and say so
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      copyByHand(text);
+    }
+    this.views.forEach((view) => { view.copying.textContent = this.words.copied; });
   }
 
   // driving: while keys are held, Python gets a message every TICK and moves the driven handle
@@ -513,6 +532,9 @@ class View {
     this.pointer = new Pointer(this);
     this.back = make("button", "kinoedu-reset", this.growth, { type: "button" });
     this.back.textContent = words.reset;
+    this.copying = make("button", "kinoedu-copy", this.growth, { type: "button" });
+    this.copying.textContent = words.copy;
+    this.copying.hidden = !this.board.model.get("copies");
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
     const recorded = this.board.model.get("recorded");
     this.back.hidden = Boolean(recorded);
@@ -587,6 +609,9 @@ class View {
     });
     this.button.addEventListener("click", () => board.play());
     this.back.addEventListener("click", () => board.reset());
+    this.copying.addEventListener("click", () => {
+      board.model.send({ kind: "code", from: board.id });
+    });
     this.slider.addEventListener("input", () => {
       board.playing = null;
       board.growTo(this.slider.valueAsNumber);

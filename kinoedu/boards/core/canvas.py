@@ -9,8 +9,11 @@ The messages between the two halves:
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
                 {kind: "keys", from, seq, held: ["ArrowUp", ...]}
                     sent repeatedly while arrow keys are held on a driven handle
+                {kind: "code", from}
     from Python {kind: "drawing", to, seq, took, text, warning, total, unit, step_texts, listing,
                  first, places, layers, challenges} and a buffer of float32 for each layer
+                {kind: "code", to, text}
+                    the board as Python code, which the page copies
                 {kind: "note", text}
                     the reason why an answer takes long
 
@@ -49,7 +52,7 @@ log = logging.getLogger("kinoedu")
 
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 CHALLENGED = ("challenge", "reached", "done")
-PLAIN = ("play", "pause", "next", "reset", "slider", "movable", "thinking")
+PLAIN = ("play", "pause", "next", "reset", "copy", "copied", "slider", "movable", "thinking")
 CODE = ("code", "lineBack", "lineOn", "begin")
 HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad", "coded", "pointing", "pointer")
 REASONS = ("outside", "cell", "unknown")
@@ -82,6 +85,8 @@ class Canvas(anywidget.AnyWidget):
     drive : a function of the set of arrow keys held, by name. It moves the driven handle; then the
         scene is answered.
     live : what a page needs to answer the scene without Python, as `describe_live` makes it.
+    code : a function that writes the board as it is now as Python code, for the button that copies
+        it; without one there is no button.
 
     Attributes
     ----------
@@ -101,6 +106,7 @@ class Canvas(anywidget.AnyWidget):
     scene = traitlets.Dict().tag(sync=True)
     home = traitlets.Dict().tag(sync=True)
     bitmap = traitlets.Bytes().tag(sync=True)
+    copies = traitlets.Bool().tag(sync=True)
     palette = traitlets.Dict().tag(sync=True)
     words = traitlets.Dict().tag(sync=True)
 
@@ -112,8 +118,9 @@ class Canvas(anywidget.AnyWidget):
         free: Bitmap | None = None,
         drive: Callable[[set[str]], None] | None = None,
         live: JsonObject | None = None,
+        code: Callable[[], str] | None = None,
     ) -> None:
-        self._answer, self._drive, self.live = answer, drive, live
+        self._answer, self._drive, self.live, self._code = answer, drive, live, code
         self.challenges: Posed | None = None
         kind: Any = np.uint8 if "colours" in scene else np.bool_
         self._free = None if free is None else np.asarray(free, kind)
@@ -124,6 +131,7 @@ class Canvas(anywidget.AnyWidget):
             scene=self._shown,
             home=deepcopy(self._shown),
             bitmap=pack_bitmap(self._free),
+            copies=code is not None,
             palette=palette.THEMES,
             words=front_messages(),
         )
@@ -183,6 +191,8 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             if message.get("kind") == "hello":
                 self._show(page, None)
+            elif message.get("kind") == "code" and self._code is not None:
+                self.send({"kind": "code", "to": page, "text": self._code()})
             elif message.get("kind") == "scene" and isinstance(seq, int):
                 try:
                     self._move(message.get("moved"))

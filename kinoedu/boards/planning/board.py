@@ -28,6 +28,7 @@ from ..core.framed import (
 )
 from ..core.scene import Scene
 from ..tracing.code_run import CodeRun, Look
+from .as_code import write_code
 from .lit import CODE, draw_lines_of, trace_planner
 from .live import describe_live
 from .own import Attempt, draw_attempt, try_planner
@@ -108,7 +109,7 @@ class Board(Framed):
         self.code = make_code_box()
         self._dress()
         controls = [self.planner, self.seed, self.step_size, self.samples, self.code]
-        super().__init__(controls, [make_problem_canvas(problem, self.answer)])
+        super().__init__(controls, [make_problem_canvas(problem, self.answer, self.write_code)])
 
     def _menu(self, chosen: str) -> widgets.Dropdown:
         options = [(title_of(planner, "board"), name) for name, planner in ON_BOARD.items()]
@@ -145,6 +146,13 @@ class Board(Framed):
             call = partial(planner.plan, seed=seed, **settings)
             return draw_lines_of(self.plan, trace_planner(planner.name, problem, call))
         return draw_plan(self.plan)
+
+    def write_code(self) -> str:
+        """Python code for this board as it is now: the problem, the planner and the settings."""
+        chosen, own = self.planner.value, getattr(self._own, "__name__", "my_planner")
+        settings = {name: getattr(self, name).value for name in SETTINGS}
+        planner = own if chosen == OWN else f'"{chosen}"'
+        return write_code(self.problem, planner, {**settings, "rng": self.seed.value})
 
     def record(self) -> list[JsonObject]:
         """The board as it is now; a page with the planner's body answers it, others play it."""

@@ -42,9 +42,13 @@ def check_in_plane(problem: ProblemLike) -> ProblemRecord:
     return problem
 
 
-def make_problem_canvas(problem: ProblemRecord, answer: Callable[[Scene], Drawing]) -> Canvas:
-    """A canvas on which a problem's parts can be dragged."""
-    return make_canvas(problem.world, make_problem_scene(problem), answer)
+def make_problem_canvas(
+    problem: ProblemRecord,
+    answer: Callable[[Scene], Drawing],
+    code: Callable[[], str] | None = None,
+) -> Canvas:
+    """A canvas on which a problem's parts can be dragged; `code` as in `Canvas`."""
+    return make_canvas(problem.world, make_problem_scene(problem), answer, code=code)
 
 
 def make_canvas(
@@ -52,13 +56,14 @@ def make_canvas(
     scene: Scene,
     answer: Callable[[Scene], Drawing],
     drive: Callable[[set[str]], None] | None = None,
+    code: Callable[[], str] | None = None,
 ) -> Canvas:
     """A canvas of a scene in a world, with the world's bitmap if it is a terrain.
 
-    drive : the effect of arrow keys, as in `Canvas`.
+    drive, code : the effect of arrow keys, and the board as Python code, as in `Canvas`.
     """
     free = world.free if isinstance(world, TerrainRecord) else None
-    return Canvas(scene, answer, free=free, drive=drive)
+    return Canvas(scene, answer, free=free, drive=drive, code=code)
 
 
 def make_problem_scene(problem: ProblemRecord) -> Scene:
