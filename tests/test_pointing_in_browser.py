@@ -256,6 +256,26 @@ def test_boards_and_words_follow_the_page(tmp_path, theme, prefers, expected):
         assert f"#{red:02X}{green:02X}{blue:02X}" == colours["goal"]
 
 
+def test_a_word_of_the_lesson_lights_what_it_names(light):
+    """All else is pale meanwhile; where nothing has its colour, nothing changes."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        root.scroll_into_view_if_needed()
+        picture = root.locator("canvas")
+        before = picture.screenshot()
+        page.locator(".ke-goal").hover()
+        frames(page)
+        lit = picture.screenshot()
+        page.mouse.move(1, 1)
+        frames(page)
+        assert lit != before and picture.screenshot() == before
+        page.evaluate("document.querySelector('.ke-goal').className = 'ke-frontier'")
+        page.locator(".ke-frontier").hover()
+        frames(page)
+        assert picture.screenshot() == before
+
+
 def test_a_page_that_turns_dark_takes_its_boards_along(light):
     with browser() as page:
         page.goto(light)

@@ -38,6 +38,7 @@ const TURNS = 12;             // pixels: a pointer that moved less has not turne
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
+const NAMING = "[class^='ke-']", DIM = 0.2;   // words for things; the strength of the rest
 const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
@@ -485,6 +486,8 @@ class View {
     this.theming.observe(document.body, { attributeFilter: THEMED });
     this.darkness = matchMedia("(prefers-color-scheme: dark)");
     this.darkness.addEventListener("change", this.redress = () => this.dress());
+    this.word = null;                    // the colour that a word under the pointer names
+    document.addEventListener("pointerover", this.read = ({ target }) => this.light(target));
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(this.root);
     board.views.add(this);
@@ -495,6 +498,7 @@ class View {
     this.resizing.disconnect();
     this.theming.disconnect();
     this.darkness.removeEventListener("change", this.redress);
+    document.removeEventListener("pointerover", this.read);
     clearTimeout(this.speaking);
     this.board.views.delete(this);
   }
@@ -871,6 +875,19 @@ class View {
     this.emit("painted", board.shown);
   }
 
+  light(target) {                        // what a word names: <b class="ke-goal">
+    const name = target.closest?.(NAMING)?.classList[0].slice(3).replaceAll("-", "_") ?? null;
+    const { drawing, scene } = this.board;
+    const there = [...drawing.layers, ...scene.handles].some(({ colour }) => colour === name);
+    const solids = name === "obstacle" && scene.polygons.length + scene.discs.length > 0;
+    const word = there || solids ? name : null;
+    if (word === this.word) return;
+    this.word = word;
+    this.request();
+  }
+
+  strength(colour) { return this.word === null || this.word === colour ? 1 : DIM; }
+
   paintPicture() {
     const { board, pen, canvas } = this, ratio = window.devicePixelRatio || 1;
     const [across, down] = [this.width, this.height].map((size) => Math.round(size * ratio));
@@ -882,14 +899,17 @@ class View {
     const late = board.isLate(), complete = board.step >= board.drawing.total;
     const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
     const paint = (wanted) => {
-      pen.globalAlpha = late ? 0.35 : 1;
-      wanted.forEach((layer) => this[`paint_${layer.kind}`]?.(layer));
+      wanted.forEach((layer) => {
+        pen.globalAlpha = (late ? 0.35 : 1) * this.strength(layer.colour);
+        this[`paint_${layer.kind}`]?.(layer);
+      });
       pen.globalAlpha = 1;
     };
     const named = board.scene.handles.filter(({ stop, drawn }) => !stop && !drawn);
     this.taken = named.map(({ name, at }) => this.boxOf(name, ...this.nameSpot(at), "bold"));
     this.paintGround();
     paint(layers.filter((layer) => layer.kind === "cells"));
+    pen.globalAlpha = this.strength("obstacle");
     this.paintSolids();
     paint(layers.filter(({ kind }) => kind !== "cells" && kind !== "labels"));
     const texts = layers.filter((layer) => layer.kind === "labels");
@@ -897,7 +917,11 @@ class View {
       this.taken.push([px - 6, py - 6, px + 6, py + 6]);
     }));
     paint(texts);
-    board.scene.handles.forEach((handle) => this.paintHandle(handle));
+    board.scene.handles.forEach((handle) => {
+      pen.globalAlpha = this.strength(handle.colour);
+      this.paintHandle(handle);
+    });
+    pen.globalAlpha = 1;
   }
 
   paintGround() {
@@ -972,12 +996,12 @@ class View {
     const { pen } = this, { palette } = this.board;
     const [px, py] = this.toPixels(at), paint = palette[colour];
     if (radius) {
-      pen.globalAlpha = TINT;
+      pen.globalAlpha *= TINT;
       pen.fillStyle = paint;
       pen.beginPath();
       pen.arc(px, py, radius * this.scale, 0, 7);
       pen.fill();
-      pen.globalAlpha = 1;
+      pen.globalAlpha /= TINT;
     }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
     const [x, y, align] = this.nameSpot(at);
