@@ -317,7 +317,7 @@ def test_the_recipe_for_a_class_fits_the_image():
     (server, _), (kernel, _), (both, shared) = [tuple(map(int, row)) for row in rows]
     assert abs(server + kernel - both) <= 1
     assert f"{(120 * both + shared) / 1000:.0f} GB" in recipe
-    assert f"{120 * (server + 484) / 1000:.0f} GB" in recipe
+    assert f"{120 * (server + 467) / 1000:.0f} GB" in recipe
 
 
 # --- a browser
