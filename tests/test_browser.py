@@ -39,6 +39,7 @@ SPACING = 0.4  # of a grid's cells
 CURVES_AGREE = 1e-12  # of coordinates up to 40
 PROBLEMS = 50  # of each body; benchmarks/page.py compares 200
 FEW = {"max_nodes": 120, "max_iterations": 400}  # where there is no path
+CELLS = "terrain_cells"  # the body of A* on the cells of a bitmap
 PLANNERS_OF_PAGES = [*PLANNED, *ON_TERRAIN]
 
 
@@ -57,24 +58,27 @@ def make_problem(seed):
             continue
 
 
-def make_terrain_problem(seed):
+def make_terrain_problem(seed, by_cells=False):
     """A problem with a point or a disk on random cells, of side 1 or not."""
     rng = np.random.default_rng(seed)
-    robot = ke.Disk(0.3) if seed % 3 == 0 else ke.Point()
+    robot = ke.Disk(0.3) if seed % 3 == 0 and not by_cells else ke.Point()
     size = [1.0, 0.5, 0.7][seed % 3]
     while True:
         free = rng.random((9 + seed % 4, 12)) < 0.85
         try:
             world = ke.Terrain(free, resolution=size)
             ends = world.lo + rng.uniform(0.05, 0.95, (2, 2)) * (world.hi - world.lo)
-            return ke.Problem(robot, world, *ends, clearance=0.1 * (seed % 2))
+            margin = 0.0 if by_cells else 0.1 * (seed % 2)
+            return ke.Problem(robot, world, *ends, clearance=margin)
         except KinoeduError:
             continue
 
 
 def posed(name, seed):
     """A problem for a planner's body, its scene and its bitmap."""
-    problem = (make_terrain_problem if name in ON_TERRAIN else make_problem)(seed)
+    problem = (
+        make_terrain_problem(seed, name == CELLS) if name in ON_TERRAIN else make_problem(seed)
+    )
     return problem, make_problem_scene(problem), getattr(problem.world, "free", None)
 
 
@@ -87,23 +91,28 @@ def star(rng):
     )
 
 
-def short_settings(problem, name):
+def short_settings(problem, name, spacing):
     """The numbers that a body takes, with few nodes where there is no path."""
     few = FEW
     if name == "astar":
-        grid = grid_for(problem, SPACING)
+        grid = grid_for(problem, spacing)
         few = {"spacing": grid.side, "columns": float(grid.columns), "rows": float(grid.rows)}
     numbers = list_settings(problem, name, CONTROLS)
     fields = PLANNED[name].settings._fields
     return [float(few.get(key, n)) for key, n in zip(fields, numbers, strict=True)]
 
 
-def ask(name, seed, rng):
+def planner_of(name):
+    """The planner of a body."""
+    return "astar" if name == CELLS else name.removeprefix("terrain_")
+
+
+def ask(name, seed, rng, mode=INTERPRETED):
     """What a body shows of a problem, and what a page asks its worker."""
     problem, scene, free = posed(name, seed)
-    settings = short_settings(problem, name.removeprefix("terrain_"))
+    settings = short_settings(problem, planner_of(name), None if name == CELLS else SPACING)
     made = BODIES[name].settings(*settings)
-    with running(INTERPRETED):
+    with running(mode):
         shown = BODIES[name].function(pack_scene(scene, free), made, np.random.default_rng(rng))
     cells = None if free is None else [free.astype(int).ravel().tolist(), list(free.shape)]
     return shown, {"scene": scene, "cells": cells, "settings": settings, "seed": rng}
@@ -112,11 +121,12 @@ def ask(name, seed, rng):
 @pytest.mark.parametrize("name", PLANNERS_OF_PAGES)
 def test_a_body_shows_what_the_board_shows(name):
     """The same layers, to the last bit, and the same words, for 12 problems."""
-    planner = name.removeprefix("terrain_")
+    planner = planner_of(name)
     for seed in range(12):
         keywords = {"step_size": 0.7, "rng": seed, **FEW}
         keywords = {"n": 60, "rng": seed} if planner == "prm" else keywords
         keywords = {"spacing": SPACING} if planner == "astar" else keywords
+        keywords = {} if name == CELLS else keywords
         with running(INTERPRETED):
             theirs = draw_plan(PLANNERS[planner].function(posed(name, seed)[0], **keywords))
         shown, _ = ask(name, seed, seed)
@@ -136,7 +146,7 @@ def same_layer(a, b):
 
 
 def test_only_what_a_page_can_answer_is_called_live():
-    """No body drives a car, plans among rooms, with costs, or by the jump points of a bitmap."""
+    """No body drives a car, plans among rooms, or with costs; A* has two for bitmaps."""
     problem = make_problem(1)
     assert describe_live(problem, "rrt", 0, CONTROLS)["body"] == "rrt"
     assert describe_live(problem, "own", 0, CONTROLS) is None
@@ -304,10 +314,16 @@ def test_a_board_says_what_is_wrong_with_a_ring():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """A page with live boards, its scripts, and the modules."""
+    """The folder of a page with live boards."""
     needs_chromium()
     pytest.importorskip("ziglang", reason="the compiler of the site is not installed")
     place = tmp_path_factory.mktemp("page")
+    write_page(place)
+    return place
+
+
+def write_page(place):
+    """Write a page with live boards, its scripts, and the modules."""
     write_scripts(place / "live")
     (place / "boards.js").write_text(page_script(describe_bodies()), encoding="utf-8")
     shutil.copy(CORE / "board.css", place)
@@ -327,7 +343,6 @@ def folder(tmp_path_factory):
     head = '<meta charset="utf-8"><link rel="stylesheet" href="board.css">'
     head += '<script src="boards.js" defer></script>'
     (place / "index.html").write_text(f"<!doctype html>{head}<body>{text}", encoding="utf-8")
-    return place
 
 
 @pytest.fixture(scope="module")
@@ -374,7 +389,7 @@ RUN = """([source, module, name, fields, cases]) => new Promise((resolve) => {
     const text = ({ numbers }) => btoa(Array.from(new Uint8Array(numbers.buffer), letter).join(""));
     worker.onmessage = ({ data }) => {
         answers.push(data.error ?? [data.facts.map(String),
-            Object.values(data.layers).map(text)]);
+            Object.values(data.layers).map(text), data.took]);
         if (answers.length === cases.length) { worker.terminate(); resolve(answers); }
     };
     const letters = atob(module);
@@ -391,13 +406,13 @@ def test_webassembly_gives_the_same_bits(blank, folder, name):
     """Every number of what 50 problems show, their worlds and random numbers included."""
     asked = [ask(name, seed, 1000 * seed + 2**31 * (seed % 2)) for seed in range(PROBLEMS)]
     given = run_in_page(blank, folder, name, [case for _, case in asked])
-    for (shown, _), (facts, layers) in zip(asked, given, strict=True):
+    for (shown, _), (facts, layers, _) in zip(asked, given, strict=True):
         assert [float(fact) for fact in facts] == shown.facts.tolist()
         assert layers == [in_base64(layer) for layer in shown[1:]]
 
 
 def run_in_page(page, folder, name, cases):
-    """The facts as texts, and the bytes of the layers in base64, of each case."""
+    """Of each case the facts as texts, the layers' bytes in base64, and the milliseconds taken."""
     module = (folder / "live" / f"{name}.js").read_text(encoding="ascii").split('"')[3]
     assert base64.b64decode(module)[:4] == b"\0asm"
     source = (folder / "worker.js").read_text(encoding="utf-8")
@@ -422,7 +437,7 @@ def test_other_boards_give_the_same_bits(blank, folder, name, make):
     """Facts and layers of 50 scenes each, those with a fault included."""
     records = [make(seed) for seed in range(PROBLEMS)]
     given = run_in_page(blank, folder, name, [case_for_page(record) for record in records])
-    for record, (facts, layers) in zip(records, given, strict=True):
+    for record, (facts, layers, _) in zip(records, given, strict=True):
         shown = shown_natively(record)
         assert [float(fact) for fact in facts] == shown.facts.tolist()
         assert layers == [in_base64(layer) for layer in shown[1:]]
@@ -432,7 +447,7 @@ def test_curves_differ_in_the_last_digits_only(blank, folder):
     """The same words; numbers to 1e-12: sin, cos, atan2, acos and asin are each C library's own."""
     records, most = [curves_case(seed) for seed in range(PROBLEMS)], 0.0
     given = run_in_page(blank, folder, "curves", [case_for_page(record) for record in records])
-    for record, (facts, layers) in zip(records, given, strict=True):
+    for record, (facts, layers, _) in zip(records, given, strict=True):
         shown = shown_natively(record)
         assert [float(facts[k]) for k in (0, 1, 3)] == shown.facts[[0, 1, 3]].tolist()
         for theirs, mine in zip(layers, shown[1:], strict=True):
@@ -574,7 +589,7 @@ def test_planners_on_a_bitmap_are_dragged_in_the_page(page):
 
 
 def test_a_link_brings_the_same_world(page, folder):
-    """A planner, a seed and what was moved are in the address; nonsense there is said."""
+    """A planner, a seed, a step and what was moved are in the address; nonsense there is said."""
     drag(page, 1, (9, 1), (9, 8.5))
     page.locator(".kinoedu-live select").nth(1).select_option("rrt_connect")
     page.locator(".kinoedu-live button").nth(2).click()
@@ -583,10 +598,15 @@ def test_a_link_brings_the_same_world(page, folder):
         ".startsWith('RRT-Connect')"
     )
     text = page.locator(".kinoedu-board [role=status]").nth(1).inner_text()
+    slider = page.locator(".kinoedu-board").nth(1).locator(".kinoedu-slider")
+    slider.press("Home")
+    slider.press("ArrowRight")
     page.locator(".kinoedu-live button").nth(3).click()
     address = page.evaluate("location.href")
     page.goto("about:blank")
     page.goto(address)
+    page.wait_for_function("document.querySelectorAll('.kinoedu-board')[1].dataset.step === '1'")
+    page.locator(".kinoedu-board").nth(1).locator(".kinoedu-slider").press("End")
     page.wait_for_function(SAYS, arg=[1, text])
     page.goto("about:blank")
     page.goto((folder / "index.html").as_uri() + "#kinoedu=nonsense")

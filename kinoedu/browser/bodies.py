@@ -25,6 +25,7 @@ from .search_layers import ShownSearch
 from .search_runs import STATES
 from .searches import SearchSettings, show_astar, show_bfs, show_dfs, show_dijkstra
 from .terrains import (
+    show_terrain_cells,
     show_terrain_grid,
     show_terrain_prm,
     show_terrain_rrt,
@@ -111,13 +112,14 @@ PLANNED = {
     )._replace(facts=GRID_FACTS, is_random=False),
 }
 ON_TERRAIN = {
-    f"terrain_{name}": PLANNED[name]._replace(function=function)
-    for name, function in (
-        ("rrt", show_terrain_rrt),
-        ("rrt_star", show_terrain_rrt_star),
-        ("rrt_connect", show_terrain_rrt_connect),
-        ("prm", show_terrain_prm),
-        ("astar", show_terrain_grid),
+    f"terrain_{name}": PLANNED[planner]._replace(function=function)
+    for name, planner, function in (
+        ("rrt", "rrt", show_terrain_rrt),
+        ("rrt_star", "rrt_star", show_terrain_rrt_star),
+        ("rrt_connect", "rrt_connect", show_terrain_rrt_connect),
+        ("prm", "prm", show_terrain_prm),
+        ("astar", "astar", show_terrain_grid),
+        ("cells", "astar", show_terrain_cells),
     )
 }
 NEAREST = Body(

@@ -1,12 +1,14 @@
-"""The body of A* on a grid among polygons and discs."""
+"""A* on a grid as it is shown, by the problem's motions or by the cells of a bitmap."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled
 from ..graphs.search import search
 from ..planners.grids.grid import (
+    Cells,
     Grid,
     Motions,
     centres,
@@ -15,6 +17,7 @@ from ..planners.grids.grid import (
     parent_positions,
     path_through,
 )
+from ..planners.grids.jump_points import fill_in, fill_table, points_towards
 from ..problems import ProblemRecord
 from .plans import NOT_FOUND, ShownPlan, numbers_to, pose_problem, show_plan, tree_edges
 from .scenes import FOUND, SceneArrays, no_rows
@@ -35,24 +38,70 @@ def show_grid(scene: SceneArrays, settings: GridSettings, rng: np.random.Generat
     refused, problem = pose_problem(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    return plan_by_grid(problem, settings)
+    return plan_by_motions(problem, settings)
 
 
 @compiled
-def plan_by_grid(problem: ProblemRecord, settings: GridSettings) -> ShownPlan:
-    """The nodes in the order in which A* settles them, and the path."""
-    side, (x, y) = settings.spacing, problem.space.lo
-    grid = Grid(Motions(problem), x, y, side, int(settings.columns), int(settings.rows))
+def plan_by_motions(problem: ProblemRecord, settings: GridSettings) -> ShownPlan:
+    """The nodes in the order in which A* settles them, and the path; the problem judges moves."""
+    grid = grid_by(Motions(problem), problem, settings)
+    refused, first, last = join_ends(problem, grid)
+    if first < 0 or last < 0:
+        return refused
+    cost, parent, expanded, _ = search(grid, first, last, octile(grid, last))
+    nodes = numbers_to(parent, last) if cost[last] < np.inf else expanded[:0]
+    return show_search(problem, grid, expanded, parent, nodes)
+
+
+@compiled
+def plan_by_cells(
+    problem: ProblemRecord, free: NDArray[np.bool_], settings: GridSettings
+) -> ShownPlan:
+    """The same on the cells of a bitmap, by its jump points."""
+    columns, rows = int(settings.columns), int(settings.rows)
+    padded = np.zeros((rows, columns), np.bool_)
+    padded[1:-1, 1:-1] = free
+    cells = padded.ravel()
+    grid = grid_by(Cells(cells), problem, settings)
+    refused, first, last = join_ends(problem, grid)
+    if first < 0 or last < 0:
+        return refused
+    points = points_towards(last, fill_table(cells, columns), cells, grid.side, columns)
+    cost, parent, expanded, _ = search(points, first, last, octile(grid, last))
+    jumps = numbers_to(parent, last) if cost[last] < np.inf else expanded[:0]
+    nodes = fill_in(jumps, columns) if len(jumps) > 0 else jumps
+    return show_search(problem, grid, expanded, parent, nodes)
+
+
+@compiled
+def grid_by(moves: Any, problem: ProblemRecord, settings: GridSettings) -> Grid:
+    """The grid of the settings."""
+    x, y = problem.space.lo
+    return Grid(moves, x, y, settings.spacing, int(settings.columns), int(settings.rows))
+
+
+@compiled
+def join_ends(problem: ProblemRecord, grid: Grid) -> tuple[ShownPlan, int, int]:
+    """The grid nodes at start and goal, -1 where there is none, and what is shown then."""
     first = find_joined_node(problem, grid, problem.start)
     last = find_joined_node(problem, grid, problem.goal)
+    shown = show_plan(problem, np.empty((0, 2)), np.empty((0, 7)), no_rows(), 0, 0, grid.side)
+    shown.facts[0] = NOT_FOUND + (1 if first < 0 else 2)
+    return shown, first, last
+
+
+@compiled
+def show_search(
+    problem: ProblemRecord,
+    grid: Grid,
+    expanded: NDArray[np.int64],
+    parent: NDArray[np.int64],
+    nodes: NDArray[np.int64],
+) -> ShownPlan:
+    """A search that expanded some nodes, and the path through others, none where there is none."""
     path = np.empty((0, 2))
-    if first < 0 or last < 0:
-        shown = show_plan(problem, path, np.empty((0, 7)), no_rows(), 0, 0, side)
-        shown.facts[0] = NOT_FOUND + (1 if first < 0 else 2)
-        return shown
-    cost, parent, expanded, _ = search(grid, first, last, octile(grid, last))
-    if cost[last] < np.inf:
-        path = path_through(problem, centres(grid, numbers_to(parent, last)))
+    if len(nodes) > 0:
+        path = path_through(problem, centres(grid, nodes))
     n, above = len(expanded), parent_positions(expanded, parent)
     edges = tree_edges(centres(grid, expanded), above, n)
-    return show_plan(problem, path, edges, no_rows(), n, n, side)
+    return show_plan(problem, path, edges, no_rows(), n, n, grid.side)

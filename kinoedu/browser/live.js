@@ -62,10 +62,10 @@ function script(file) {
 
 // The answers to a board: each from the scene as it is when a page asks.
 class Answers {
-  constructor({ live: { body, seed, settings }, scene, bitmap }, key, tell) {
+  constructor({ live: { body, seed, settings }, scene, bitmap, step = null }, key, tell) {
     this.scene = copy(scene);
     this.free = scene.size ? cellsOf(bytesOf(bitmap), scene.size) : undefined;
-    Object.assign(this, { body, seed, settings, key, tell });
+    Object.assign(this, { body, seed, settings, key, tell, step });
   }
 
   take({ from, seq, moved }) {            // things were moved: answer the page that asks
@@ -86,7 +86,9 @@ class Answers {
     } catch (error) {
       drawing = warned(said("live.failed", { error: error.message }));
     }
-    this.tell({ kind: "drawing", to, seq, ...drawing.message }, drawing.buffers);
+    const { message, buffers } = drawing, { total } = message;
+    const first = this.step === null ? null : Math.min(this.step, total);  // of a link
+    this.tell({ kind: "drawing", to, seq, ...message, first }, buffers);
   }
 }
 
@@ -116,7 +118,9 @@ function move(scene, places) {
 const MARK = "#kinoedu=";
 
 function linkTo({ key, body, seed, scene }) {
+  const { step, drawing: { total } } = boards.get(key);
   const board = { version: VERSION, key, body, seed, places: placesOf(scene) };
+  if (step < total) board.step = step;
   return MARK + btoa(JSON.stringify(board)).replaceAll("+", "-").replaceAll("/", "_");
 }
 
@@ -131,12 +135,13 @@ function linked() {
   }
 }
 
-// Whether a link has the things of a scene, and a planner and a seed of this page.
-function fits({ version, body, seed, places }, { scene, live }) {
+// Whether a link has the things of a scene, and a planner and a seed of this page, and a step.
+function fits({ version, body, seed, places, step = 0 }, { scene, live }) {
   const form = (value) => JSON.stringify(value, (_, v) => (Number.isFinite(v) ? "number" : v));
   const formOf = (parts) => parts.map(([kind, i, where]) => `${kind} ${i} ${form(where)}`).join();
   return version === VERSION && body in live.settings && Number.isInteger(seed) && seed >= 0
-    && seed < 2 ** 32 && Array.isArray(places) && places.every(Array.isArray)
+    && seed < 2 ** 32 && Number.isInteger(step) && step >= 0
+    && Array.isArray(places) && places.every(Array.isArray)
     && formOf(places) === formOf(placesOf(scene));
 }
 
@@ -146,9 +151,9 @@ function arranged(record, key) {
   const link = linked();
   if (!isLive(record) || !link || (link.key ?? key) !== key) return record;
   if (!fits(link, record)) return { ...record, warning: said("live.bad_link", {}) };
-  const scene = copy(record.scene), { body, seed } = link;
+  const scene = copy(record.scene), { body, seed, step = null } = link;
   move(scene, link.places);
-  return { ...record, scene, live: { ...record.live, body, seed }, moved: true };
+  return { ...record, scene, step, live: { ...record.live, body, seed }, moved: true };
 }
 
 // A choice of what answers, a button for another seed where that is random, and one that puts the

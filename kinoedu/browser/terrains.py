@@ -7,7 +7,7 @@ from ..problems import ProblemRecord
 from ..robots.round import RoundRobot
 from ..spaces import RealSpace
 from ..worlds.terrain import TerrainRecord
-from .grids import GridSettings, plan_by_grid
+from .grids import GridSettings, plan_by_cells, plan_by_motions
 from .plans import (
     PairSettings,
     RoadmapSettings,
@@ -76,7 +76,18 @@ def show_terrain_grid(
     refused, problem = pose_on_terrain(scene, settings.clearance)
     if refused.facts[0] != FOUND:
         return refused
-    return plan_by_grid(problem, settings)
+    return plan_by_motions(problem, settings)
+
+
+@algorithm
+def show_terrain_cells(
+    scene: SceneArrays, settings: GridSettings, rng: np.random.Generator
+) -> ShownPlan:
+    """A* of a point on a bitmap's own cells."""
+    refused, problem = pose_on_terrain(scene, settings.clearance)
+    if refused.facts[0] != FOUND:
+        return refused
+    return plan_by_cells(problem, scene.free, settings)
 
 
 @compiled

@@ -54,7 +54,7 @@ def answered_names(problem: ProblemRecord) -> dict[str, str]:
         return {}
     names = {name: f"terrain_{name}" for name in PLANNED}
     if isinstance(grid_for(problem, None).moves, Cells):
-        del names["astar"]  # jump points need a table of the whole map
+        names["astar"] = "terrain_cells"
     return names
 
 

@@ -13,7 +13,7 @@ first jump point ahead; all cells between are skipped. From a jump point that wa
 direction, only the edges above are worth following. The search itself is A* and stays as it is.
 
 A table has 16 bits for each cell, so that a jump looks only at the cells that it passes. The table
-of a map is computed from its bits, all cells at once, as one long integer.
+of a map is computed from its bits, 64 cells at once.
 
 D. Harabor, A. Grastien, "Online graph pruning for pathfinding on grid maps" (2011), "Improving
 jump point search" (2014); here diagonal moves need two free cells beside them.
@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiled import callable_from_compiled
+from ...compiled import algorithm, callable_from_compiled
 from ...graphs.flat import degree, edge, edges_after
 from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT
 
@@ -33,6 +33,12 @@ from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT
 SIDES = ((2, 3), (2, 3), (0, 1), (0, 1))
 PARTS = ((0, 2), (1, 2), (0, 3), (1, 3))
 ANY = 8  # at the start, which was reached in no direction
+
+Words = NDArray[np.uint64]
+WORD = 64  # bits
+GATHER = np.uint64(0x0102040810204080)  # times eight bytes 0 or 1: they are the bits from 56 on
+BYTES = np.arange(256, dtype=np.uint8).reshape(-1, 1)
+SPREAD = np.unpackbits(BYTES, axis=1, bitorder="little").view(np.uint64).ravel()  # bits as bytes
 
 # The bits of a cell in the table: bit k < 4, that a jump point lies ahead in the straight direction
 # k; bit 4 <= k < 8, that the diagonal move k is free; the bits from TURNS[k], that a path that
@@ -116,67 +122,101 @@ def jump_points(free: NDArray[np.bool_], side: float, columns: int, goal: int) -
     A map's table is kept for the next query.
     """
     bits = np.packbits(free, bitorder="little").tobytes()
-    table = jump_table(bits, len(free), columns).copy()
-    for k in range(STRAIGHT):  # the goal ends every jump towards it
+    return points_towards(goal, jump_table(bits, len(free), columns).copy(), free, side, columns)
+
+
+@callable_from_compiled
+def points_towards(
+    goal: int, table: NDArray[np.uint16], free: NDArray[np.bool_], side: float, columns: int
+) -> JumpPoints:
+    """The jump points of a map's table, in which the goal is made to end every jump towards it."""
+    for k in range(STRAIGHT):
         back = -COLUMN_STEP[k] - ROW_STEP[k] * columns
-        between = int(np.argmin(free[goal::back]))
-        table[goal::back][1:between] |= np.uint16(1 << k)
-    return JumpPoints(table, side, columns, goal, worth_following(), lists_of_bits())
+        u = goal + back
+        while free[goal] and free[u]:
+            table[u] |= np.uint16(1 << k)
+            u += back
+    return JumpPoints(table, side, columns, goal, WORTH.copy(), LISTED.copy())
 
 
 @lru_cache(maxsize=2)
 def jump_table(bits: bytes, size: int, columns: int) -> NDArray[np.uint16]:
-    """The table of a map, from its free cells as bits. O(size log(rows + columns)).
-
-    All cells are looked at together: the map is one long integer, its cell u bit u. Moved by a
-    step, it holds at u whether the cell a step before u is free.
-    """
-    free = int.from_bytes(bits, "little")
-    steps = [COLUMN_STEP[k] + ROW_STEP[k] * columns for k in range(8)]
-    halves = np.zeros((2, size), np.uint8)  # of the table: bytes are combined faster
-    for k in range(STRAIGHT):
-        turns = [
-            free & moved(free, -steps[side]) & ~moved(free, steps[k] - steps[side])
-            for side in SIDES[k]
-        ]
-        mark(halves, k, look_ahead(free, turns[0] | turns[1], steps[k]))
-        for i in range(2):
-            mark(halves, TURNS[k] + i, turns[i])
-    for k in range(STRAIGHT, 8):
-        a, b = (moved(free, -steps[part]) for part in PARTS[k - STRAIGHT])
-        mark(halves, k, free & a & b & moved(free, -steps[k]))
-    table = halves[0] + (halves[1].astype(np.uint16) << np.uint16(8))
+    """The table of a map, from its free cells as bits, lowest first; it is kept."""
+    packed = np.frombuffer(bits, np.uint8)
+    free = np.unpackbits(packed, count=size, bitorder="little").astype(np.bool_)
+    table = fill_table(free, columns)
     table.setflags(write=False)
     return table
 
 
-def moved(bits: int, step: int) -> int:
+@algorithm
+def fill_table(free: NDArray[np.bool_], columns: int) -> NDArray[np.uint16]:
+    """The table of a map with a blocked border. O(size log(rows + columns)).
+
+    All cells are looked at together: cell u is bit u of a long row of words. Moved by a step, it
+    holds at u whether the cell a step before u is free.
+    """
+    words = pack_bits(free)
+    halves = np.zeros((2, 8 * len(words)), np.uint64)  # of the table: a byte for each cell
+    for k in range(STRAIGHT):
+        step, ends = COLUMN_STEP[k] + ROW_STEP[k] * columns, np.zeros_like(words)
+        for i in range(2):
+            aside = COLUMN_STEP[SIDES[k][i]] + ROW_STEP[SIDES[k][i]] * columns
+            turns = words & moved(words, -aside) & ~moved(words, step - aside)
+            mark(halves, TURNS[k] + i, turns)
+            ends |= turns
+        mark(halves, k, look_ahead(words, ends, step))
+    for k in range(STRAIGHT, 8):
+        a, b = COLUMN_STEP[k], ROW_STEP[k] * columns
+        mark(halves, k, words & moved(words, -a) & moved(words, -b) & moved(words, -a - b))
+    low, high = halves[0].view(np.uint8)[: len(free)], halves[1].view(np.uint8)[: len(free)]
+    return low + (high.astype(np.uint16) << np.uint16(8))
+
+
+@callable_from_compiled
+def pack_bits(cells: NDArray[np.bool_]) -> Words:
+    """Cells as bits of words, the first as the lowest."""
+    padded = np.zeros(-(-len(cells) // WORD) * WORD, np.uint8)
+    padded[: len(cells)] = cells
+    return (padded.view(np.uint64) * GATHER >> np.uint64(56)).astype(np.uint8).view(np.uint64)
+
+
+@callable_from_compiled
+def moved(words: Words, step: int) -> Words:
     """All bits moved up by a step, or down."""
-    return bits << step if step > 0 else bits >> -step
+    far, part, there = abs(step) // WORD, np.uint64(abs(step) % WORD), np.zeros_like(words)
+    rest, n = np.uint64(WORD - abs(step) % WORD), max(len(words) - far, 0)
+    if step > 0:
+        there[far:] = words[:n] << part
+        if part > 0:
+            there[far + 1 :] |= words[: max(n - 1, 0)] >> rest
+    else:
+        there[:n] = words[far:] >> part
+        if part > 0:
+            there[: max(n - 1, 0)] |= words[far + 1 :] << rest
+    return there
 
 
-def look_ahead(free: int, ends: int, step: int) -> int:
+@callable_from_compiled
+def look_ahead(free: Words, ends: Words, step: int) -> Words:
     """The free cells with one of `ends` ahead, by steps over free cells only.
 
     Each round looks twice as far.
     """
     seen, through = free & moved(ends, -step), free
-    while through:
-        seen |= through & moved(seen, -step)
-        through &= moved(through, -step)
+    while through.any():
+        seen = seen | through & moved(seen, -step)
+        through = through & moved(through, -step)
         step *= 2
     return seen
 
 
-def mark(halves: NDArray[np.uint8], bit: int, cells: int) -> None:
+@callable_from_compiled
+def mark(halves: Words, bit: int, words: Words) -> None:
     """Set one of 16 bits at some cells."""
-    half = halves[bit // 8]
-    packed = np.frombuffer(cells.to_bytes(len(half) // 8 + 1, "little"), np.uint8)
-    chosen = np.unpackbits(packed, count=len(half), bitorder="little")
-    half |= np.multiply(chosen, 1 << bit % 8, out=chosen)
+    halves[bit // 8] |= SPREAD[words.view(np.uint8)] << np.uint64(bit % 8)
 
 
-@lru_cache(maxsize=1)
 def worth_following() -> NDArray[np.int64]:
     """The directions that are worth following, see `JumpPoints`.
 
@@ -194,7 +234,6 @@ def worth_following() -> NDArray[np.int64]:
     return worth.ravel()
 
 
-@lru_cache(maxsize=1)
 def lists_of_bits() -> NDArray[np.int64]:
     """The bits that are set in each byte, see `JumpPoints`."""
     listed = np.zeros((256, 9), np.int64)
@@ -204,9 +243,13 @@ def lists_of_bits() -> NDArray[np.int64]:
     return listed
 
 
+WORTH, LISTED = worth_following(), lists_of_bits()
+
+
+@callable_from_compiled
 def fill_in(nodes: NDArray[np.int64], columns: int) -> NDArray[np.int64]:
     """All cells (m,) along a path of jumps (k,), straight or diagonal."""
     across, up = np.diff(nodes % columns), np.diff(nodes // columns)
     moves = np.maximum(np.abs(across), np.abs(up))
     steps = np.sign(across) + np.sign(up) * columns
-    return np.concatenate([nodes[:1], nodes[0] + np.cumsum(np.repeat(steps, moves))])
+    return np.concatenate((nodes[:1], nodes[0] + np.cumsum(np.repeat(steps, moves))))
