@@ -491,3 +491,12 @@ def test_a_notebook_stores_the_code_in_its_picture():
     )
     assert wide.width > 1.3 * plain.width
     assert early != code_board(nearest_on, *given, first=2).picture()
+
+
+def test_a_board_that_shows_its_code_does_not_answer_in_a_page():
+    """The page has the planner as machine code, whose lines nobody sees."""
+    made = board(walled(), "prm", samples=200, step_size=0.5, rng=4)
+    assert "live" in made.record()[0]
+    made.code.value = True
+    made.planner.value = "rrt"
+    assert "live" not in made.record()[0]

@@ -143,7 +143,10 @@ class NumbaThread:
             self.is_idle = False
             if job is not None:
                 last = time.monotonic()
-                job()
+                try:
+                    job()
+                except Exception:  # such as a full disk; the thread must go on
+                    log.exception("machine code could not be requested")
             for watch in tuple(self.watches):
                 last = time.monotonic()
                 try:
