@@ -602,7 +602,7 @@ def test_a_link_brings_the_same_world(page, folder):
     address = page.evaluate("location.href")
     page.goto("about:blank")
     page.goto(address)
-    page.wait_for_function("document.querySelectorAll('.kinoedu-board')[1].dataset.step === '1'")
+    page.wait_for_function("document.querySelectorAll('.kinoedu-board')[1]?.dataset.step === '1'")
     page.locator(".kinoedu-board").nth(1).locator(".kinoedu-slider").press("End")
     page.wait_for_function(SAYS, arg=[1, text])
     page.goto("about:blank")
