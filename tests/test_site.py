@@ -274,7 +274,7 @@ def test_the_site_begins_with_a_board_that_answers(browser_page):
     status = board.locator("[role=status]")
     page.wait_for_function("e => e.textContent !== ''", arg=status.element_handle())
     before = status.inner_text()
-    board.locator(".kinoedu-thing[aria-label^=goal]").press("Shift+ArrowLeft")
+    board.locator(".kinoedu-thing[aria-label^=goal]").press("ArrowUp")
     page.wait_for_function(
         "([e, before]) => e.textContent !== before", arg=[status.element_handle(), before]
     )
