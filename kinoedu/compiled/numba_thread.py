@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from ..support.threads import WAITING_FILES, raise_in
+from ..support.threads import WAITING_FILES, raise_in, withdraw_exception
 
 if TYPE_CHECKING:
     from .tiers import Specialization
@@ -60,12 +60,12 @@ class WatchedCall:
                 raise_in(self.thread, MachineCodeLoaded)
 
     def close(self) -> None:
-        """End the watch after the call, and cancel an interruption that is still pending."""
+        """End the watch after the call, and withdraw an interruption that is still to come."""
         NUMBA_THREAD.unwatch(self)
         with self.lock:
             self.is_closed = True
         if self.is_interrupted:
-            raise_in(self.thread, None)
+            withdraw_exception()
 
 
 class NumbaThread:

@@ -16,7 +16,7 @@ from contextvars import copy_context
 from types import FrameType
 from typing import Any, NamedTuple, Protocol, TypeVar
 
-from .threads import WAITING_FILES, library_seconds, raise_in, spent_by
+from .threads import WAITING_FILES, library_seconds, raise_in, spent_by, withdraw_exception
 
 T = TypeVar("T")
 
@@ -372,3 +372,4 @@ def stop_thread(thread: threading.Thread) -> None:
             thread.join(0.01)
     finally:
         sys.unraisablehook = report
+        withdraw_exception()  # where the thread ended before the last one came
