@@ -18,6 +18,7 @@ import kinoedu as ke
 from kinoedu.boards import Canvas, Drawing, board, car_board, distance_board
 from kinoedu.boards.car.car import ON_BOARD as ON_CAR_BOARD
 from kinoedu.boards.core.drawing import edges, encode_drawing, path
+from kinoedu.boards.core.printed import fit_page
 from kinoedu.boards.core.scene import make_scene, move_parts
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.own import draw_questions, try_planner
@@ -456,15 +457,29 @@ def flat(record):
 
 
 def test_a_notebook_keeps_text_and_a_small_picture():
-    """Without JavaScript: always the same text, and a PNG of less than 60 KB."""
+    """Without JavaScript: always the same text, and a PNG of 50 KB at most."""
     made = board(walled(), planner="prm", samples=2000)
     for widget in (made, made.canvas, distance_board(WALL, q=(1, 9))):
         data, _ = widget._repr_mimebundle_()
         assert data["text/plain"] == repr(widget) and "0x" not in repr(widget)
-        assert len(data["image/png"]) < 60_000
+        assert len(base64.b64decode(data["image/png"])) < 50_000
         assert Image.open(io.BytesIO(base64.b64decode(data["image/png"]))).size[0] > 300
         assert "application/vnd.jupyter.widget-view+json" in data
     assert repr(board(walled())) == repr(board(walled()))
+
+
+def test_a_stored_picture_has_twice_the_dots_of_its_page():
+    """What notebooks store says how large it is shown; one with too many bytes is coarser."""
+    data, about = board(walled())._repr_mimebundle_()
+    stored = Image.open(io.BytesIO(base64.b64decode(data["image/png"])))
+    shown = about["image/png"]
+    assert stored.size == (2 * shown["width"], 2 * shown["height"])
+    noise = np.random.default_rng(0).integers(0, 256, (800, 800, 3), np.uint8)
+    stream = io.BytesIO()
+    Image.fromarray(noise).save(stream, "png")
+    picture, size = fit_page(stream.getvalue())
+    assert size == {"width": 400, "height": 400}
+    assert Image.open(io.BytesIO(picture)).size == (300, 300)
 
 
 def test_distance_board_tells_distance_nearest_point_and_inside():

@@ -44,7 +44,7 @@ from ...messages import get_message
 from ...support.json_fields import JsonObject
 from .challenge import Posed
 from .drawing import Drawing, encode_drawing
-from .printed import Bitmap, print_board
+from .printed import Bitmap, fit_page, print_board
 from .recorded import RECORD, pack_records, record_drawing
 from .scene import Scene, arrange_like, list_places, move_parts
 
@@ -293,7 +293,8 @@ def add_picture(bundle: Any, widget: object, canvas: Any) -> tuple[JsonObject, J
     data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
     if data is None:
         return None
-    picture = base64.b64encode(canvas.picture()).decode("ascii")
+    picture, size = fit_page(canvas.picture())
     records = canvas.record()
     recorded = {RECORD: pack_records(records)} if records else {}
-    return {**data, "text/plain": repr(widget), "image/png": picture, **recorded}, about
+    stored = {"text/plain": repr(widget), "image/png": base64.b64encode(picture).decode("ascii")}
+    return {**data, **stored, **recorded}, {**about, "image/png": size}

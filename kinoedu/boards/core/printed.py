@@ -21,11 +21,12 @@ from .listing import Listing
 from .scene import Scene
 
 Bitmap = NDArray[np.bool_ | np.integer]  # booleans, or numbers of colours
-DPI = (72, 54)  # dots per inch; the smaller one for pictures of more than ENOUGH bytes
+SHARP = 2  # dots of the picture for one dot of a page, in both directions
+DPI = 72 * SHARP
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
 LINE_HEIGHT = 0.2  # inches, of a line of code
 TITLE_HEIGHT = 0.4  # inches
-ENOUGH = 64_000  # bytes, so that a notebook with a dozen boards stays small
+ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
 
 
 def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> bytes:
@@ -46,10 +47,8 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
     if not scene.get("ticks", True):
         ax.set_axis_off()
-    # The layout settles only when a figure is drawn again, so the smallest one is drawn first.
-    smallest = save_with_few_colours(figure, DPI[-1])
-    pictures = (save_with_few_colours(figure, dpi) for dpi in DPI)
-    return next((picture for picture in pictures if len(picture) <= ENOUGH), smallest)
+    figure.draw_without_rendering()  # the layout settles only when a figure is drawn again
+    return save_with_few_colours(figure)
 
 
 def make_page(
@@ -60,7 +59,7 @@ def make_page(
     beside = 0.115 * max(map(len, texts)) + 0.3 if texts else 0.0
     if texts:  # the title stands above both
         height = max(height, LINE_HEIGHT * (len(texts) + 1)) + TITLE_HEIGHT
-    figure = Figure(figsize=(width + beside, height), dpi=DPI[0], layout="constrained")
+    figure = Figure(figsize=(width + beside, height), dpi=DPI, layout="constrained")
     FigureCanvasAgg(figure)
     if not texts:
         return figure, figure.add_subplot()
@@ -99,19 +98,23 @@ def clip(text: str, room: int) -> str:
     return text if len(text) <= room else text[: room - 3] + "..."
 
 
-def save_with_few_colours(figure: Figure, dpi: int) -> bytes:
-    """A figure as a PNG with only the course's colours and their mixtures.
+def save_with_few_colours(figure: Figure) -> bytes:
+    """A figure as a PNG with few colours."""
+    stream = io.BytesIO()
+    figure.savefig(stream, format="png")
+    return keep_own_colours(Image.open(stream))
+
+
+def keep_own_colours(picture: Image.Image) -> bytes:
+    """A picture as a PNG with only the course's colours and their mixtures.
 
     The file is about a quarter of the size, and every colour of the course is kept exactly.
     """
-    stream, small = io.BytesIO(), io.BytesIO()
-    figure.savefig(stream, format="png", dpi=dpi)
-    own = Image.new("P", (1, 1))
+    own, stream = Image.new("P", (1, 1)), io.BytesIO()
     own.putpalette(mix_colours())
-    Image.open(stream).convert("RGB").quantize(palette=own, dither=Image.Dither.NONE).save(
-        small, "png", optimize=True
-    )
-    return small.getvalue()
+    few = picture.convert("RGB").quantize(palette=own, dither=Image.Dither.NONE)
+    few.save(stream, "png", optimize=True)
+    return stream.getvalue()
 
 
 def mix_colours() -> list[int]:
@@ -270,6 +273,18 @@ def join_pictures(*pictures: bytes) -> bytes:
     stream = io.BytesIO()
     joined.quantize(64, dither=Image.Dither.NONE).save(stream, "png", optimize=True)
     return stream.getvalue()
+
+
+def fit_page(picture: bytes) -> tuple[bytes, dict[str, int]]:
+    """A sharp picture, coarser if it has more than ENOUGH bytes, and its size on a page."""
+    sharp = Image.open(io.BytesIO(picture))
+    width, height = sharp.width // SHARP, sharp.height // SHARP
+    for share in (0.75, 0.5, 0.375):
+        if len(picture) > ENOUGH:
+            size = int(share * sharp.width), int(share * sharp.height)
+            smaller = sharp.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+            picture = keep_own_colours(smaller)
+    return picture, {"width": width, "height": height}
 
 
 def print_handles(scene: Scene, ax: Axes) -> None:

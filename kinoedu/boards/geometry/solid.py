@@ -31,6 +31,7 @@ from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
 from ..core.canvas import add_picture
+from ..core.printed import SHARP
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -240,7 +241,7 @@ class SolidBoard(anywidget.AnyWidget):
         from matplotlib.patches import Polygon
 
         # Without a layout engine, which would overestimate the box of the solid.
-        figure = Figure(figsize=(11.0, 5.0), dpi=60)
+        figure = Figure(figsize=(11.0, 5.0), dpi=60 * SHARP)
         FigureCanvasAgg(figure)
         left = figure.add_axes((0.0, 0.02, 0.5, 0.96), projection="3d")
         draw_mesh(self._mesh, left, theta=self.theta)
