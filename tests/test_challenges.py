@@ -253,6 +253,12 @@ WAYS = {
         both(wall_moves((0.2, 0)), wall_moves((0.4, 0))),
         wall_moves((0, -2)),
     ),
+    "many_nodes": (partial(board, HALL), put(step_size=0.1, seed=2), put(step_size=1.0)),
+    "lucky_roadmap": (
+        partial(board, HOUSE, planner="prm", samples=400),
+        put(samples=100),
+        put(samples=50, seed=9),
+    ),
     "second_tree_pays": (RACE, handles((12.3, 3.3), (1.3, 0.7)), put(seed=0)),
     "only_one_finds": (
         partial(race_board, HALL, [only_short, straight]),
@@ -318,7 +324,7 @@ def state(made):
 
 def test_every_challenge_has_its_ways():
     """And every message of the catalogue belongs to a challenge."""
-    assert set(WAYS) == NAMES and len(NAMES) == 28
+    assert set(WAYS) == NAMES and len(NAMES) == 30
     sentences = {challenge_called(name).sentence for name in NAMES}
     tables = catalogue("en")["challenge"]
     assert sentences == {table["sentence"] for table in tables.values()}
@@ -401,7 +407,7 @@ def test_a_record_has_the_sentences():
     assert record["drawing"]["challenges"][0]["sentence"].startswith("drag q")
 
 
-@pytest.mark.parametrize("lesson", LESSONS[2:], ids=lambda lesson: lesson.stem)
+@pytest.mark.parametrize("lesson", [LESSONS[0], *LESSONS[2:]], ids=lambda lesson: lesson.stem)
 def test_every_lesson_has_two_challenges(lesson):
     """Marked as optional by the board itself."""
     code = [

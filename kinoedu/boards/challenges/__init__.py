@@ -1,4 +1,4 @@
-"""Challenges for the boards of the lessons, two or more a lesson; see `challenge`."""
+"""Challenges for the boards of the tour and the lessons, two or more in each; see `challenge`."""
 
 from .bugs import bug0_is_lost, bug2_walks_farther
 from .cars import reverse_halves, three_arcs
@@ -13,6 +13,7 @@ from .polygons import detour, more_samples_help
 from .roadmaps import long_way_round, missed_way
 from .sampling import in_the_largest_hole, random_beats_halton
 from .terrains import much_longer, only_one_finds
+from .tour import lucky_roadmap, many_nodes
 from .trees import path_jumps, second_tree_pays
 
 __all__ = [
@@ -29,6 +30,8 @@ __all__ = [
     "free_in_the_obstacle",
     "in_the_largest_hole",
     "long_way_round",
+    "lucky_roadmap",
+    "many_nodes",
     "missed_way",
     "more_samples_help",
     "mostly_backwards",
