@@ -48,7 +48,7 @@ PARTS = {
     "measure_distances measure_turns ends_of_links bounding_box edges_round",
     "pictures": "bar circle is_arm",
     "conversions": "list_neighbours convert_case find_ancestors find_adjacent_places "
-    "remove_duplicates",
+    "remove_duplicates swap_entries",
     "judges, which see answers of students": "keep_free measure_edges measure_duration "
     "find_near_goal find_relative_motion find_cuts find_crossed_cells find_arrival "
     "cells_containing floors_and_ceilings shared_wall",

@@ -81,6 +81,29 @@ class Change(NamedTuple):
     answer: Callable[..., object] = not_in_the_kit
 
 
+class Restated(NamedTuple):
+    """A variant that puts the usual question in another form: its key, and how the forms relate.
+
+    It is judged in the usual form, so all laws of the usual form hold, and it needs no further
+    right answers. Students get these functions: they say no more than the contract.
+
+    Attributes
+    ----------
+    key : name of the variant.
+    answer : makes the variant's answer from a usual one and the usual arguments. None stays None.
+    usual_answer : makes the usual answer from the variant's; by default this is `answer` as well.
+        It takes every answer of the declared shape.
+    given : makes the variant's arguments from the usual ones, all of them in order.
+    usual_given : makes the usual arguments from the variant's; by default this is `given` as well.
+    """
+
+    key: str
+    answer: Callable[..., Any] | None = None
+    usual_answer: Callable[..., Any] | None = None
+    given: Callable[..., tuple[Any, ...]] | None = None
+    usual_given: Callable[..., tuple[Any, ...]] | None = None
+
+
 class Exercise(ABC):
     """One function that students write. Subclasses are listed in `kinoedu.course.lessons`.
 
@@ -97,6 +120,8 @@ class Exercise(ABC):
         it from students' programs.
     shown : library function that students may compare with afterwards. None stands for `source`.
     variants : names of contracts; each student may be assigned one.
+    changes : the variants that have another right answer; `variants` are their names. A `Change`
+        is for a `ValueExercise`.
     trivial : programs that solve nothing, beside constants and arguments; they earn no points.
     """
 
@@ -111,11 +136,14 @@ class Exercise(ABC):
     source: ClassVar[Callable[..., object] | None] = None
     shown: ClassVar[Callable[..., object] | None] = None
     variants: ClassVar[tuple[str, ...]] = ()
+    changes: ClassVar[tuple[Change | Restated, ...]] = ()
     trivial: ClassVar[tuple[Callable[..., object], ...]] = ()
 
     def __init_subclass__(cls) -> None:
-        """Withhold the programs of the misconceptions: most are nearly right."""
+        """Withhold the programs of the misconceptions: most are nearly right. Name the variants."""
         super().__init_subclass__()
+        if "changes" in vars(cls):
+            cls.variants = tuple(change.key for change in cls.changes)
         if "slips" in vars(cls):
             cls.slips = tuple(
                 slip._replace(answer=withhold(slip.answer, f"{cls.__name__}.slips.{i}"))
@@ -128,7 +156,7 @@ class Exercise(ABC):
     @property
     def contract(self) -> str:
         """What the variant demands in addition to the statement; "" without a variant."""
-        return self.message(f"contracts.{self.variant}") if self.variant else ""
+        return self.message(f"contracts.{self.variant}", name=self.name) if self.variant else ""
 
     @abstractmethod
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -173,6 +201,10 @@ class Exercise(ABC):
         """Description of the answer that was given to a case."""
         return format_value(value)
 
+    def as_asked(self, value: Value, case: Case) -> Value:
+        """A right answer in the form in which it is asked for: that of a restated variant."""
+        return value
+
     def ask_for_answers(self, case: Case) -> None:
         """Ask withheld functions for all that judging and drawing a case needs.
 
@@ -206,21 +238,9 @@ NO_ANSWER = (ValueError, ZeroDivisionError, NotInTheKit)  # of a misconception
 
 
 class ValueExercise(Exercise):
-    """An exercise whose right answer is a reference value up to rounding, or a ValueError.
-
-    Attributes
-    ----------
-    changes : the variants that have another right answer; `variants` are their names.
-    """
+    """An exercise whose right answer is a reference value up to rounding, or a ValueError."""
 
     tolerance: ClassVar[float] = 1e-6
-    changes: ClassVar[tuple[Change, ...]] = ()
-
-    def __init_subclass__(cls) -> None:
-        """Name the variants."""
-        super().__init_subclass__()
-        if "changes" in vars(cls):
-            cls.variants = tuple(change.key for change in cls.changes)
 
     @staticmethod
     @abstractmethod
@@ -284,6 +304,10 @@ class ValueExercise(Exercise):
         found, wanted = np.ravel(value).tolist(), np.ravel(truth).tolist()
         return len(found) == len(wanted) and all(map(self.near, found, wanted))
 
+    def agree(self, case: Case, value: Value, other: Value) -> bool:
+        """Whether two answers to a case agree, of which one is a misconception's."""
+        return self.same(value, other)
+
     def near(self, found: float, wanted: float) -> bool:
         """Whether two numbers agree up to rounding; infinity equals only itself."""
         both_nan = found != found and wanted != wanted
@@ -296,7 +320,7 @@ class ValueExercise(Exercise):
         return (
             get_message("exercise.wanted_error")
             if isinstance(truth, ValueError)
-            else format_value(truth)
+            else format_value(self.as_asked(truth, case))
         )
 
 

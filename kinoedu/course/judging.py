@@ -287,7 +287,7 @@ def explains(exercise: Exercise, slip: Slip, judged: JudgedCase) -> bool:
     if found is None or not isinstance(judged.outcome, Answer):
         return False
     assert isinstance(exercise, ValueExercise)
-    return exercise.same(judged.outcome.value, found.value)
+    return exercise.agree(judged.case, judged.outcome.value, found.value)
 
 
 @np.errstate(all="ignore")
@@ -300,8 +300,9 @@ def contradicts(exercise: Exercise, slip: Slip, judged: JudgedCase) -> bool:
     if found is None or not isinstance(judged.outcome, Answer):
         return False
     assert isinstance(exercise, ValueExercise)
-    values = found.value, judged.outcome.value
-    return all(map(is_definite, values)) and not exercise.same(judged.outcome.value, found.value)
+    value = judged.outcome.value
+    both = is_definite(found.value) and is_definite(value)
+    return both and not exercise.agree(judged.case, value, found.value)
 
 
 def is_definite(value: object) -> bool:

@@ -1,19 +1,19 @@
-"""Variants of exercises: contracts that allow less, and changes that have another right answer."""
+"""Variants of exercises: contracts that allow less, changed answers, and other forms."""
 
 import functools
 from collections.abc import Callable
 from typing import Any, ClassVar, cast
 
-from ..messages import has_message
-from .exercise import CONTRACT, Case, Change, Exercise, ValueExercise, Verdict
+from .exercise import CONTRACT, Case, Change, Exercise, Restated, ValueExercise, Verdict
 from .outcomes import Outcome
+from .restated import VariedMessages, restate
 from .shapes import Value
 from .withheld import withhold
 
 Program = Callable[..., Any]
 
 
-class Varied(ValueExercise):
+class Varied(VariedMessages, ValueExercise):
     """A variant that has another right answer. Cases and laws are those of the usual form.
 
     Attributes
@@ -34,18 +34,16 @@ class Varied(ValueExercise):
             return verdict
         return verdict._replace(rule=CONTRACT)
 
-    def table_with(self, key: str) -> str:
-        """The variant's own table of messages where it contains a key, otherwise the usual one."""
-        own = f"{self.name}.{self.variant}"
-        return own if has_message(f"{own}.{key}") else super().table_with(key)
-
 
 @functools.cache
 def make_variant(kind: type[Exercise], variant: str) -> Exercise:
     """The variant of an exercise, made once: results are cached with the object."""
-    changes = kind.changes if issubclass(kind, ValueExercise) else ()
-    change = next((one for one in changes if one.key == variant), None)
-    return kind(variant) if change is None else vary(cast("type[ValueExercise]", kind), change)
+    change = next((one for one in kind.changes if one.key == variant), None)
+    if change is None:
+        return kind(variant)
+    if isinstance(change, Restated):
+        return restate(kind, change)
+    return vary(cast("type[ValueExercise]", kind), change)
 
 
 def vary(kind: type[ValueExercise], change: Change) -> Exercise:

@@ -638,3 +638,43 @@ upper_ends_of_all = changed(
     variant="upper_end_first",
     slip="hollow",
 )
+
+ALL_EDGES, ROW = "edges = all_edges(boundary, obstacles)", "(x0, x, *left, *right)"
+level_walls = varied(
+    "trapezoidation",
+    "level",
+    (ALL_EDGES, "edges = all_edges(boundary[:, ::-1], [ring[:, ::-1] for ring in obstacles])"),
+)
+floors_first = varied(
+    "trapezoidation", "heights", (ROW, "(x0, x, left[0], right[0], left[1], right[1])")
+)
+level_walls_of_the_boundary = changed(
+    "trapezoidation",
+    (ALL_EDGES, "edges = all_edges(boundary[:, ::-1], [])"),
+    variant="level",
+    slip="no_obstacles",
+)
+ceilings_first = changed(
+    "trapezoidation",
+    (ROW, "(x0, x, left[1], right[1], left[0], right[0])"),
+    variant="heights",
+    slip="columns",
+)
+SORTED = "(min(i, j), max(i, j))"
+left_one_first = varied("neighbours", "left_first", (SORTED, "(i, j)"))
+larger_one_first = varied("neighbours", "larger_first", (SORTED, "(max(i, j), min(i, j))"))
+right_one_first = changed("neighbours", (SORTED, "(j, i)"), variant="left_first")
+left_one_for_larger = changed("neighbours", (SORTED, "(i, j)"), variant="larger_first")
+WHOLE_PATH = "return np.array([*path, ((last[0] + last[1]) / 2, last[2:].mean()), goal])"
+path_from_the_goal = varied(
+    "plan_by_decomposition", "from_goal", (WHOLE_PATH, WHOLE_PATH[:-1] + "[::-1])")
+)
+path_without_its_start = varied(
+    "plan_by_decomposition", "without_start", (WHOLE_PATH, WHOLE_PATH[:-1] + "[1:])")
+)
+path_without_its_ends = changed(
+    "plan_by_decomposition", (WHOLE_PATH, WHOLE_PATH[:-1] + "[1:-1])"), variant="without_start"
+)
+only_its_ends_exchanged = changed(
+    "plan_by_decomposition", ("path = [start]", "path = [goal]"), variant="from_goal"
+)

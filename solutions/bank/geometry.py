@@ -473,3 +473,35 @@ outward_from_an_end = changed(
 clockwise_along_the_edge = changed(
     "polygon_tangent", (NEITHER, "vector = a - b"), variant="clockwise"
 )
+
+TO_THE_LINE = "return abs(a * q[0] + b * q[1] + c)"  # positive on the left without abs
+positive_on_the_left = varied(
+    "point_line_distance", "left", (TO_THE_LINE, "return a * q[0] + b * q[1] + c")
+)
+positive_on_the_right = varied(
+    "point_line_distance", "right", (TO_THE_LINE, "return -(a * q[0] + b * q[1] + c)")
+)
+positive_above = changed(
+    "point_line_distance",
+    (TO_THE_LINE, "return (a * q[0] + b * q[1] + c) * (1 if b >= 0 else -1)"),
+    variant="left",
+)
+INSIDE = "if point_in_polygon(q, polygon):\n        return 0.0\n    return min("
+minus_inside = varied(
+    "point_polygon_distance",
+    "signed",
+    (INSIDE, "return (-1 if point_in_polygon(q, polygon) else 1) * min("),
+)
+to_the_boundary = varied("point_polygon_distance", "boundary", (INSIDE, "return min("))
+minus_outside = changed(
+    "point_polygon_distance",
+    (INSIDE, "return (1 if point_in_polygon(q, polygon) else -1) * min("),
+    variant="signed",
+    slip="signed",
+)
+to_the_vertices = changed(
+    "point_polygon_distance",
+    (INSIDE, "return min(math.dist(q, v) for v in polygon)\n    return min("),
+    variant="boundary",
+    slip="vertices",
+)

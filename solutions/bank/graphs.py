@@ -11,7 +11,7 @@ from pathlib import Path
 from kinoedu.course.bank import Solutions, wrong
 
 solutions = Solutions(Path(__file__).parents[1] / "04_graph_search.ipynb")
-changed, right = solutions.changed, solutions.right
+changed, right, varied = solutions.changed, solutions.right, solutions.varied
 
 
 def both_ways(neighbours):
@@ -542,4 +542,72 @@ expanded_twice_at_most = changed(
         "        if u == goal:",
     ),
     slip="closed",
+)
+
+
+# Variants
+
+FOUND = "return path if path[0] == start else None"
+SEARCHED = "path = extract_path(bfs_tree(neighbours, start), goal)"
+reversed_by_breadth = varied(
+    "bfs_path", "from_goal", (FOUND, FOUND.replace("path if", "path[::-1] if"))
+)
+breadth_first_from_the_goal = varied(
+    "bfs_path",
+    "incoming",
+    (SEARCHED, "path = extract_path(bfs_tree(neighbours, goal), start)"),
+    (FOUND, "return path[::-1] if path[0] == goal else None"),
+)
+backwards_along_the_edges = changed(
+    "bfs_path",
+    (SEARCHED, "path = extract_path(bfs_tree(neighbours, goal), start)"),
+    (FOUND, "return path if path[0] == goal else None"),
+    variant="from_goal",
+    slip="from_goal",
+)
+both_directions_are_open = changed(
+    "bfs_path",
+    (
+        SEARCHED,
+        "nodes = range(len(neighbours))\n"
+        "    lead = lambda u, v: v in neighbours[u] or u in neighbours[v]\n"
+        "    both = [[v for v in nodes if lead(u, v)] for u in nodes]\n"
+        "    path = extract_path(bfs_tree(both, start), goal)",
+    ),
+    variant="incoming",
+)
+LEADS, DEEP = "for u in neighbours[v]:", "return extract_path(parent, goal)"
+LEADS_BACK = "for u in [u for u in range(len(neighbours)) if v in neighbours[u]]:"
+reversed_by_depth = varied("dfs_path", "from_goal", (DEEP, DEEP + "[::-1]"))
+depth_first_backwards = varied("dfs_path", "incoming", (LEADS, LEADS_BACK))
+reversed_nodes_of_a_search_without_the_goal = changed(
+    "dfs_path", (DEEP, DEEP + "[-2::-1]"), variant="from_goal"
+)
+START_COST, CHEAPER = "    cost[start] = 0\n", "c + w < cost[v]"
+EACH_EDGE = "for v, w in zip(neighbours[u], weights[u]):"
+EACH_EDGE_TO_U = (
+    "for v, w in [(v, w) for v, row in enumerate(neighbours) for t, w in zip(row, weights[v]) "
+    "if t == u]:"
+)
+costs_to_the_start = varied("dijkstra", "to_start", (EACH_EDGE, EACH_EDGE_TO_U))
+costs_of_squares = varied(
+    "dijkstra", "squared", (EACH_EDGE, EACH_EDGE + "\n                w = w * w")
+)
+square_of_the_least_cost = changed(
+    "dijkstra", ("return cost", "return [c * c for c in cost]"), variant="squared"
+)
+costs_to_the_start_in_edges = changed(
+    "dijkstra",
+    (EACH_EDGE, EACH_EDGE_TO_U + "\n                w = 1"),
+    variant="to_start",
+    slip="edges",
+)
+BEST = "return extract_path(parent, goal)"
+reversed_by_cost = varied("astar", "from_goal", (BEST, BEST + "[::-1]"))
+cheapest_backwards = varied("astar", "incoming", (EACH_EDGE, EACH_EDGE_TO_U))
+cheapest_backwards_without_costs = changed(
+    "astar",
+    (EACH_EDGE, EACH_EDGE_TO_U + "\n            w = 1"),
+    variant="incoming",
+    slip="greedy",
 )

@@ -634,3 +634,40 @@ contact_with_itself = changed(
     ("np.zeros((n, n), int)", "np.eye(n, dtype=int)"),
     variant="contact",
 )
+
+FREE = "return theta"
+heading_in_degrees = varied("free_heading", "degrees", (FREE, "return math.degrees(theta)"))
+heading_clockwise = varied("free_heading", "clockwise", (FREE, "return -theta"))
+degrees_for_the_robot = changed(
+    "free_heading",
+    ("np.arange(0, 2 * math.pi, 0.1)", "np.arange(0, 360, 5)"),
+    variant="degrees",
+)
+heading_half_a_turn_off = changed(
+    "free_heading", (FREE, "return math.pi - theta"), variant="clockwise"
+)
+matrix_by_breadth_reversed = varied(
+    "bfs_on_matrix", "from_goal", ("return path[::-1]", "return path")
+)
+matrix_by_depth_reversed = varied(
+    "dfs_on_matrix", "from_goal", ("return path or None", "return path[::-1] or None")
+)
+zeros_by_breadth = varied(
+    "bfs_on_matrix",
+    "contact",
+    ("np.flatnonzero(A[u]).tolist()", "[v for v in range(len(A)) if v != u and A[u][v] == 0]"),
+)
+zeros_by_depth = varied(
+    "dfs_on_matrix", "contact", ("np.flatnonzero(A[path[-1]])", "np.flatnonzero(A[path[-1]] == 0)")
+)
+contacts_by_depth = changed(
+    "bfs_on_matrix",
+    ("queue.popleft()", "queue.pop()"),
+    ("np.flatnonzero(A[u])", "np.flatnonzero(A[u] == 0)"),
+    variant="contact",
+)
+goal_put_first = changed(
+    "dfs_on_matrix",
+    ("return path or None", "return [path[-1], *path[:-1]] if path else None"),
+    variant="from_goal",
+)

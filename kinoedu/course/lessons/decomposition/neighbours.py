@@ -7,9 +7,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ....decomposition.cells import share_walls
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Record
+from ...shapes import Record, Value
 from ...whole_shapes import Integers
 from ...withheld import withheld
 from ..shared.random_shapes import sizes
@@ -40,6 +40,21 @@ UPSIDE_DOWN, FLIPPED = [0, 1, 3, 2, 5, 4], np.array([1, 1, -1, -1, -1, -1])
 def neighbouring(trapezoids: Array) -> NDArray[np.int64]:
     """Pairs (i, j), i < j, of trapezoids that share a wall of positive length, (m, 2)."""
     return touching(trapezoids)
+
+
+def put_left_first(pairs: Value, trapezoids: Array) -> Value:
+    """Return pairs with the left trapezoid first."""
+    return [(i, j) if trapezoids[i, 1] == trapezoids[j, 0] else (j, i) for i, j in pairs]
+
+
+def put_smaller_first(pairs: Value, trapezoids: Array) -> Value:
+    """Return pairs with the smaller index first, or last where the right trapezoid was first."""
+    rows = np.reshape(pairs, (-1, 2)).astype(np.int64)
+    n, found = len(trapezoids), np.sort(rows, axis=1).tolist()
+    for row, (i, j) in enumerate(rows.tolist()):
+        if 0 <= min(i, j) and max(i, j) < n and trapezoids[j, 1] == trapezoids[i, 0]:
+            found[row].reverse()
+    return np.array(found, np.int64).reshape(-1, 2)
 
 
 class Neighbours(ValueExercise):
@@ -81,6 +96,13 @@ class Neighbours(ValueExercise):
         Slip("nested", nested_walls),
     )
     reference = staticmethod(neighbouring)
+
+    changes = (
+        Restated("left_first", answer=put_left_first, usual_answer=put_smaller_first),
+        Restated(
+            "larger_first", answer=lambda pairs, trapezoids: np.reshape(pairs, (-1, 2))[:, ::-1]
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Two or three trapezoids first, then all of a world in random order."""

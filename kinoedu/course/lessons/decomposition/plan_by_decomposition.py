@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 from ....decomposition import trapezoidation
 from ....geometry.checks import Array
 from ....graphs import Graph, bfs, bfs_path
-from ....messages import get_message
 from ....worlds import PolygonWorld
-from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Exercise, Restated, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Numbers, Record, Value
 from ...whole_shapes import Integers
@@ -111,6 +110,13 @@ def is_free(a: Array, b: Array, cells: Array) -> bool:
     return True
 
 
+def put_start(path: Array, start: Array, *others: Value) -> Array:
+    """Return a path with the start put before it; one that begins with the start loses it."""
+    if len(path) and np.array_equal(path[0], start):
+        return path[1:]
+    return np.vstack([start, path])
+
+
 class PlanByDecomposition(Exercise):
     """A path from start to goal through the cells, or None where there is no way."""
 
@@ -120,6 +126,11 @@ class PlanByDecomposition(Exercise):
     given = Record(start=POINT, goal=POINT, trapezoids=CELLS, pairs=Integers(("m", 2)))
     answer = Maybe(Numbers(("k", 2)))
     source = staticmethod(through_cells)
+
+    changes = (
+        Restated("from_goal", answer=lambda path, *given: path[::-1]),
+        Restated("without_start", answer=lambda path, *given: path[1:], usual_answer=put_start),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """One cell, two cells, round a tip, across a world, and into another room.
@@ -185,7 +196,7 @@ class PlanByDecomposition(Exercise):
         """Description by one right path."""
         path = through_cells(*case.given.values())
         return (
-            get_message(f"{self.name}.wanted", path=format_value(path))
+            self.message("wanted", path=format_value(self.as_asked(path, case)))
             if path is not None
             else "None"
         )

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ....decomposition.cells import replace_cells
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Axes, Case, Given, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Given, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Value
 from ..shared.random_shapes import sizes
@@ -19,6 +19,7 @@ from .slips import hollow, slabs, without_last, without_triangles
 
 # low cells, one of them very narrow, and numbers of many digits
 LOW = np.array([(0, 0), (4.00012345, -0.01), (8, 0.02), (4.00091234, 0.015)], float)
+HEIGHTS = [0, 1, 2, 4, 3, 5]  # the columns, both floors before both ceilings
 
 
 class TrapezoidsOfWorld(ValueExercise):
@@ -43,6 +44,11 @@ class TrapezoidsOfWorld(ValueExercise):
         Slip("no_triangles", lambda *world: without_triangles(cells_of(*world))),
     )
     reference = staticmethod(cells_of)
+
+    changes = (
+        Restated("level", given=lambda boundary, obstacles: swap_axes(boundary, obstacles)),
+        Restated("heights", answer=lambda rows, *given: np.reshape(rows, (-1, 6))[:, HEIGHTS]),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Squared paper first; every world also mirrored, so that each type of vertex occurs."""
@@ -103,6 +109,11 @@ def matches(found: Array, wanted: Array, tolerance: float) -> NDArray[np.bool_]:
     apart = np.abs(found[:, None] - wanted[None])
     near: NDArray[np.bool_] = apart <= tolerance * (1.0 + np.abs(wanted))[None]
     return np.all(near, axis=2)
+
+
+def swap_axes(boundary: Array, obstacles: list[Array]) -> tuple[Array, list[Array]]:
+    """Exchange x and y of a world, and keep its rings counter-clockwise."""
+    return boundary[::-1, ::-1].copy(), [ring[::-1, ::-1].copy() for ring in obstacles]
 
 
 def mirrored(world: Given) -> Given:

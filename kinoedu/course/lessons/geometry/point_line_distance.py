@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip
+from ...exercise import Axes, Case, Change, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
@@ -44,6 +44,11 @@ class PointLineDistance(LineExercise, DistanceExercise):
         Slip("nearer_point", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
     )
     reference = staticmethod(point_line_distance)
+
+    changes = (
+        Change("left", lambda distance, *given: side_of(*given) * distance(*given)),
+        Change("right", lambda distance, *given: -side_of(*given) * distance(*given)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Small integers first; both sides of the line, and both directions along it."""
@@ -112,6 +117,11 @@ def turn_left(v: Array) -> Array:
 def cross(u: Array, v: Array) -> float:
     """The z component of the cross product."""
     return float(u[0] * v[1] - u[1] * v[0])
+
+
+def side_of(q: Array, p1: Array, p2: Array) -> float:
+    """1 where q is to the left of the direction from p1 to p2, -1 to the right, 0 on the line."""
+    return float(np.sign(cross(p2 - p1, q - p1)))
 
 
 def signed_distance(q: Array, p1: Array, p2: Array) -> float:

@@ -1,13 +1,13 @@
 """The exercise `point_polygon_distance`. Bullo & Smith, chapter 1."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from ....geometry import point_polygon_distance
 from ....geometry.checks import Array
 from ....geometry.polygons import distances_to_ring, locate_point
-from ...exercise import Axes, Case, Slip
+from ...exercise import Axes, Case, Change, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
@@ -92,6 +92,11 @@ class PointPolygonDistance(DistanceExercise):
     )
     reference = staticmethod(point_polygon_distance)
 
+    changes = (
+        Change("signed", lambda distance, *given: measure_depth(-1.0, distance, *given)),
+        Change("boundary", lambda distance, *given: measure_depth(1.0, distance, *given)),
+    )
+
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Polygons to draw by hand, then stars of every kind, then many vertices."""
         for polygon, queries in (
@@ -118,6 +123,13 @@ class PointPolygonDistance(DistanceExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the polygon, the point, and a circle around it for each of the two distances."""
         draw_distance(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def measure_depth(sign: float, distance: Callable[..., float], q: Array, polygon: Array) -> float:
+    """The distance outside, and inside the distance to the boundary with this sign."""
+    if locate_point(*q, polygon) < 0:
+        return distance(q, polygon)
+    return sign * min(edge_distances(q, polygon))
 
 
 def edge_distances(q: Array, polygon: Array) -> Array:

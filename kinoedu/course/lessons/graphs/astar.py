@@ -6,8 +6,7 @@ import numpy as np
 
 from .... import graphs
 from ....graphs.search import expand
-from ....messages import get_message
-from ...exercise import Case, Slip, format_value
+from ...exercise import Case, Restated, Slip, format_value
 from ...shapes import Listed, Number, Record, Value
 from ...whole_shapes import Integer
 from ...withheld import withheld
@@ -30,7 +29,7 @@ from ..shared.random_graphs import (
 )
 from .bfs_tree import NEIGHBOURS
 from .paths import PathExercise, convert_path
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected, reverse_weighted
 
 GAINS = [(0, i, i) for i in range(1, 6)] + [(i, 6, 20 - 3 * i) for i in range(1, 6)]  # five times
 ONE_MORE_TURN = [(0, 1, 13), (0, 2, 8), (1, 2, 2), (1, 3, 5), (2, 3, 8)]
@@ -85,6 +84,13 @@ class Astar(PathExercise):
         Slip(
             "reversed",
             lambda *given: (astar_path(*given) or [])[::-1] or None,
+        ),
+    )
+
+    changes = (
+        Restated("from_goal", answer=lambda path, *given: path[::-1]),
+        Restated(
+            "incoming", given=lambda n, weights, *others: (*reverse_weighted(n, weights), *others)
         ),
     )
 
@@ -151,11 +157,11 @@ class Astar(PathExercise):
     def describe_expected(self, case: Case) -> str:
         """Describe one shortest path and its cost."""
         truth = self.truth(case)
+        value = format_value(self.as_asked(truth, case))
         if truth is None or len(truth) < 2:
-            return format_value(truth)
-        return get_message(
-            "astar.wanted", value=format_value(truth), cost=format_value(measure_cost(case, truth))
-        )
+            return value
+        cost = format_value(measure_cost(case, truth))
+        return self.message("wanted", value=value, cost=cost)
 
 
 def add_estimates(neighbours: Neighbours, weights: Weights, estimate: list[float]) -> Weights:

@@ -6,7 +6,7 @@ import numpy as np
 
 from .... import graphs
 from ....graphs.search import expand
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record
 from ...whole_shapes import Integer
@@ -23,7 +23,7 @@ from ..shared.graph_slips import (
 from ..shared.random_graphs import Neighbours, Weights, adjacency_lists, as_graph
 from .bfs_tree import NEIGHBOURS
 from .pictures import draw_costs
-from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected
+from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected, reverse_weighted
 
 NEGATIVE = (3.0, 1.0, 0.25, 1e-5)
 LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
@@ -85,6 +85,13 @@ class Dijkstra(ValueExercise):
         ),
     )
 
+    changes = (
+        Restated(
+            "to_start", given=lambda n, weights, start: (*reverse_weighted(n, weights), start)
+        ),
+        Change("squared", lambda costs, n, weights, start: costs(n, square_each(weights), start)),
+    )
+
     @staticmethod
     @withheld
     def reference(neighbours: Neighbours, weights: Weights, start: int) -> list[float]:
@@ -139,6 +146,11 @@ class Dijkstra(ValueExercise):
         draw_costs(
             self, case, outcome.value if isinstance(outcome, Answer) else None, self.truth(case), ax
         )
+
+
+def square_each(weights: Weights) -> Weights:
+    """Return the squares of the weights; negative ones stay negative."""
+    return [[w * abs(w) for w in row] for row in weights]
 
 
 def replace_infinity(costs: list[float], other: float) -> list[float]:

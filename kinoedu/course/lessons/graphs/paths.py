@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 
 from .... import graphs
-from ...exercise import RIGHT, Axes, Case, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Restated, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Record, Value
 from ...whole_shapes import Integer
@@ -38,6 +38,10 @@ class PathExercise(GraphExercise):
     answer = Maybe(NODES)
     last_rule: ClassVar[str] = ""
     shared: ClassVar[tuple[str, ...]] = ("path_in_graph", "exercise")
+    changes = (
+        Restated("from_goal", answer=lambda path, *given: path[::-1]),
+        Restated("incoming", given=lambda neighbours, *ends: (reverse_edges(neighbours), *ends)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield graphs that can be searched by hand, then random ones."""
@@ -94,11 +98,8 @@ class PathExercise(GraphExercise):
     def describe_expected(self, case: Case) -> str:
         """Describe one right path."""
         truth = self.truth(case)
-        return (
-            format_value(truth)
-            if truth is None or len(truth) < 2
-            else self.message("wanted", value=format_value(truth))
-        )
+        value = format_value(self.as_asked(truth, case))
+        return value if truth is None or len(truth) < 2 else self.message("wanted", value=value)
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph, a right path and the student's."""
@@ -123,6 +124,12 @@ def find_path_fault(case: Case, path: list[int] | None, truth: list[int] | None)
         if not (0 <= u < n and v in neighbours[u]):
             return "one_way" if 0 <= v < n and u in neighbours[v] else "edge"
     return ""
+
+
+def reverse_edges(neighbours: Neighbours) -> Neighbours:
+    """Return for each node the nodes from which an edge leads to it."""
+    nodes = range(len(neighbours))
+    return [[u for u in nodes if v in neighbours[u]] for v in nodes]
 
 
 def convert_path(path: Value) -> list[int] | None:

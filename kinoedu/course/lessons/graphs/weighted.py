@@ -26,6 +26,15 @@ def graphs_in_units(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours,
         yield shape, neighbours, [[round(w * unit, 6) for w in row] for row in weights]
 
 
+def reverse_weighted(neighbours: Neighbours, weights: Weights) -> tuple[Neighbours, Weights]:
+    """Return for each node the nodes from which an edge leads to it, and the edges' weights."""
+    turned = [list[tuple[int, float]]() for _ in neighbours]
+    for u, row in enumerate(neighbours):
+        for v, w in zip(row, weights[u], strict=True):
+            turned[v].append((u, w))
+    return [[u for u, _ in row] for row in turned], [[w for _, w in row] for row in turned]
+
+
 def make_undirected(neighbours: Neighbours, weights: Weights) -> tuple[Neighbours, Weights]:
     """Return the graph with every edge in both directions."""
     return undirected(neighbours), undirected_weights(neighbours, weights)

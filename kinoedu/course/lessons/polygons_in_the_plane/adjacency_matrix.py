@@ -9,13 +9,13 @@ from ....geometry.checks import Array
 from ....problems.protocols import PlanningProblem
 from ....robots import Disk, RigidPolygon
 from ....worlds import PolygonWorld, scattered
-from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Change, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...tasks import ProblemShape
 from ...withheld import withheld
 from ..shared.small_problems import SQUARE, box
-from .matrices import LESSON, MATRIX, draw_case, make_problem
+from .matrices import LESSON, MATRIX, draw_case, make_problem, swap_entries
 from .pictures import draw_matrix
 
 Matrix = NDArray[np.int64]
@@ -64,11 +64,6 @@ def chain_nodes(problem: PlanningProblem, nodes: Array) -> Matrix:
     return np.triu(np.tril(matrix, 1), -1)
 
 
-def swap_entries(matrix: Matrix) -> Matrix:
-    """Swap ones and zeros outside the diagonal."""
-    return 1 - np.eye(len(matrix), dtype=np.int64) - matrix
-
-
 class AdjacencyMatrix(ValueExercise):
     """Compute the matrix of free motions between configurations."""
 
@@ -104,7 +99,7 @@ class AdjacencyMatrix(ValueExercise):
     )
     changes = (
         Change("upper_half", lambda matrix, problem, nodes: np.triu(matrix(problem, nodes))),
-        Change("contact", lambda matrix, problem, nodes: swap_entries(matrix(problem, nodes))),
+        Restated("contact", answer=lambda matrix, *given: swap_entries(matrix)),
     )
 
     @staticmethod

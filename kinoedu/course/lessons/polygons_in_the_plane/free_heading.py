@@ -14,7 +14,7 @@ from ....messages import get_message
 from ....problems import Problem
 from ....robots import RigidPolygon
 from ....worlds import PolygonWorld, scattered
-from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Restated, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Record, Value
 from ...tasks import ProblemShape, StudentProblem
@@ -31,6 +31,11 @@ SEAM = 0.115  # a dead end so far from a whole or a half turn ends just before i
 CORNER = (1.4, 1.4, 0.0)  # the robot's start, which is free in every world
 
 
+def to_radians(theta: float, *others: Value) -> float:
+    """Return an angle that is given in degrees in radians."""
+    return float(np.radians(theta))
+
+
 class FreeHeading(Exercise):
     """Find a heading at which the robot is free at a position, or None."""
 
@@ -43,6 +48,13 @@ class FreeHeading(Exercise):
         lambda problem, x, y: middle_of_widest(problem.robot, problem.world, (x, y))
     )
     shown = staticmethod(middle_of_widest)
+
+    changes = (
+        Restated(
+            "degrees", answer=lambda theta, *given: np.degrees(theta), usual_answer=to_radians
+        ),
+        Restated("clockwise", answer=lambda theta, *given: -theta),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield open places, slots all the way round, and places beside and inside obstacles."""
@@ -89,7 +101,7 @@ class FreeHeading(Exercise):
 
     def describe_expected(self, case: Case) -> str:
         """Describe the free intervals."""
-        rows = self.intervals(case)
+        rows = np.sort([[self.as_asked(end, case) for end in row] for row in self.intervals(case)])
         text = ", ".join(f"{low:.3f} ... {high:.3f}" for low, high in rows)
         return get_message("free_heading.wanted", intervals=text) if text else "None"
 

@@ -7,7 +7,7 @@ import numpy as np
 from ....collision import free_configurations
 from ....problems import Problem
 from ....robots import Disk
-from ...exercise import Axes, Case, Verdict
+from ...exercise import Axes, Case, Restated, Verdict
 from ...outcomes import Outcome
 from ...shapes import Record, Value
 from ...tasks import StudentProblem
@@ -32,6 +32,11 @@ def draw_case(kind: str, robot: Value, world: Value, rng: np.random.Generator, n
     drawn = np.round(rng.uniform((0, 0, -3.1)[:d], (10, 10, 3.1)[:d], (2000, d)), 2)
     nodes = drawn[free_configurations(robot, world, drawn)][:n]
     return Case(kind, {"problem": make_problem(robot, world, nodes[0]), "nodes": nodes})
+
+
+def swap_entries(matrix: Value) -> Value:
+    """Swap ones and zeros outside the diagonal."""
+    return 1 - np.eye(len(matrix), dtype=np.int64) - matrix
 
 
 def list_neighbours(matrix: Value) -> Neighbours:
@@ -61,6 +66,10 @@ class MatrixExercise(PathExercise):
     lesson = LESSON
     kinds = ("small", "cycle", "unreachable", "start_is_goal")
     given = Record(matrix=MATRIX, start=Integer(), goal=Integer())
+    changes = (
+        Restated("from_goal", answer=lambda path, *given: path[::-1]),
+        Restated("contact", given=lambda matrix, *ends: (swap_entries(matrix), *ends)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield the cases of lesson 4 whose edges lead both ways.

@@ -175,7 +175,7 @@ class ShortestPath(ValueExercise):
 
     def describe_expected(self, case: Case) -> str:
         """Describe one right path and its length."""
-        path, far = self.truth(case)
+        path, far = self.as_asked(self.truth(case), case)
         return (
             get_message("shortest_path.wanted", path=format_value(path), length=format_value(far))
             if path is not None

@@ -54,13 +54,13 @@ def draw_distance(exercise: ValueExercise, case: Case, value: float | None, ax: 
     plane.frame(np.vstack([q, target] + ([] if nearest is None else [nearest])), ax, margin=0.35)
     draw_target(exercise, target, ax)
     if nearest is not None:
-        plane.ring(q, truth, "", ax, colour=palette.TRUE)
+        plane.ring(q, abs(truth), "", ax, colour=palette.TRUE)
         words = get_message("picture.should_be", value=f"{truth:.4g}")
-        if truth > 0:
+        if truth != 0:
             plane.segment(q, nearest, words, ax, colour=palette.TRUE)
-    if value is not None and np.isfinite(value) and value > 0:
+    if value is not None and np.isfinite(value) and value != 0:
         name = get_message("picture.yours", value=f"{value:.4g}")
-        plane.ring(q, value, name, ax, colour=palette.YOURS, style="--")
+        plane.ring(q, abs(value), name, ax, colour=palette.YOURS, style="--")
     else:
         words = get_message("picture.no_answer")
         if value is not None:
