@@ -22,7 +22,6 @@ from kinoedu.course.judging import judge_outcomes, judge_until_failure, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import search_breadth_first
 from kinoedu.course.section import vary_exercises
-from kinoedu.course.shapes import Numbers
 from kinoedu.course.trivial import find_trivial_kinds
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading import class_grading
@@ -184,11 +183,8 @@ def test_the_example_of_a_contract_is_right(exercise):
     name, *texts = EXAMPLE.search(exercise.contract).groups()
     assert name == exercise.name
     values, wanted = (eval(f"[{text}]", {"pi": pi, "inf": inf}) for text in texts)
-    arguments = [
-        np.array(value, float) if isinstance(shape, Numbers) else value
-        for shape, value in zip(exercise.given.fields.values(), values, strict=True)
-    ]
-    case = Case(exercise.kinds[0], dict(zip(exercise.given.fields, arguments)))
+    given = exercise.given.encode(dict(zip(exercise.given.fields, values, strict=True)))
+    case = Case(exercise.kinds[0], exercise.given.decode(given))
     outcome = run_case(exercise, lambda *given: wanted[0], case)
     assert exercise.judge(case, outcome).is_right
 

@@ -193,6 +193,14 @@ class Exercise(ABC):
         rules = {Misshapen: "shape", Changed: "changed", Raised: "raised", Late: "late"}
         return Verdict(0.0, rules[type(outcome)], self.describe_expected(case))
 
+    def judge_own_form(self, case: Case, outcome: Outcome) -> Verdict:
+        """Judge an outcome, whatever it is in the usual form of a variant."""
+        return self.judge(case, outcome)
+
+    def is_usual(self, case: Case, outcome: Outcome) -> bool:
+        """Whether an outcome may be that of a program for the usual form of a variant."""
+        return True
+
     @abstractmethod
     def describe_expected(self, case: Case) -> str:
         """Description of the right answer to a case."""

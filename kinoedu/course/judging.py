@@ -169,7 +169,8 @@ def judge_outcomes(
         seen.append(judge_case(exercise, case, outcome, number))
         if ends_a_run(outcome):
             break
-    return replace(make_report(exercise, all_cases, seen), trivial=trivial)
+    report = make_report(exercise, all_cases, doubt_contract(exercise, seen))
+    return replace(report, trivial=trivial)
 
 
 def judge_until_failure(
@@ -188,6 +189,8 @@ def judge_until_failure(
     for number, case in enumerate(all_cases):
         outcome = run(case)
         seen.append(judge_case(exercise, case, outcome, number))
+        if not seen[-1].verdict.is_right:
+            seen = doubt_contract(exercise, seen)
         is_first_failure = not (failed or seen[-1].verdict.is_right)
         failed = failed or is_first_failure
         if ends_a_run(outcome) or (is_first_failure and not likely_slips(exercise, seen)):
@@ -199,6 +202,23 @@ def judge_case(exercise: Exercise, case: Case, outcome: Outcome, number: int) ->
     """Judge the outcome of one case; a larger answer than the case can need is not looked at."""
     outcome = exercise.bound_size(case, outcome)
     return JudgedCase(case, outcome, exercise.judge(case, outcome), number=number)
+
+
+def doubt_contract(exercise: Exercise, seen: list[JudgedCase]) -> list[JudgedCase]:
+    """The cases seen, in which the first failure breaks the contract only where all may do so.
+
+    A program has the usual form if none of its answers is wrong in the usual form. Otherwise its
+    failures break other rules.
+    """
+    first = next((at for at, one in enumerate(seen) if one.verdict.rule == CONTRACT), None)
+    if first is None or all(exercise.is_usual(one.case, one.outcome) for one in seen):
+        return seen
+    return [
+        replace(one, verdict=exercise.judge_own_form(one.case, one.outcome))
+        if one.verdict.rule == CONTRACT
+        else one
+        for one in seen
+    ]
 
 
 def ends_a_run(outcome: Outcome) -> bool:

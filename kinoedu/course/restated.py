@@ -28,6 +28,29 @@ class VariedMessages(Exercise):
         return found or super().table_with(key)
 
 
+class OtherForm(VariedMessages):
+    """A variant with other right answers than the usual form.
+
+    Attributes
+    ----------
+    usual : the exercise in its usual form. What is right for it, and not here, breaks the contract.
+    """
+
+    usual: ClassVar[Any]
+
+    def judge(self, case: Case, outcome: Outcome) -> Verdict:
+        """Judge an outcome; one that is right for the usual form has a rule of its own."""
+        verdict = self.judge_own_form(case, outcome)
+        if verdict.is_right or not self.is_usual(case, outcome):
+            return verdict
+        return verdict._replace(rule=CONTRACT)
+
+    @np.errstate(all="ignore")
+    def is_usual(self, case: Case, outcome: Outcome) -> bool:
+        """Whether an outcome is right for the usual form."""
+        return bool(self.usual.judge(case, outcome).is_right)
+
+
 class Inner(VariedMessages):
     """The usual exercise, which describes right answers in the variant's form."""
 
@@ -40,19 +63,17 @@ class Inner(VariedMessages):
         return self.form.answer(value, *case.given.values())
 
 
-class Outer(VariedMessages):
+class Outer(OtherForm):
     """A restated variant.
 
     Attributes
     ----------
     form : how the variant's arguments and answers relate to the usual ones.
     inner : the usual exercise with the variant's messages.
-    usual : the exercise in its usual form. What is right for it, and not here, breaks the contract.
     """
 
     form: ClassVar[Restated]
     inner: ClassVar[Any]
-    usual: ClassVar[Any]
 
     def __init__(self, variant: str = "") -> None:
         super().__init__(variant)
@@ -98,12 +119,10 @@ class Outer(VariedMessages):
         return int(self.inner.size_limit(self.usual_case(case)))
 
     @np.errstate(all="ignore")
-    def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """Judge an outcome; one that is right for the usual form has a rule of its own."""
+    def judge_own_form(self, case: Case, outcome: Outcome) -> Verdict:
+        """Judge an outcome as the usual one to which it corresponds."""
         judged: Verdict = self.inner.judge(self.usual_case(case), self.usual_outcome(case, outcome))
-        if judged.is_right or not self.usual.judge(case, outcome).is_right:
-            return judged
-        return judged._replace(rule=CONTRACT)
+        return judged
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Judge an answer of the declared shape."""

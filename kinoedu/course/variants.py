@@ -2,37 +2,27 @@
 
 import functools
 from collections.abc import Callable
-from typing import Any, ClassVar, cast
+from typing import Any, cast
 
-from .exercise import CONTRACT, Case, Change, Exercise, Restated, ValueExercise, Verdict
+from .exercise import Case, Change, Exercise, Restated, ValueExercise, Verdict
 from .outcomes import Outcome
-from .restated import VariedMessages, restate
+from .restated import OtherForm, restate
 from .shapes import Value
 from .withheld import withhold
 
 Program = Callable[..., Any]
 
 
-class Varied(VariedMessages, ValueExercise):
-    """A variant that has another right answer. Cases and laws are those of the usual form.
-
-    Attributes
-    ----------
-    usual : the exercise in its usual form. What is right for it, and not here, breaks the contract.
-    """
-
-    usual: ClassVar[ValueExercise]
+class Varied(OtherForm, ValueExercise):
+    """A variant that has another right answer. Cases and laws are those of the usual form."""
 
     def right_answer(self, *given: Value) -> Value:
         """The right answer, which the library does not have."""
         return self.reference(*given)
 
-    def judge(self, case: Case, outcome: Outcome) -> Verdict:
-        """Judge an outcome; one that is right for the usual form has a rule of its own."""
-        verdict = super().judge(case, outcome)
-        if verdict.is_right or not self.usual.judge(case, outcome).is_right:
-            return verdict
-        return verdict._replace(rule=CONTRACT)
+    def judge_own_form(self, case: Case, outcome: Outcome) -> Verdict:
+        """Judge an outcome by the variant's right answer."""
+        return super(OtherForm, self).judge(case, outcome)
 
 
 @functools.cache

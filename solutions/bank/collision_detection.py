@@ -821,3 +821,69 @@ moves_by_the_sum = changed("c_obstacle", ("a - b", "a + b"), variant="obstacle_m
 mirrored_obstacle = changed(
     "c_obstacle", (HULL, "-obstacle"), variant="obstacle_moves", slip="unchanged"
 )
+
+TO_THE_RIGHT = "if x * v - y * u < 0:\n            return False\n    return True"
+strictly_outside = varied(
+    "point_in_convex_polygon",
+    "outside",
+    (
+        TO_THE_RIGHT,
+        TO_THE_RIGHT.replace("True", "no").replace("False", "True").replace("no", "False"),
+    ),
+)
+strictly_inside = varied(
+    "point_in_convex_polygon", "interior", (TO_THE_RIGHT, TO_THE_RIGHT.replace("<", "<="))
+)
+outside_or_on_the_boundary = changed(
+    "point_in_convex_polygon",
+    (
+        TO_THE_RIGHT,
+        TO_THE_RIGHT.replace("<", "<=")
+        .replace("True", "no")
+        .replace("False", "True")
+        .replace("no", "False"),
+    ),
+    variant="outside",
+    slip="strict",
+)
+inside_all_but_the_closing_edge = changed(
+    "point_in_convex_polygon",
+    ("range(len(P))", "range(1, len(P))"),
+    (TO_THE_RIGHT, TO_THE_RIGHT.replace("<", "<=")),
+    variant="interior",
+)
+SEGMENTS = "u, v, w = p2 - p1, p4 - p3, p3 - p1"
+segments_by_vectors = varied(
+    "segment_intersection", "vectors", (SEGMENTS, f"p2, p4 = p1 + p2, p3 + p4\n    {SEGMENTS}")
+)
+segments_seen_from_p1 = varied(
+    "segment_intersection",
+    "from_p1",
+    (SEGMENTS, f"p2, p3, p4, p1 = p2 - p1, p3 - p1, p4 - p1, 0 * p1\n    {SEGMENTS}"),
+)
+second_segment_by_ends = changed(
+    "segment_intersection", (SEGMENTS, f"p2 = p1 + p2\n    {SEGMENTS}"), variant="vectors"
+)
+seen_from_p1_on_one_line_only = changed(
+    "segment_intersection", ("[p1 + t * u]", "[p1 + t * u - p1 / 2]"), variant="from_p1"
+)
+INTERSECT = "return not (is_separated(P1, P2) or is_separated(P2, P1))"
+polygons_apart = varied(
+    "convex_polygons_intersect", "apart", (INTERSECT, INTERSECT.replace("not ", ""))
+)
+polygons_overlap = varied(
+    "convex_polygons_intersect", "overlap", ("y * way[:, 0] < 0", "y * way[:, 0] <= 0")
+)
+apart_by_one = changed(
+    "convex_polygons_intersect",
+    (INTERSECT, "return is_separated(P1, P2)"),
+    variant="apart",
+    slip="half",
+)
+apart_or_touching = changed(
+    "convex_polygons_intersect",
+    ("y * way[:, 0] < 0", "y * way[:, 0] <= 0"),
+    (INTERSECT, INTERSECT.replace("not ", "")),
+    variant="apart",
+    slip="open",
+)

@@ -811,3 +811,78 @@ sum_for_the_largest = changed(
     (ROOT, "sum(circle_distance(x, y) for x, y in zip(a, b))"),
     variant="largest",
 )
+
+COUNT = "3 * bodies - sum(2 * (len(held) - 1) for held in joints)"
+with_the_ground = varied(
+    "degrees_of_freedom", "moving_ground", (COUNT, COUNT.replace("bodies", "(bodies + 1)"))
+)
+pins_in_slots = varied("degrees_of_freedom", "slots", (COUNT, COUNT.replace("2 * ", "")))
+one_for_each_slot = changed(
+    "degrees_of_freedom", (COUNT, "3 * bodies - len(joints)"), variant="slots", slip="shared"
+)
+two_for_each_pin = changed(
+    "degrees_of_freedom",
+    (COUNT, "3 * bodies + 3 - 2 * len(joints)"),
+    variant="moving_ground",
+    slip="shared",
+)
+MATRIX = "    return matrix"
+back_again = varied("displacement", "way_back", (MATRIX, "    return np.linalg.inv(matrix)"))
+moved_before_turned = varied(
+    "displacement",
+    "move_first",
+    ("matrix[:2, 2] = x, y", "matrix[:2, 2] = rotation(theta) @ (x, y)"),
+)
+only_the_turn_undone = changed(
+    "displacement", ("rotation(theta)", "rotation(-theta)"), variant="way_back"
+)
+only_signs_changed = changed(
+    "displacement",
+    ("rotation(theta)", "rotation(-theta)"),
+    ("= x, y", "= -x, -y"),
+    variant="way_back",
+    slip="move_first",
+)
+SUM = "math.cos(q[0] + q[1]), math.sin(q[0] + q[1])"
+from_the_x_axis = varied("forward_kinematics", "absolute", (SUM, "math.cos(q[1]), math.sin(q[1])"))
+angles_clockwise = varied(
+    "forward_kinematics", "clockwise", ("    elbow = l1", "    q = -q\n    elbow = l1")
+)
+only_the_first_clockwise = changed(
+    "forward_kinematics",
+    ("    elbow = l1", "    q = -q[0], q[1]\n    elbow = l1"),
+    variant="clockwise",
+    slip="difference",
+)
+tip_without_the_elbow = changed(
+    "forward_kinematics",
+    ("elbow + l2", "l2"),
+    (SUM, "math.cos(q[1]), math.sin(q[1])"),
+    variant="absolute",
+    slip="from_elbow",
+)
+PAIRS = "return [(heading - lead, bend), (heading + lead, -bend)]"
+directions_of_both = varied(
+    "inverse_kinematics",
+    "absolute",
+    (
+        PAIRS,
+        "return [(heading - lead, heading - lead + bend), (heading + lead, heading + lead - bend)]",
+    ),
+)
+solutions_clockwise = varied(
+    "inverse_kinematics",
+    "clockwise",
+    (PAIRS, "return [(lead - heading, -bend), (-heading - lead, bend)]"),
+)
+one_direction_of_two = changed(
+    "inverse_kinematics",
+    (PAIRS, "return [(heading - lead, heading - lead + bend)]"),
+    variant="absolute",
+    slip="one",
+)
+only_bends_clockwise = changed(
+    "inverse_kinematics",
+    (PAIRS, "return [(heading - lead, -bend), (heading + lead, bend)]"),
+    variant="clockwise",
+)

@@ -901,3 +901,67 @@ long_edges_through_walls = changed(
 all_far_from_each_other = changed(
     "radius_neighbours", ("<= r]", "<= 2 * r]"), variant="far_from_start"
 )
+
+NODES = "nodes = [problem.start, problem.goal]"
+RETURNED = "pairs = combinations(range(len(nodes)), 2)"
+ends_behind_the_corners = varied(
+    "visibility_roadmap", "ends_last", (RETURNED, f"nodes = nodes[2:] + nodes[:2]\n    {RETURNED}")
+)
+goal_before_the_start = varied(
+    "visibility_roadmap", "goal_first", (NODES, "nodes = [problem.goal, problem.start]")
+)
+goal_and_start_last = changed(
+    "visibility_roadmap",
+    (RETURNED, f"nodes = nodes[2:] + nodes[1::-1]\n    {RETURNED}"),
+    variant="ends_last",
+)
+corners_before_the_ends_without_contact = changed(
+    "visibility_roadmap",
+    (NODES, "nodes = [problem.goal, problem.start]"),
+    ("is_semi_free_path", "is_free_path"),
+    variant="goal_first",
+    slip="no_contact",
+)
+IN_ORDER, TIES, PAIR = "for i in range(len(nodes)):", "nodes[i]), j)", "edges.append((j, i))"
+components_from_the_last = varied(
+    "component_k_closest",
+    "from_the_last",
+    (IN_ORDER, "for i in reversed(range(len(nodes))):"),
+    (TIES, "nodes[i]), -j)"),
+    (PAIR, "edges.append((i, j))"),
+)
+pairs_larger_first = varied("component_k_closest", "larger_first", (PAIR, "edges.append((i, j))"))
+ties_to_the_smaller_number = changed(
+    "component_k_closest",
+    (IN_ORDER, "for i in reversed(range(len(nodes))):"),
+    (PAIR, "edges.append((i, j))"),
+    variant="from_the_last",
+)
+larger_first_through_walls = changed(
+    "component_k_closest",
+    (PAIR, "edges.append((i, j))"),
+    ("problem.is_free_path(nodes[j], nodes[i])", "True"),
+    variant="larger_first",
+    slip="blind",
+)
+PATH_AND_COST = "return path[::-1], c"
+shortest_path_from_the_goal = varied(
+    "shortest_path", "from_goal", (PATH_AND_COST, "return path, c")
+)
+length_of_the_detour = varied(
+    "shortest_path",
+    "detour",
+    (PATH_AND_COST, PATH_AND_COST + " - math.dist(nodes[start], nodes[goal])"),
+)
+detour_as_a_factor = changed(
+    "shortest_path",
+    (PATH_AND_COST, PATH_AND_COST + " / max(math.dist(nodes[start], nodes[goal]), 1e-9)"),
+    variant="detour",
+)
+fewest_edges_from_the_goal = changed(
+    "shortest_path",
+    (PATH_AND_COST, "return path, c"),
+    ("d = c + math.dist(nodes[u], nodes[v])", "d = c + 1"),
+    variant="from_goal",
+    slip="counted",
+)

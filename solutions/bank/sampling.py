@@ -833,3 +833,21 @@ from_nine = changed(
 down_to_zero = changed(
     "halton", ("range(1, n + 1)", "range(n - 1, -1, -1)"), variant="reversed", slip="from_zero"
 )
+
+BOUNDS = "return low, low + math.sqrt(2) / (2 * m)"
+bounds_of_the_diameter = varied(
+    "dispersion_bounds", "diameter", (BOUNDS, "return 2 * low, 2 * low + math.sqrt(2) / m")
+)
+middle_of_the_bounds = varied(
+    "dispersion_bounds",
+    "middle",
+    (BOUNDS, "return low + math.sqrt(2) / (4 * m), math.sqrt(2) / (4 * m)"),
+)
+middle_and_whole_difference = changed(
+    "dispersion_bounds",
+    (BOUNDS, "return low + math.sqrt(2) / (4 * m), math.sqrt(2) / (2 * m)"),
+    variant="middle",
+)
+only_low_is_doubled = changed(
+    "dispersion_bounds", (BOUNDS, BOUNDS.replace("low,", "2 * low,")), variant="diameter"
+)

@@ -463,3 +463,49 @@ checks_whole_motions_at_double_speed = changed(
     variant="double_speed",
     slip="asking_beyond",
 )
+
+GROWN = "    return nodes, parent"
+root_is_its_own_parent = varied(
+    "tree_roadmap",
+    "own_parent",
+    ("parent = [problem.start], [-1]", "parent = [problem.start], [0]"),
+)
+newest_node_first = varied(
+    "tree_roadmap",
+    "newest_first",
+    (GROWN, "    return nodes[::-1], [len(nodes) - 1 - p if p >= 0 else p for p in parent[::-1]]"),
+)
+parents_not_renumbered = changed(
+    "tree_roadmap", (GROWN, "    return nodes[::-1], parent[::-1]"), variant="newest_first"
+)
+every_parent_one_higher = changed(
+    "tree_roadmap",
+    (GROWN, "    return nodes, [p + 1 for p in parent]"),
+    variant="own_parent",
+    slip="from_one",
+)
+INSERTED = "    return parent, cost"
+new_node_first = varied(
+    "insert",
+    "new_first",
+    (
+        INSERTED,
+        "    parent = [0 if p == n else p + 1 if p >= 0 else p for p in parent]\n"
+        "    return [parent[n], *parent[:n]], [cost[n], *cost[:n]]",
+    ),
+)
+APART, IN_REACH = "[problem.distance(q, q_new) for q in nodes]", "if apart[i] <= radius"
+at_half_speed = varied(
+    "insert",
+    "half_speed",
+    (APART, "[2 * problem.distance(q, q_new) for q in nodes]"),
+    (IN_REACH, "if apart[i] <= 2 * radius"),
+)
+radius_as_a_time = changed(
+    "insert", (APART, "[2 * problem.distance(q, q_new) for q in nodes]"), variant="half_speed"
+)
+new_first_but_old_parents = changed(
+    "insert",
+    (INSERTED, "    return [parent[n], *parent[:n]], [cost[n], *cost[:n]]"),
+    variant="new_first",
+)

@@ -8,7 +8,7 @@ import numpy as np
 from ....geometry import convex_polygons_intersect, point_in_convex_polygon, segments_intersect
 from ....geometry.checks import Array
 from ....geometry.convex import has_separating_edge
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
 from ...withheld import withheld
@@ -39,6 +39,11 @@ class ConvexPolygonsIntersect(ValueExercise):
         Slip("opposite", lambda P1, P2: not convex_polygons_intersect(P1, P2)),
     )
     reference = staticmethod(convex_polygons_intersect)
+
+    changes = (
+        Change("apart", lambda intersect, P1, P2: not intersect(P1, P2)),
+        Change("overlap", lambda intersect, P1, P2: intersect(P1, P2) and share_inside(P1, P2)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """The book's three pairs first, then larger polygons on squared paper of every kind."""
@@ -115,6 +120,11 @@ def classify_pair(P: Array, Q: Array) -> str:
 def edge_divides(P: Array, Q: Array) -> bool:
     """Whether an edge of P has all of Q on its line or to its right."""
     return bool(np.any(np.all([edge_areas(q, P) <= 0 for q in Q], axis=0)))
+
+
+def share_inside(P: Array, Q: Array) -> bool:
+    """Whether polygons that share a point share one that is on neither boundary."""
+    return not (edge_divides(P, Q) or edge_divides(Q, P))
 
 
 def boxes_meet(P: Array, Q: Array) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 from ....geometry import point_in_convex_polygon
 from ....geometry.checks import Array
 from ....geometry.convex import in_convex
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Truth
 from ..geometry.lines import POINT
@@ -44,6 +44,14 @@ class PointInConvexPolygon(ValueExercise):
         Slip("box", lambda q, P: bool((P.min(axis=0) <= q).all() and (q <= P.max(axis=0)).all())),
     )
     reference = staticmethod(point_in_convex_polygon)
+
+    changes = (
+        Change("outside", lambda is_inside, q, P: not is_inside(q, P)),
+        Change(
+            "interior",
+            lambda is_inside, q, P: is_inside(q, P) and bool((edge_areas(q, P) != 0).all()),
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """The book's square first, then larger polygons on squared paper, with every kind of q."""

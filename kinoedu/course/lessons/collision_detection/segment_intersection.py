@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ....geometry import segment_intersection
 from ....geometry.checks import Array
 from ....geometry.segments import shared_points
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...withheld import withheld
@@ -55,6 +55,19 @@ class SegmentIntersection(ValueExercise):
         Slip("twice", lambda *ends: list_point_twice(segment_intersection(*ends), ends)),
     )
     reference = staticmethod(segment_intersection)
+
+    changes = (
+        Restated(
+            "from_p1",
+            answer=lambda points, p1, *others: np.reshape(points, (-1, 2)) - p1,
+            usual_answer=lambda points, p1, *others: np.reshape(points, (-1, 2)) + p1,
+        ),
+        Restated(
+            "vectors",
+            given=lambda p1, p2, p3, p4: (p1, p2 - p1, p3, p4 - p3),
+            usual_given=lambda p1, p2, p3, p4: (p1, p1 + p2, p3, p3 + p4),
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """The book's three pairs first, then small integers; collinear ones on squared paper."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Record
 from ...whole_shapes import Integer
@@ -54,6 +54,11 @@ class DegreesOfFreedom(ValueExercise):
         Slip("never_less", lambda bodies, joints: max(0, freedoms(bodies, joints))),
     )
     reference = staticmethod(freedoms)
+
+    changes = (
+        Change("moving_ground", lambda count, bodies, joints: count(bodies, joints) + 3),
+        Change("slots", lambda count, bodies, joints: (count(bodies, joints) + 3 * bodies) / 2),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """One body without pins first."""

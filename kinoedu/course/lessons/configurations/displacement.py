@@ -7,7 +7,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....geometry.displacements import displacement
-from ...exercise import Case, Slip, Verdict
+from ...exercise import Case, Change, Slip, Verdict
 from ...shapes import Number, Numbers, Record, Value
 from .matrices import MatrixExercise
 
@@ -30,6 +30,14 @@ class Displacement(MatrixExercise):
         Slip("no_turn", lambda x, y, theta: displacement(x, y, 0.0)),
     )
     reference = staticmethod(displacement)
+
+    changes = (
+        Change("way_back", lambda matrix, *given: np.linalg.inv(matrix(*given))),
+        Change(
+            "move_first",
+            lambda matrix, x, y, theta: np.matmul(matrix(0, 0, theta), matrix(x, y, 0)),
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Integers and quarter turns first."""

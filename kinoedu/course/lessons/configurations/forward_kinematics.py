@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ....geometry.checks import Array
 from ....robots import TwoLinkArm
 from ....robots.arm import joints_at
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record
 from ...withheld import withheld
@@ -21,6 +21,16 @@ from .pictures import draw_joints
 def arm_joints(l1: float, l2: float, q: ArrayLike) -> Array:
     """Elbow and tip of an arm at the origin, shape (2, 2)."""
     return np.array(TwoLinkArm(l1, l2, 0.0).joints(q))
+
+
+def from_x_axis(l1: float, l2: float, q: Array) -> tuple[float, float, Array]:
+    """Measure both angles from the x-axis."""
+    return l1, l2, np.array([q[0], q[0] + q[1]])
+
+
+def from_first_link(l1: float, l2: float, q: Array) -> tuple[float, float, Array]:
+    """Measure the second angle from link 1 again."""
+    return l1, l2, np.array([q[0], q[1] - q[0]])
 
 
 class ForwardKinematics(ValueExercise):
@@ -50,6 +60,11 @@ class ForwardKinematics(ValueExercise):
         Slip("degrees", lambda l1, l2, q: arm_joints(l1, l2, np.radians(q))),
     )
     reference = staticmethod(arm_joints)
+
+    changes = (
+        Restated("absolute", given=from_x_axis, usual_given=from_first_link),
+        Restated("clockwise", given=lambda l1, l2, q: (l1, l2, -q + 0.0)),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Quarter turns first."""

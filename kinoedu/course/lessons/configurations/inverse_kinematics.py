@@ -9,7 +9,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....robots import TwoLinkArm
 from ....robots.arm import ArmRobot
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome, Raised
 from ...shapes import Number, Numbers, Record, Value
 from ...withheld import withheld
@@ -80,6 +80,15 @@ class InverseKinematics(ValueExercise):
         Slip("degrees", lambda l1, l2, p: np.degrees(by_cosines(l1, l2, p, atan2(p[1], p[0])))),
     )
     reference = staticmethod(arm_solutions)
+
+    changes = (
+        Restated(
+            "absolute",
+            answer=lambda rows, *given: np.reshape(rows, (-1, 2)) @ [[1.0, 1.0], [0.0, 1.0]],
+            usual_answer=lambda rows, *given: np.reshape(rows, (-1, 2)) @ [[1.0, -1.0], [0.0, 1.0]],
+        ),
+        Restated("clockwise", answer=lambda rows, *given: np.negative(np.reshape(rows, (-1, 2)))),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Integers first, and always at the rims."""

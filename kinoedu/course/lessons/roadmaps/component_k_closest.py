@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Case, Slip
-from ...shapes import Record
+from ...exercise import Case, Restated, Slip
+from ...shapes import Record, Value
 from ...whole_shapes import Integer
 from ...withheld import withheld
 from ..shared.planned import ProblemShape
@@ -20,6 +20,7 @@ from .joining import (
     join_components,
     join_one_component,
     join_unchecked,
+    renumber_pairs,
 )
 from .rules import (
     NODES,
@@ -42,6 +43,11 @@ def join_by_components(problem: Any, nodes: Array, k: int) -> Pairs:
     return join_components(problem, nodes, k)
 
 
+def renumber_backwards(pairs: Pairs, problem: Value, nodes: Array, k: int) -> Pairs:
+    """Return pairs of nodes that are numbered from the last to the first."""
+    return renumber_pairs(pairs, np.arange(len(nodes))[::-1])
+
+
 class ComponentNeighbours(RuleExercise):
     """Find the pairs that the component-wise K-closest rule joins."""
 
@@ -60,6 +66,15 @@ class ComponentNeighbours(RuleExercise):
         Slip("straight", lambda p, q, k: join_by_components(ignore_wrap(p), q, k)),
         Slip("touching", lambda p, q, k: join_by_components(allow_contact(p), q, k)),
         Slip("sampled", lambda p, q, k: join_by_components(check_samples(p), q, k)),
+    )
+
+    changes = (
+        Restated(
+            "from_the_last",
+            answer=renumber_backwards,
+            given=lambda p, nodes, k: (p, nodes[::-1], k),
+        ),
+        Restated("larger_first", answer=lambda pairs, *given: np.reshape(pairs, (-1, 2))[:, ::-1]),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

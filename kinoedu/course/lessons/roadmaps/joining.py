@@ -41,6 +41,20 @@ def are_pairs(pairs: Pairs, n: int) -> bool:
     )
 
 
+def renumber_pairs(pairs: Pairs, numbers: Pairs) -> Pairs:
+    """Return pairs of renumbered nodes: node i becomes numbers[i].
+
+    Rows whose smaller index was first have it first again, and the others have it last. A row
+    without a node of a number stays as it is.
+    """
+    found = np.reshape(pairs, (-1, 2)).astype(np.int64)
+    valid = ((found >= 0) & (found < len(numbers))).all(axis=1)
+    ordered = found[:, 0] < found[:, 1]
+    found[valid] = np.sort(numbers[found[valid]], axis=1)
+    found[valid & ~ordered] = found[valid & ~ordered, ::-1]
+    return found
+
+
 def order_others(apart: Array) -> list[list[int]]:
     """Return for each node the other nodes by their distance; ties go to the lower index."""
     orders = np.argsort(apart, axis=1, kind="stable").tolist()

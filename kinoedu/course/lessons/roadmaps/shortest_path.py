@@ -10,7 +10,7 @@ from .... import graphs
 from ....geometry.checks import Array
 from ....messages import get_message
 from ....planners import dijkstra_path
-from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Restated, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Number, Numbers, Record, Together, Value
 from ...whole_shapes import Integer, Integers
@@ -73,6 +73,26 @@ def search_and_sum_by(weigh: Any) -> Value:
     return answer
 
 
+def reverse_path(found: PathAndLength, *given: Value) -> PathAndLength:
+    """Return the path from its end to its beginning, and the length."""
+    path, length = found
+    return (None if path is None else path[::-1]), length
+
+
+def subtract_beeline(
+    found: PathAndLength, nodes: Array, edges: Pairs, start: int, goal: int
+) -> PathAndLength:
+    """Return the path, and its length beyond that of the straight line."""
+    return found[0], found[1] - float(np.linalg.norm(nodes[goal] - nodes[start]))
+
+
+def add_beeline(
+    found: PathAndLength, nodes: Array, edges: Pairs, start: int, goal: int
+) -> PathAndLength:
+    """Return the path and its length, which is given beyond that of the straight line."""
+    return found[0], found[1] + float(np.linalg.norm(nodes[goal] - nodes[start]))
+
+
 class ShortestPath(ValueExercise):
     """Find a shortest path between two nodes of a roadmap, and its length."""
 
@@ -103,6 +123,11 @@ class ShortestPath(ValueExercise):
                 float(np.linalg.norm(nodes[s] - nodes[g])),
             ),
         ),
+    )
+
+    changes = (
+        Restated("from_goal", answer=reverse_path),
+        Restated("detour", answer=subtract_beeline, usual_answer=add_beeline),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

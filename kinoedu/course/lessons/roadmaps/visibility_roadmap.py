@@ -11,7 +11,7 @@ from ....geometry.checks import Array
 from ....messages import get_message
 from ....planners import visibility_roadmap
 from ....problems.protocols import PlanningProblem
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
@@ -20,7 +20,7 @@ from ...withheld import withheld
 from ..decomposition.free_intervals import RING
 from ..shared.planned import ProblemShape
 from .halls import GOAL, START, WALL, draw_obstacles, make_hall, measure_turns
-from .joining import are_pairs, keep_free, keep_semi_free
+from .joining import are_pairs, keep_free, keep_semi_free, renumber_pairs
 from .rules import set_title
 
 SEEN = Together((Numbers(("n", 2)), Integers(("m", 2))))
@@ -82,6 +82,22 @@ def join_between_obstacles(problem: PlanningProblem, obstacles: list[Array]) -> 
     return nodes, pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
 
 
+def put_ends_last(seen: Seen, *given: Value) -> Seen:
+    """Return the roadmap with start and goal as the last two nodes."""
+    return renumber(seen, np.roll(np.arange(len(seen[0])), -2))
+
+
+def put_ends_first(seen: Seen, *given: Value) -> Seen:
+    """Return the roadmap with the last two nodes as the first ones."""
+    return renumber(seen, np.roll(np.arange(len(seen[0])), 2))
+
+
+def exchange_ends(seen: Seen, *given: Value) -> Seen:
+    """Return the roadmap with its first two nodes exchanged."""
+    order = np.arange(len(seen[0]))
+    return renumber(seen, np.append(order[:2][::-1], order[2:]))
+
+
 class VisibleCorners(ValueExercise):
     """Build the visibility roadmap of start, goal and convex corners."""
 
@@ -113,6 +129,11 @@ class VisibleCorners(ValueExercise):
         ),
         Slip("no_ends", leave_ends_alone),
         Slip("between", join_between_obstacles),
+    )
+
+    changes = (
+        Restated("ends_last", answer=put_ends_last, usual_answer=put_ends_first),
+        Restated("goal_first", answer=exchange_ends),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -174,6 +195,12 @@ class VisibleCorners(ValueExercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         draw_roadmap_answer(case.given["problem"], self.truth(case), value, ax)
         set_title(self, case, ax)
+
+
+def renumber(seen: Seen, order: NDArray[np.int64]) -> Seen:
+    """Return the roadmap whose node k is the node order[k] of this one."""
+    nodes, pairs = seen
+    return np.asarray(nodes)[order], renumber_pairs(pairs, np.argsort(order))
 
 
 def make_case(kind: str, obstacles: list[Array]) -> Case:

@@ -11,7 +11,7 @@ import numpy as np
 from ....geometry.checks import Array
 from ....sampling import dispersion, halton, largest_empty_ball, sukharev_grid, uniform_random
 from ....sampling.dispersion import largest_empty_disc
-from ...exercise import RIGHT, Axes, Case, Exercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Exercise, Restated, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from .pictures import draw_holes
@@ -30,6 +30,19 @@ class DispersionBounds(Exercise):
     answer = Numbers((2,))
     source = staticmethod(dispersion)
     shown = staticmethod(largest_empty_disc)
+
+    changes = (
+        Restated(
+            "diameter",
+            answer=lambda bounds, points: np.multiply(bounds, 2.0),
+            usual_answer=lambda bounds, points: np.divide(bounds, 2.0),
+        ),
+        Restated(
+            "middle",
+            answer=lambda bounds, points: (np.mean(bounds), (bounds[1] - bounds[0]) / 2.0),
+            usual_answer=lambda bounds, points: np.array([bounds[0] - bounds[1], sum(bounds)]),
+        ),
+    )
 
     def right_answer(self, *given: Value) -> Value:
         """Return the library's exact dispersion as both bounds."""

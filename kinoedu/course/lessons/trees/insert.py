@@ -13,7 +13,7 @@ from ....geometry.checks import Array
 from ....planners.trees.rrt_star import grow_shortest
 from ....problems import Tree
 from ....problems.protocols import PlanningProblem, ProblemLike
-from ...exercise import Axes, Case, Given, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Given, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
@@ -153,6 +153,40 @@ def find_ancestors(node: int, parent: list[int]) -> list[int]:
     return way
 
 
+def put_new_first(tree: Insertion, *given: Value) -> Insertion:
+    """Return the tree with the last node as number 0, and all others one number higher."""
+    last = len(tree[0]) - 1
+    parents = [0 if p == last else p + 1 if p >= 0 else p for p in tree[0]]
+    return [*parents[-1:], *parents[:-1]], [*tree[1][-1:], *tree[1][:-1]]
+
+
+def put_new_last(tree: Insertion, *given: Value) -> Insertion:
+    """Return the tree with node 0 as the last one, and all others one number lower."""
+    last = len(tree[0]) - 1
+    parents = [last if p == 0 else p - 1 if p > 0 else p for p in tree[0]]
+    return [*parents[1:], *parents[:1]], [*tree[1][1:], *tree[1][:1]]
+
+
+def double_costs(tree: Insertion, *given: Value) -> Insertion:
+    """Return the tree with twice the costs."""
+    return tree[0], [2.0 * cost for cost in tree[1]]
+
+
+def halve_costs(tree: Insertion, *given: Value) -> Insertion:
+    """Return the tree with half the costs."""
+    return tree[0], [cost / 2.0 for cost in tree[1]]
+
+
+def double_cost(problem: Value, nodes: Array, parent: Parents, cost: Array, *new: Value) -> Any:
+    """Return the arguments with twice the costs."""
+    return problem, nodes, parent, 2.0 * cost, *new
+
+
+def halve_cost(problem: Value, nodes: Array, parent: Parents, cost: Array, *new: Value) -> Any:
+    """Return the arguments with half the costs."""
+    return problem, nodes, parent, cost / 2.0, *new
+
+
 class Insert(ValueExercise):
     """Attach a new node at least cost, and rewire its neighbours where that is cheaper."""
 
@@ -178,6 +212,17 @@ class Insert(ValueExercise):
     )
 
     reference = staticmethod(insert_node)
+
+    changes = (
+        Restated("new_first", answer=put_new_first, usual_answer=put_new_last),
+        Restated(
+            "half_speed",
+            answer=double_costs,
+            usual_answer=halve_costs,
+            given=double_cost,
+            usual_given=halve_cost,
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases that can be done on paper, then random ones of each kind."""

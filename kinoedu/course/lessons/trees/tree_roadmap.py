@@ -10,7 +10,7 @@ from .... import planners
 from ....geometry.checks import Array
 from ....problems import Tree
 from ....problems.protocols import PlanningProblem, ProblemLike
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise
 from ...expansions import EXPANSIONS, Rule
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together, Value
@@ -83,6 +83,23 @@ def chain_nodes(*given: Value) -> Value:
     return nodes, np.arange(len(nodes)) - 1
 
 
+def make_root_its_parent(tree: Value, *given: Value) -> Value:
+    """Return the tree whose first node is its own parent."""
+    return tree[0], np.append(0, tree[1][1:]).astype(np.int64)
+
+
+def make_root_parentless(tree: Value, *given: Value) -> Value:
+    """Return the tree whose first node has the parent -1 where it was its own, and 0 otherwise."""
+    root = 0 if len(tree[1]) and tree[1][0] != 0 else -1
+    return tree[0], np.append(root, tree[1][1:]).astype(np.int64)[: len(tree[1])]
+
+
+def number_backwards(tree: Value, *given: Value) -> Value:
+    """Return the tree whose nodes are numbered from the last to the first."""
+    nodes, parent = tree[0][::-1], np.asarray(tree[1])[::-1]
+    return nodes, np.where(parent < 0, parent, len(nodes) - 1 - parent)
+
+
 class TreeRoadmap(ValueExercise):
     """Grow a tree with a given expansion function."""
 
@@ -98,6 +115,11 @@ class TreeRoadmap(ValueExercise):
         Slip("ends_only", check_ends_only),
         Slip("from_one", count_from_one),
         Slip("chained", chain_nodes),
+    )
+
+    changes = (
+        Restated("own_parent", answer=make_root_its_parent, usual_answer=make_root_parentless),
+        Restated("newest_first", answer=number_backwards),
     )
 
     @staticmethod
