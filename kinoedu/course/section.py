@@ -26,7 +26,7 @@ def choose_for_section(exercises: Iterable[Exercise], letter: str) -> Choices:
 
     Examples
     --------
-    >>> choose_for_section([find("bug2"), find("insert")], "B")
+    >>> choose_for_section([find("bug2"), find("bug_base")], "B")
     (('bug2', 'right'),)
     """
     varied = [one for one in exercises if one.variants]

@@ -630,3 +630,46 @@ half_way_for_the_end = changed(
     (f"        {TURNS}\n", f"        {TURNS} / 2\n"),
     variant="new_heading",
 )
+
+POSES = "    poses = [start]"
+by_the_clock = varied(
+    "replay", "clock", (POSES, "    durations = np.diff(durations, prepend=0)\n    poses = [start]")
+)
+steering_in_degrees = varied(
+    "replay", "degrees", (", v, phi, t, L)", ", v, math.radians(phi), t, L)")
+)
+clock_without_its_start = changed(
+    "replay",
+    (POSES, "    durations = np.append(np.diff(durations), 1)\n    poses = [start]"),
+    variant="clock",
+)
+headings_in_degrees = changed(
+    "replay",
+    (", v, phi, t, L)", ", v, math.radians(phi), t, L)"),
+    ("return poses", "return np.array(poses) * (1, 1, 180 / math.pi)"),
+    variant="degrees",
+)
+LOGS = "np.diff(np.log(errors)) / np.diff(np.log(h))"
+from_the_first_step = varied(
+    "order_of_error",
+    "from_first",
+    (LOGS, "(np.log(errors) - np.log(errors[0]))[1:] / (np.log(h) - np.log(h[0]))[1:]"),
+)
+factor_of_halving = varied("order_of_error", "factor", (LOGS, f"2 ** ({LOGS})"))
+factor_for_e = changed("order_of_error", (LOGS, f"np.exp({LOGS})"), variant="factor")
+ratios_of_errors = changed(
+    "order_of_error", (LOGS, "errors[:-1] / errors[1:]"), variant="factor", slip="halves"
+)
+BEST = "    best = math.inf"
+curve_driven_backward = varied(
+    "csc_length", "backward", (BEST, "    a, b = b, a\n    best = math.inf")
+)
+curve_in_radii = varied("csc_length", "in_radii", ("return best", "return best / r"))
+turned_round_at_a_only = changed(
+    "csc_length",
+    (BEST, "    a = a + np.array([0, 0, math.pi])\n    best = math.inf"),
+    variant="backward",
+)
+only_the_arcs_in_radii = changed(
+    "csc_length", ("straight + r * (turn", "straight + (turn"), variant="in_radii"
+)

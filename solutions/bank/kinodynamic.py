@@ -959,3 +959,20 @@ larger_without_wrap = changed(
     variant="larger",
     slip="no_wrap",
 )
+
+CHOICE = "best, least = (i, k), away[k - 1]"
+steps_that_are_cut_off = varied(
+    "best_control", "steps_left", (CHOICE, CHOICE.replace("k)", "n - k)"))
+)
+controls_from_the_last = varied(
+    "best_control", "from_last", (CHOICE, CHOICE.replace("(i,", "(len(controls) - 1 - i,"))
+)
+steps_cut_off_and_one_more = changed(
+    "best_control",
+    (CHOICE, CHOICE.replace("k)", "n - k + 1)")),
+    variant="steps_left",
+    slip="counted",
+)
+controls_from_the_last_and_one = changed(
+    "best_control", (CHOICE, CHOICE.replace("(i,", "(len(controls) - i,")), variant="from_last"
+)

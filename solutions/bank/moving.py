@@ -490,7 +490,9 @@ def three_sigma(sigma, delta):
 SHARE = "delta / len(sigma)"
 two_drives = varied("chance_margins", "two_drives", (SHARE, "delta / (2 * len(sigma))"))
 percent = varied("chance_margins", "percent", (SHARE, "delta / (100 * len(sigma))"))
-each_drive_alone = changed("chance_margins", (SHARE, "delta / 2"), variant="two_drives")
+each_drive_alone = changed(
+    "chance_margins", (SHARE, "delta / 2"), variant="two_drives", slip="not_shared"
+)
 twice_the_margin = changed(
     "chance_margins", ("return sigma", "return 2 * sigma"), variant="two_drives"
 )
@@ -729,3 +731,57 @@ def forgets_the_disc():
 def ways_cross():
     """Gives paths that cross at different times."""
     return (0, 0), (100, 0), (50, -10), (50, 100)
+
+
+FIRST_ROOT, AT_ONCE = (
+    "s = (-b - math.sqrt(b * b - a * c)) / a",
+    "    if x @ x <= r * r:\n        return 0.0",
+)
+last_moment_of_contact = varied(
+    "first_contact",
+    "last_contact",
+    (FIRST_ROOT, FIRST_ROOT.replace("-b -", "-b +")),
+    (AT_ONCE, "    if (x + v) @ (x + v) <= r * r:\n        return 1.0"),
+)
+contact_in_seconds = varied("first_contact", "seconds", ("return s if 0", "return 10 * s if 0"))
+last_moment_or_the_beginning = changed(
+    "first_contact", (FIRST_ROOT, FIRST_ROOT.replace("-b -", "-b +")), variant="last_contact"
+)
+first_moment_or_the_end = changed(
+    "first_contact",
+    (AT_ONCE, "    if (x + v) @ (x + v) <= r * r:\n        return 1.0"),
+    variant="last_contact",
+)
+contact_in_milliseconds = changed(
+    "first_contact", ("return s if 0", "return 10000 * s if 0"), variant="seconds"
+)
+ROWS = "return list(rows)"
+rows_from_the_goal = varied("earliest_arrival", "from_goal", (ROWS, "return list(rows)[::-1]"))
+times_first = varied(
+    "earliest_arrival", "time_first", (ROWS, "return [(time, place) for place, time in rows]")
+)
+times_alone_reversed = changed(
+    "earliest_arrival",
+    (ROWS, "return [(u, t) for (u, _), (_, t) in zip(rows, rows[::-1])]"),
+    variant="from_goal",
+)
+times_first_and_waits = changed(
+    "earliest_arrival",
+    (ROWS, "return [(t, u) for u, t in [*rows, rows[-1]]]"),
+    variant="time_first",
+)
+SHARE_AND_ENDS = "return p, "
+HITS = "p = sum(any(map(touches, discs, scenario)) for scenario in offsets) / n"
+without_a_hit = varied("collision_probability", "no_hit", (HITS, HITS.replace("any(", "not any(")))
+ENDS = "(middle - reach) / (1 + z * z / n), (middle + reach) / (1 + z * z / n)"
+three_in_percent = varied(
+    "collision_probability",
+    "percent",
+    ("return p, " + ENDS, f"return [100 * share for share in (p, {ENDS})]"),
+)
+share_alone_in_percent = changed(
+    "collision_probability", (SHARE_AND_ENDS, "return 100 * p, "), variant="percent"
+)
+ends_of_the_hits = changed(
+    "collision_probability", (SHARE_AND_ENDS, "return 1 - p, "), variant="no_hit"
+)

@@ -815,3 +815,17 @@ speed_from_the_top = changed(
     slip="upside_down",
 )
 square_of_the_whole = changed("cost_along", ("return total", "return total**2"), variant="squared")
+
+TRIPLE = "[(i, j, c) for"
+later_row_first = varied("repeated_rows", "later_first", (TRIPLE, "[(j, i, c) for"))
+column_before_the_rows = varied("repeated_rows", "column_first", (TRIPLE, "[(c, i, j) for"))
+column_before_the_later_row = changed(
+    "repeated_rows", (TRIPLE, "[(c, j, i) for"), variant="column_first"
+)
+later_first_among_neighbours = changed(
+    "repeated_rows",
+    (TRIPLE, "[(j, i, c) for"),
+    ("range(i + 1, n)", "range(i + 1, min(i + 2, n))"),
+    variant="later_first",
+    slip="neighbours",
+)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from ....curves.dubins import all_dubins_curves, shortest_forward
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Given, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...withheld import withheld
@@ -102,6 +102,15 @@ class CscLength(ValueExercise):
         ),
     )
     reference = staticmethod(csc)
+
+    changes = (
+        Restated("backward", given=lambda a, b, r: (b, a, r)),
+        Restated(
+            "in_radii",
+            answer=lambda length, a, b, r: length / r,
+            usual_answer=lambda length, a, b, r: length * r,
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Straight lines and half circles first, then random poses of each kind."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...withheld import withheld
@@ -46,6 +46,20 @@ class OrderOfError(ValueExercise):
         Slip("rounded", lambda h, e: np.round(orders(h, e))),
     )
     reference = staticmethod(orders)
+
+    changes = (
+        Change(
+            "from_first",
+            lambda orders, h, e: np.array(
+                [orders(h[[0, i]], e[[0, i]])[0] for i in range(1, len(h))]
+            ),
+        ),
+        Restated(
+            "factor",
+            answer=lambda p, *given: np.power(2.0, p),
+            usual_answer=lambda factor, *given: np.log2(factor),
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Powers of two first, then errors with noise."""

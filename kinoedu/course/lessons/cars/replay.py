@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from ....geometry.checks import Array
 from ....robots.trajectory import replay_controls
-from ...exercise import Axes, Case, Slip
+from ...exercise import Axes, Case, Restated, Slip
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
 from ...withheld import withheld
@@ -22,6 +22,8 @@ from ..shared.driving import (
     with_curvature,
     without_turning,
 )
+
+PHI_IN_DEGREES = np.array([1.0, 180.0 / math.pi])  # factors of a speed and a steering angle
 
 
 @withheld
@@ -80,6 +82,19 @@ class Replay(PoseExercise):
         ),
     )
     reference = staticmethod(trajectory_poses)
+
+    changes = (
+        Restated(
+            "clock",
+            given=lambda start, controls, t, L: (start, controls, np.cumsum(t), L),
+            usual_given=lambda start, controls, t, L: (start, controls, np.diff(t, prepend=0.0), L),
+        ),
+        Restated(
+            "degrees",
+            given=lambda start, controls, t, L: (start, controls * PHI_IN_DEGREES, t, L),
+            usual_given=lambda start, controls, t, L: (start, controls / PHI_IN_DEGREES, t, L),
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """No control, one control, and the worked example first."""

@@ -11,7 +11,7 @@ from ....planners.driving.common import free_drive
 from ....problems.protocols import PlanningProblem, ProblemLike
 from ....spaces.angles import wrap_angle
 from ...drivable import DrivenProblemShape, DrivingProblem
-from ...exercise import Axes, Case, Given, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...poses import distance_of_poses
 from ...shapes import Maybe, Number, Numbers, Record, Value
@@ -165,6 +165,16 @@ def choose_farthest(*given: Value) -> Choice:
     return make_chooser(lambda problem, a, b: -problem.distance(a, b), is_free_to_cut)(*given)
 
 
+def count_steps_left(choice: Value, *given: Value) -> list[int]:
+    """Return the control, and how many of its steps are not driven."""
+    return [int(choice[0]), int(given[-1] - choice[1])]
+
+
+def count_from_last(choice: Value, *given: Value) -> list[int]:
+    """Return the control, counted from the last one, and its steps."""
+    return [len(given[3]) - 1 - int(choice[0]), int(choice[1])]
+
+
 MIDDLE = [post for post in POSTS if 60 <= min(post[0]) and max(post[0]) < 180]
 ROOMS = (
     make_garage((30, 30, 0), (150, 150, 0)),
@@ -217,6 +227,11 @@ class BestControl(ValueExercise):
         Slip("standing", make_chooser(measure_distance, is_free_to_cut, 0)),
         Slip("counted", count_from_zero),
         Slip("farthest", choose_farthest),
+    )
+
+    changes = (
+        Restated("steps_left", answer=count_steps_left),
+        Restated("from_last", answer=count_from_last),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ....collision import probability
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...withheld import withheld
@@ -108,6 +108,12 @@ def check_points_only(path: Array, discs: Array, offsets: Array) -> Array:
     return add_interval(int(hits.any(axis=1).sum()), len(offsets))
 
 
+def count_misses(shares: Value, *given: Value) -> Array:
+    """Return the same three numbers for the scenarios without a hit."""
+    share, low, high = shares
+    return np.array([1.0 - share, 1.0 - high, 1.0 - low])
+
+
 class CollisionProbability(ValueExercise):
     """Estimate the fraction of scenarios in which a path is hit, with its interval."""
 
@@ -158,6 +164,15 @@ class CollisionProbability(ValueExercise):
         Slip("beeline", change_input(lambda path, discs, offsets: (path[[0, -1]], discs, offsets))),
     )
     reference = staticmethod(estimate_probability)
+
+    changes = (
+        Restated("no_hit", answer=count_misses),
+        Restated(
+            "percent",
+            answer=lambda shares, *given: np.multiply(shares, 100.0),
+            usual_answer=lambda percent, *given: np.divide(percent, 100.0),
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield a few scenarios that can be drawn by hand, then random ones."""

@@ -10,7 +10,7 @@ from heapq import heappop, heappush
 import numpy as np
 
 from ....planners.moving.safe_intervals import search_intervals
-from ...exercise import RIGHT, Axes, Case, Exercise, Verdict, format_value
+from ...exercise import RIGHT, Axes, Case, Exercise, Restated, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Value
 from ...whole_shapes import Integer
@@ -103,6 +103,11 @@ class EarliestArrival(Exercise):
     answer = Numbers(("n", 2))
     source = staticmethod(find_schedule)
     shown = staticmethod(search_intervals)
+
+    changes = (
+        Restated("from_goal", answer=lambda rows, *given: np.reshape(rows, (-1, 2))[::-1]),
+        Restated("time_first", answer=lambda rows, *given: np.reshape(rows, (-1, 2))[:, ::-1]),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases with two places, then with three, then random ones."""

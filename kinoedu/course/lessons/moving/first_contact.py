@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Value
 from ...withheld import withheld
@@ -119,6 +119,11 @@ def miss_rim(x: Array, v: Array, r: float) -> float:
     return math.inf if s == 0.0 and x @ x == r * r else s
 
 
+def turn_time(s: float, *given: Value) -> float:
+    """Return the moment if time runs backwards; infinity, which means never, stays the same."""
+    return s if s == math.inf else 1.0 - s
+
+
 class FirstContact(ValueExercise):
     """Compute when a point and a disc, both in straight motion, first touch."""
 
@@ -147,6 +152,19 @@ class FirstContact(ValueExercise):
         Slip("diameter", lambda p0, p1, c0, c1, r: find_contact(p0, p1, c0, c1, r / 2)),
     )
     reference = staticmethod(find_contact)
+
+    changes = (
+        Restated(
+            "last_contact",
+            answer=turn_time,
+            given=lambda p0, p1, c0, c1, r: (p1, p0, c1, c0, r),
+        ),
+        Restated(
+            "seconds",
+            answer=lambda s, *given: 10.0 * s,
+            usual_answer=lambda seconds, *given: seconds / 10.0,
+        ),
+    )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases with small whole numbers, then random ones."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ...whole_shapes import Integers
@@ -59,6 +59,15 @@ class RepeatedRows(ValueExercise):
         Slip("missing", lambda table: find_repeats(np.where(np.isnan(table), -1.0, table))),
         Slip("close", lambda table: find_repeats(table, 0.5)),
         Slip("close", lambda table: find_repeats(table, 0.01)),
+    )
+
+    changes = (
+        Restated("later_first", answer=lambda triples, *given: [(j, i, c) for i, j, c in triples]),
+        Restated(
+            "column_first",
+            answer=lambda triples, *given: [(c, i, j) for i, j, c in triples],
+            usual_answer=lambda triples, *given: [(i, j, c) for c, i, j in triples],
+        ),
     )
 
     @staticmethod
