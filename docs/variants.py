@@ -78,7 +78,7 @@ def written() -> str:
         )
         + "\n## Exercises without variants\n\n"
         + "".join(f"- {reason}: {listed(names)}\n" for reason, names in WITHOUT.items())
-        + f"- a variant would be possible, and is not written: {listed(unwritten())}\n"
+        + (f"- a variant is not written yet: {listed(unwritten())}\n" if unwritten() else "")
     )
 
 

@@ -851,6 +851,7 @@ inside_all_but_the_closing_edge = changed(
     ("range(len(P))", "range(1, len(P))"),
     (TO_THE_RIGHT, TO_THE_RIGHT.replace("<", "<=")),
     variant="interior",
+    slip="open",
 )
 SEGMENTS = "u, v, w = p2 - p1, p4 - p3, p3 - p1"
 segments_by_vectors = varied(

@@ -563,7 +563,7 @@ backwards_along_the_edges = changed(
     (SEARCHED, "path = extract_path(bfs_tree(neighbours, goal), start)"),
     (FOUND, "return path if path[0] == goal else None"),
     variant="from_goal",
-    slip="from_goal",
+    slip="undirected",
 )
 both_directions_are_open = changed(
     "bfs_path",

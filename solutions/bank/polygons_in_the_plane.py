@@ -660,11 +660,12 @@ zeros_by_breadth = varied(
 zeros_by_depth = varied(
     "dfs_on_matrix", "contact", ("np.flatnonzero(A[path[-1]])", "np.flatnonzero(A[path[-1]] == 0)")
 )
-contacts_by_depth = changed(
+zeros_by_breadth_reversed = changed(
     "bfs_on_matrix",
-    ("queue.popleft()", "queue.pop()"),
     ("np.flatnonzero(A[u])", "np.flatnonzero(A[u] == 0)"),
+    ("return path[::-1]", "return path"),
     variant="contact",
+    slip="reversed",
 )
 goal_put_first = changed(
     "dfs_on_matrix",

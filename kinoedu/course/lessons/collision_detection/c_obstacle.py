@@ -7,7 +7,7 @@ import numpy as np
 from ....geometry import convex_hull, minkowski_difference, minkowski_sum
 from ....geometry.checks import Array
 from ....geometry.minkowski import corner_pairs
-from ...exercise import RIGHT, Axes, Case, Change, Slip, ValueExercise, Verdict
+from ...exercise import RIGHT, Axes, Case, Change, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Value
 from ...withheld import withheld
@@ -54,7 +54,7 @@ class CObstacle(ValueExercise):
     )
     reference = staticmethod(difference_of)
     changes = (
-        Change("obstacle_moves", lambda grown, *given: np.negative(grown(*given))),
+        Restated("obstacle_moves", answer=lambda grown, *given: np.negative(grown)),
         Change("bounding_box", lambda grown, *given: bounding_box(np.asarray(grown(*given)))),
     )
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Change, Slip, ValueExercise
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Number, Numbers, Record
 from ...withheld import withheld
@@ -47,8 +47,8 @@ class FreeIntervals(ValueExercise):
     )
     reference = staticmethod(free_stretches)
     changes = (
-        Change("top_down", lambda intervals, *given: intervals(*given)[::-1]),
-        Change("upper_end_first", lambda intervals, *given: intervals(*given)[:, ::-1]),
+        Restated("top_down", answer=lambda rows, *given: np.asarray(rows)[::-1]),
+        Restated("upper_end_first", answer=lambda rows, *given: np.reshape(rows, (-1, 2))[:, ::-1]),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

@@ -8,7 +8,7 @@ import numpy as np
 from ....geometry import polygon_tangent
 from ....geometry.checks import Array
 from ....geometry.polygons import nearest_on_ring
-from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ..shared.pictures import draw_tangent
@@ -51,8 +51,12 @@ class PolygonTangent(ValueExercise):
     )
     reference = staticmethod(polygon_tangent)
     changes = (
-        Change("clockwise", lambda tangent, q, polygon: np.negative(tangent(q, polygon))),
-        Change("outward", lambda tangent, q, polygon: turn_right(tangent(q, polygon))),
+        Restated("clockwise", answer=lambda tangent, *given: np.negative(tangent)),
+        Restated(
+            "outward",
+            answer=lambda tangent, *given: turn_right(tangent),
+            usual_answer=lambda outward, *given: turn_left(outward),
+        ),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ....geometry.checks import Array
 from ....sampling import halton, van_der_corput
-from ...exercise import Axes, Case, Change, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Change, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Record, Value
 from ...whole_shapes import Integer
@@ -54,7 +54,7 @@ class Halton(ValueExercise):
     reference = staticmethod(halton)
     changes = (
         Change("from_ten", lambda points, n, primes: points(n + 9, primes)[9:]),
-        Change("reversed", lambda points, n, primes: points(n, primes)[::-1]),
+        Restated("reversed", answer=lambda points, *given: np.asarray(points)[::-1]),
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
