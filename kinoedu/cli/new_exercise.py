@@ -59,8 +59,7 @@ def add_new_exercise(commands: Commands) -> None:
     new.add_argument(
         "--lesson",
         metavar="NN_topic",
-        required=True,
-        help="the lesson's notebook, new or existing",
+        help="the lesson's notebook, new or existing; always needed",
     )
     new.add_argument(
         "--from",
@@ -77,6 +76,11 @@ def run_new_exercise(arguments: argparse.Namespace) -> int:
     from ..course.new_exercise import new_exercise
     from ..course.plain_function import read_plain_function
 
+    if arguments.lesson is None:
+        raise InvalidParameter(
+            "say which lesson the exercise belongs to, an existing one such as 01_geometry or a "
+            f"new one: python start.py new-exercise {arguments.name} --lesson 15_walls"
+        )
     plain = read_plain_function(arguments.plain) if arguments.plain else None
     if plain is not None and plain.name != arguments.name:
         raise InvalidParameter(

@@ -81,6 +81,7 @@ def draw_path_answer(
 ) -> None:
     """Draw a graph with its weights and estimates, a right path and the student's."""
     draw_question(case.given, value, truth, ax)
+    draw_answer_note(exercise.as_asked(value, case), ax)
     finish_picture(exercise, case, ax)
 
 
@@ -95,6 +96,7 @@ def draw_misled(exercise: Exercise, value: Value, paths: tuple[Any, Any], ax: Ax
         draw_question(
             dict(zip(("neighbours", "weights", "estimate", "start", "goal"), value)), *paths, ax
         )
+        draw_answer_note(paths[0], ax)
     ax.set_axis_off()
     plane.title(exercise.message("picture"), ax)
 
@@ -181,7 +183,6 @@ def draw_paths(places: Value, truth: Value, value: Value, ax: Axes) -> None:
                 places[u], places[v], ax, colour, arrow=True, width=width, gap=11.0
             ):
                 artist.set(linestyle=style, zorder=4 if style == "-" else 5)
-    draw_answer_note(value, ax)
 
 
 def draw_pointer(

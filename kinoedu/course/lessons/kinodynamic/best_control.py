@@ -165,14 +165,14 @@ def choose_farthest(*given: Value) -> Choice:
     return make_chooser(lambda problem, a, b: -problem.distance(a, b), is_free_to_cut)(*given)
 
 
-def count_steps_left(choice: Value, *given: Value) -> list[int]:
+def count_steps_left(choice: Value, *given: Value) -> Choice:
     """Return the control, and how many of its steps are not driven."""
-    return [int(choice[0]), int(given[-1] - choice[1])]
+    return int(choice[0]), int(given[-1] - choice[1])
 
 
-def count_from_last(choice: Value, *given: Value) -> list[int]:
+def count_from_last(choice: Value, *given: Value) -> Choice:
     """Return the control, counted from the last one, and its steps."""
-    return [len(given[3]) - 1 - int(choice[0]), int(choice[1])]
+    return len(given[3]) - 1 - int(choice[0]), int(choice[1])
 
 
 MIDDLE = [post for post in POSTS if 60 <= min(post[0]) and max(post[0]) < 180]

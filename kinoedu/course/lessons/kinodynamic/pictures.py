@@ -114,7 +114,9 @@ def draw_choice(exercise: ValueExercise, case: Case, value: Value, ax: Axes) -> 
         ax.fill(*outline.T, facecolor="none", edgecolor=palette.ROBOT, linewidth=1.4, zorder=4)
     for number, way in enumerate(ways):
         ax.plot(*way[:, :2].T, "-", color=palette.OUTSIDE, linewidth=2.0, zorder=3)
-        plane.label(way[-1, :2], str(number), ax, colour=palette.INK)
+        plane.label(
+            way[-1, :2], str(exercise.as_asked((number, n), case)[0]), ax, colour=palette.INK
+        )
     for choice, colour, style in (
         (exercise.truth(case), palette.TRUE, "-"),
         (value, palette.YOURS, "--"),

@@ -173,7 +173,7 @@ class EarliestArrival(Exercise):
         best = find_schedule(*case.given.values())
         if not best:
             return self.message("no_way")
-        rows = format_value([tuple(row) for row in best])
+        rows = format_value([tuple(row) for row in self.as_asked(best, case)])
         return self.message("wanted", time=format_value(best[-1][1]), rows=rows)
 
     def ask_for_answers(self, case: Case) -> None:

@@ -42,8 +42,9 @@ def draw_contact(exercise: ValueExercise, case: Case, value: float | None, ax: A
             plane.ring(c0 + s * (c1 - c0), r, "", ax, colour=colour, style=style)
             marker = "o" if colour == palette.TRUE else "X"
             plane.dot(p0 + s * (p1 - p0), "", ax, colour=colour, marker=marker)
+    shown = [format_answer(exercise.as_asked(one, case)) for one in (truth, value)]
     plane.corner_note(
-        get_message("timed_picture.both", true=format_answer(truth), yours=format_answer(value)),
+        get_message("timed_picture.both", true=shown[0], yours=shown[1]),
         ax,
         colour=palette.YOURS,
     )
@@ -134,7 +135,7 @@ def draw_scenarios(exercise: ValueExercise, case: Case, value: Array | None, ax:
     true, yours = (
         get_message("timed_picture.none")
         if numbers is None
-        else format_value(tuple(round(float(number), 4) for number in numbers))
+        else format_value(tuple(round(float(x), 4) for x in exercise.as_asked(numbers, case)))
         for numbers in (exercise.truth(case), value)
     )
     ax.set_xlabel(

@@ -140,7 +140,7 @@ class AdjacencyMatrix(ValueExercise):
 
     def describe_expected(self, case: Case) -> str:
         """Describe the right matrix, row by row."""
-        return str(self.truth(case).tolist())
+        return str(self.as_asked(self.truth(case), case).tolist())
 
     def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the student's matrix, row by row."""

@@ -115,8 +115,9 @@ class FreeHeading(Exercise):
         value = outcome.value if isinstance(outcome, Answer) else None
         right = self.source(*case.given.values())
         place = (case.given["x"], case.given["y"])
-        text = self.message(f"pictures.{case.kind}")
-        draw_heading(case.given["problem"].problem, place, value, right, text, ax)
+        heading = "" if value is None else f"{self.as_asked(value, case):.4g}"
+        texts = self.message(f"pictures.{case.kind}"), heading
+        draw_heading(case.given["problem"].problem, place, value, right, texts, ax)
 
 
 def slot_angles(rng: np.random.Generator) -> list[float]:

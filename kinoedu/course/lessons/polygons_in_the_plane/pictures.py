@@ -19,10 +19,15 @@ def draw_heading(
     place: Value,
     value: float | None,
     right: float | None,
-    text: str,
+    texts: tuple[str, str],
     ax: Axes,
 ) -> None:
-    """Draw the world, the robot at a free heading and at the student's."""
+    """Draw the world, the robot at a free heading and at the student's.
+
+    Parameters
+    ----------
+    texts : the title, and the student's heading.
+    """
     from ....figures import palette, plane
     from ....figures.drawing import draw_robot, draw_world
 
@@ -34,11 +39,9 @@ def draw_heading(
     elif np.isfinite(value):
         (body,) = draw_robot(problem.robot, np.array([*place, value]), ax, palette.YOURS)
         body.set(linestyle="--")
-        plane.corner_note(
-            get_message("picture.yours", value=f"{value:.4g}"), ax, colour=palette.YOURS
-        )
+        plane.corner_note(get_message("picture.yours", value=texts[1]), ax, colour=palette.YOURS)
     plane.dot(place, "", ax)
-    plane.title(text, ax)
+    plane.title(texts[0], ax)
 
 
 def draw_matrix(

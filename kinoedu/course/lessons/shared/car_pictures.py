@@ -108,7 +108,7 @@ def draw_orders(exercise: ValueExercise, case: Case, value: Array | None, ax: Ax
 
     h, errors = case.given.values()
     ax.loglog(h, errors, "-o", color=palette.TREE, linewidth=2.6, markersize=8)
-    truth = exercise.truth(case)
+    truth, value = (exercise.as_asked(one, case) for one in (exercise.truth(case), value))
     for k, order in enumerate(truth):
         yours = (
             f"{value[k]:.3g}"
@@ -149,10 +149,11 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
     cars.draw_curve(curve, ax, colour=palette.TRUE)
     cars.draw_pose(a, r, "a", ax, colour=palette.INK, below=True)
     cars.draw_pose(b, r, "b", ax, colour=palette.INK, below=True)
-    yours = get_message("car_picture.none") if value is None else f"{value:.4g}"
-    words = get_message(
-        "car_picture.lengths", word=curve.word, true=f"{curve.length:.4g}", yours=yours
+    true, yours = (
+        get_message("car_picture.none") if one is None else f"{exercise.as_asked(one, case):.4g}"
+        for one in (curve.length, value)
     )
+    words = get_message("car_picture.lengths", word=curve.word, true=true, yours=yours)
     plane.corner_note(words, ax, colour=palette.YOURS)
     plane.title(exercise.message(f"pictures.{case.kind}"), ax)
 
