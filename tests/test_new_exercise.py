@@ -170,6 +170,12 @@ def test_an_exercise_from_a_plain_function_passes_the_tests_of_the_house(house, 
         assert ruff.returncode == 0, ruff.stdout
 
 
+def test_an_exercise_without_a_lesson_is_refused(capsys):
+    """The message is the right command."""
+    assert main(["new-exercise", "closest_wall"]) == 2
+    assert "start.py new-exercise closest_wall --lesson 15_walls" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("name", "lesson", "words"),
     [

@@ -213,5 +213,6 @@ def test_a_notebook_without_boards_is_exported_as_ever():
     assert "kinoedu" not in PageWithBoards().from_notebook_node(plain)[0]
     book = nbformat.read(HOUSE / "notebooks" / "09_trees.ipynb", as_version=4)
     kept = nbformat.writes(book)
-    PageWithBoards().from_notebook_node(book)
+    page, _ = PageWithBoards().from_notebook_node(book)
     assert nbformat.writes(book) == kept
+    assert "No description" not in page  # nbconvert's alt text of a picture without one

@@ -179,7 +179,9 @@ def test_pictures_are_sharp_small_and_keep_their_colours():
     """A picture has two pixels for one that is shown; its frequent colours are kept exactly."""
     figure, ax = plt.subplots(figsize=(4, 3), dpi=72)
     ax.plot([0, 1], [0, 1], linewidth=4, color=palette.GOAL)
+    ax.set_title("A line\nto the goal")
     data, shown = style.print_sharp(figure)
+    assert shown["alt"] == "A line to the goal"
     picture = Image.open(io.BytesIO(base64.b64decode(data)))
     assert picture.width // 2 == shown["width"] and abs(shown["width"] - 4 * 72) < 40
     assert picture.mode == "P" and len(data) < 20_000

@@ -58,8 +58,8 @@ def running_shell() -> Any:
     return None if ipython is None else ipython.get_ipython()
 
 
-def print_sharp(figure: Figure) -> tuple[str, dict[str, int]] | None:
-    """A figure as a PNG in base64, and the size at which it is to be shown.
+def print_sharp(figure: Figure) -> tuple[str, dict[str, int | str]] | None:
+    """A figure as a PNG in base64, and the size at which it is to be shown, with its alt text.
 
     None for a figure without axes.
     """
@@ -72,7 +72,22 @@ def print_sharp(figure: Figure) -> tuple[str, dict[str, int]] | None:
     stream = io.BytesIO()
     picture.save(stream, "png", optimize=True)
     width, height = (size // SHARP for size in picture.size)
-    return base64.b64encode(stream.getvalue()).decode("ascii"), {"width": width, "height": height}
+    about: dict[str, int | str] = {"width": width, "height": height}
+    if alt := describe_figure(figure):
+        about["alt"] = alt
+    return base64.b64encode(stream.getvalue()).decode("ascii"), about
+
+
+def describe_figure(figure: Figure) -> str:
+    """A text in place of a figure: its titles, in one line.
+
+    >>> figure = Figure()
+    >>> _ = figure.add_subplot().set_title("Two arms\\nwith one tip")
+    >>> describe_figure(figure)
+    'Two arms with one tip'
+    """
+    titles = [figure.get_suptitle(), *(ax.get_title() for ax in figure.axes)]
+    return "; ".join(" ".join(title.split()) for title in titles if title.strip())
 
 
 def keep_few_colours(picture: Image.Image) -> Image.Image:

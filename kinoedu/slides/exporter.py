@@ -12,7 +12,7 @@ from nbconvert.exporters import HTMLExporter
 
 from ..boards.core.page_script import CORE, page_script
 from ..boards.core.recorded import RECORD
-from ..messages import get_message
+from .rule import describe_picture
 
 PLAYS = ".kinoedu-plays > img { display: none; }"  # the board itself is there instead
 WIDGET = "application/vnd.jupyter.widget-view+json"
@@ -29,23 +29,31 @@ class PageWithBoards(HTMLExporter):
         """The page, and nbconvert's resources; the notebook stays as it is."""
         book = deepcopy(nb)
         outputs = [output for cell in book.cells for output in cell.get("outputs", [])]
-        stored = [output.data for output in outputs if RECORD in output.get("data", {})]
-        for data in stored:
-            data.pop(WIDGET, None)  # which nbconvert would prefer, and which needs a kernel
-            data["text/html"] = board_html(data)
+        pictures = [output for output in outputs if "image/png" in output.get("data", {})]
+        stored = [output for output in pictures if RECORD in output.data]
+        for output in pictures:
+            output.data.pop(WIDGET, None)  # which nbconvert would prefer, and which needs a kernel
+            output.data["text/html"] = (board_html if output in stored else picture_html)(output)
         page, resources = super().from_notebook_node(book, resources, **options)
         return (add_player(page) if stored else page), resources
 
 
-def board_html(data: dict[str, Any]) -> str:
+def board_html(output: Any) -> str:
     """The element of the boards of an output, with their picture for those without JavaScript."""
-    source = "".join("".join(data.get("image/png", "")).split())
-    text = escape("".join(data.get("text/plain", get_message("slides.picture"))), quote=True)
-    record = json.dumps(data[RECORD]).replace("</", "<\\/")
+    record = json.dumps(output.data[RECORD]).replace("</", "<\\/")
     return (
-        f'<div class="kinoedu-record"><img alt="{text}" src="data:image/png;base64,{source}">'
+        f'<div class="kinoedu-record">{picture_html(output)}'
         f'<script type="application/json">{record}</script></div>'
     )
+
+
+def picture_html(output: Any) -> str:
+    """The picture of an output at the size at which it is shown, with its alt text."""
+    source = "".join("".join(output.data["image/png"]).split())
+    about = output.get("metadata", {}).get("image/png", {})
+    size = "".join(f' {name}="{about[name]}"' for name in ("width", "height") if name in about)
+    alt = escape(describe_picture(output), quote=True)
+    return f'<img alt="{alt}"{size} src="data:image/png;base64,{source}">'
 
 
 def add_player(page: str) -> str:

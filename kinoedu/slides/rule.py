@@ -151,12 +151,21 @@ def code_html(code: str, folded: bool) -> str:
     return f"<details><summary>{escape(get_message('slides.code'))}</summary>{page}</details>"
 
 
+def describe_picture(output: Any) -> str:
+    """The alt text of an output's picture: its own, or the printed form of what it shows."""
+    alt = output.get("metadata", {}).get("image/png", {}).get("alt", "")
+    plain = "".join(output.get("data", {}).get("text/plain", ""))
+    if not alt and plain and not plain.startswith("<"):
+        alt = plain
+    return str(alt or get_message("slides.picture"))
+
+
 def output_html(output: Any) -> str:
     """An output of a cell as HTML: a board that plays, a picture, or text."""
     data = output.get("data", {})
     plain = "".join(data.get("text/plain", output.get("text", "")))
     if "image/png" in data:
-        alt = plain if not plain.startswith("<Figure") else get_message("slides.picture")
+        alt = describe_picture(output)
         source = "".join("".join(data["image/png"]).split())
         picture = f'<img alt="{escape(alt)}" src="data:image/png;base64,{source}">'
         if RECORD not in data:

@@ -23,12 +23,20 @@ from ..shared.planned import NODES, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
 from .rrt import grow_tree
+from .tree_forms import (
+    Insertion,
+    double_cost,
+    double_costs,
+    halve_cost,
+    halve_costs,
+    put_new_first,
+    put_new_last,
+)
 
 LISTS = Integers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
 WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
 Parents = NDArray[np.int64]
-Insertion = tuple[list[int], list[float]]
 
 
 class WithoutObstacles(NamedTuple):
@@ -151,40 +159,6 @@ def find_ancestors(node: int, parent: list[int]) -> list[int]:
         way.append(node)
         node = parent[node]
     return way
-
-
-def put_new_first(tree: Insertion, *given: Value) -> Insertion:
-    """Return the tree with the last node as number 0, and all others one number higher."""
-    last = len(tree[0]) - 1
-    parents = [0 if p == last else p + 1 if p >= 0 else p for p in tree[0]]
-    return [*parents[-1:], *parents[:-1]], [*tree[1][-1:], *tree[1][:-1]]
-
-
-def put_new_last(tree: Insertion, *given: Value) -> Insertion:
-    """Return the tree with node 0 as the last one, and all others one number lower."""
-    last = len(tree[0]) - 1
-    parents = [last if p == 0 else p - 1 if p > 0 else p for p in tree[0]]
-    return [*parents[1:], *parents[:1]], [*tree[1][1:], *tree[1][:1]]
-
-
-def double_costs(tree: Insertion, *given: Value) -> Insertion:
-    """Return the tree with twice the costs."""
-    return tree[0], [2.0 * cost for cost in tree[1]]
-
-
-def halve_costs(tree: Insertion, *given: Value) -> Insertion:
-    """Return the tree with half the costs."""
-    return tree[0], [cost / 2.0 for cost in tree[1]]
-
-
-def double_cost(problem: Value, nodes: Array, parent: Parents, cost: Array, *new: Value) -> Any:
-    """Return the arguments with twice the costs."""
-    return problem, nodes, parent, 2.0 * cost, *new
-
-
-def halve_cost(problem: Value, nodes: Array, parent: Parents, cost: Array, *new: Value) -> Any:
-    """Return the arguments with half the costs."""
-    return problem, nodes, parent, cost / 2.0, *new
 
 
 class Insert(ValueExercise):

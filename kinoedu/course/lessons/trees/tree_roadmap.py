@@ -19,6 +19,7 @@ from ...withheld import withheld
 from ..shared.planned import NODES, TRAPS, Fault, ProblemShape, find_tree_fault
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
+from .tree_forms import make_root_its_parent, make_root_parentless, number_backwards
 
 PILLARS = in_room((1, 1), (9, 9), box(3, 3, 5, 5), box(6, 1, 7, 6), box(2, 7, 8, 8))
 
@@ -81,23 +82,6 @@ def chain_nodes(*given: Value) -> Value:
     """Attach every node to the one before it."""
     nodes, _ = grow_free_tree(*given)
     return nodes, np.arange(len(nodes)) - 1
-
-
-def make_root_its_parent(tree: Value, *given: Value) -> Value:
-    """Return the tree whose first node is its own parent."""
-    return tree[0], np.append(0, tree[1][1:]).astype(np.int64)
-
-
-def make_root_parentless(tree: Value, *given: Value) -> Value:
-    """Return the tree whose first node has the parent -1 where it was its own, and 0 otherwise."""
-    root = 0 if len(tree[1]) and tree[1][0] != 0 else -1
-    return tree[0], np.append(root, tree[1][1:]).astype(np.int64)[: len(tree[1])]
-
-
-def number_backwards(tree: Value, *given: Value) -> Value:
-    """Return the tree whose nodes are numbered from the last to the first."""
-    nodes, parent = tree[0][::-1], np.asarray(tree[1])[::-1]
-    return nodes, np.where(parent < 0, parent, len(nodes) - 1 - parent)
 
 
 class TreeRoadmap(ValueExercise):
