@@ -56,6 +56,7 @@ class Inner(VariedMessages):
 
     form: ClassVar[Restated]
 
+    @np.errstate(all="ignore")
     def as_asked(self, value: Value, case: Case) -> Value:
         """The variant's answer that corresponds to a usual one."""
         if value is None or self.form.answer is None:
@@ -95,6 +96,7 @@ class Outer(OtherForm):
             self.usual_cases[id(case)] = case, rename(case, back)
         return self.usual_cases[id(case)][1]
 
+    @np.errstate(all="ignore")
     def usual_value(self, case: Case, value: Value) -> Value:
         """The usual answer that corresponds to one of the variant."""
         back = self.form.usual_answer or self.form.answer
