@@ -1,6 +1,6 @@
 """The cells of a lesson that its boards need, so that a browser test does not run the others."""
 
-import ast
+import symtable
 
 
 def keep_what_boards_need(book, boards):
@@ -10,29 +10,28 @@ def keep_what_boards_need(book, boards):
     ----------
     boards : the numbers of the cells that show boards.
     """
-    needed, kept = set(), set(boards)
+    needed = set()
     for number in range(len(book["cells"]) - 1, -1, -1):
         cell = book["cells"][number]
         if cell["cell_type"] != "code":
             continue
-        made, used = names_in("".join(cell["source"]))
-        if number in kept or made & needed:
-            kept.add(number)
-            needed |= used
-    for number, cell in enumerate(book["cells"]):
-        if cell["cell_type"] == "code" and number not in kept:
+        made, used = global_names("".join(cell["source"]))
+        if number in boards or made & needed:
+            needed = needed - made | used
+        else:
             cell["source"] = "pass"
     return book
 
 
-def names_in(source):
-    """The names that a cell defines or changes, and those that it uses."""
-    made, used = set(), set()
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Name):
-            (used if isinstance(node.ctx, ast.Load) else made).add(node.id)
-        elif isinstance(node, ast.FunctionDef | ast.ClassDef):
-            made.add(node.name)
-        elif isinstance(node, ast.Import | ast.ImportFrom):
-            made |= {(one.asname or one.name).partition(".")[0] for one in node.names}
+def global_names(source):
+    """The global names that a cell defines, and those that it uses; others are local there."""
+    cell = symtable.symtable(source, "a cell", "exec")
+    made = {one.get_name() for one in cell.get_symbols() if one.is_assigned() or one.is_imported()}
+    used = {one.get_name() for one in cell.get_symbols() if one.is_referenced()}
+    scopes = cell.get_children()
+    for scope in scopes:  # grows while it is read
+        used |= {
+            one.get_name() for one in scope.get_symbols() if one.is_global() and one.is_referenced()
+        }
+        scopes += scope.get_children()
     return made, used

@@ -451,12 +451,12 @@ def test_clearance_is_a_larger_disk(
 def test_the_index_finds_what_looking_at_every_part_finds() -> None:
     """The index gives the same answers as a test of every part, for points and discs.
 
-    300 obstacles, some across the boundary or outside; motions of every length, also along grid
+    150 obstacles, some across the boundary or outside; motions of every length, also along grid
     lines.
     """
     rng = np.random.default_rng(2)
     obstacles: list[Any] = []
-    for k in range(300):
+    for k in range(150):
         x, y = rng.integers(-52, 52, 2).tolist()
         size = float(rng.choice([0.5, 1, 1, 2, 9]))
         square = [(x, y), (x + size, y), (x + size, y + size), (x, y + size)]
@@ -464,7 +464,7 @@ def test_the_index_finds_what_looking_at_every_part_finds() -> None:
     world = PolygonWorld([(-50, -50), (50, -50), (50, 30), (-50, 30)], obstacles)
     parts, cells = world.obstacles, world.cells
     found = 0
-    for k in range(3000):
+    for k in range(400):
         a = rng.uniform((-50, -50), (50, 30))
         b = a + rng.normal(0, float(rng.choice([0.1, 2, 40])), 2)
         if k % 3 == 0:
@@ -480,7 +480,7 @@ def test_the_index_finds_what_looking_at_every_part_finds() -> None:
             )
             assert motion_touches_any(*a, *b, radius, parts, cells) == touches
             found += touches
-    assert 1000 < found < 8000
+    assert 150 < found < 1000
 
 
 def test_a_world_without_obstacles_is_free_inside() -> None:
