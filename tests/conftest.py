@@ -8,6 +8,21 @@ import sys
 
 import pytest
 
+# Files that take longest, begun first, so that at the end of a run no process works alone.
+LONGEST = (
+    "tests/test_bank.py",
+    "tests/test_lab.py",
+    "tests/test_kit.py",
+    "tests/test_site.py",
+    "tests/test_grading.py",
+    "tests/test_house.py",
+    "tests/test_course.py",
+    "tests/test_compiled.py",
+    "tests/test_board_in_lab.py",
+    "tests/test_trivial.py",
+    "tests/test_attacks.py",
+)
+
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
     """One process more than cores, because many tests wait for a browser, a kernel or a clock."""
@@ -22,3 +37,9 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     runs_all = config.args == config.getini("testpaths") and not config.option.collectonly
     if runs_all and not hasattr(config, "workerinput"):
         subprocess.run([sys.executable, "-P", "-m", "kinoedu", "warm", "--all"], check=True)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Sort the longest files to the front; all else stays in its order."""
+    rank = {name: number for number, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: rank.get(item.nodeid.partition("::")[0], len(rank)))
