@@ -11,7 +11,7 @@ from typing import Self
 
 from grading_soak import below
 
-START = 60.0  # seconds for a scheduler to write its address, on a busy computer
+START = 300.0  # seconds for a scheduler to write its address, on a busy computer
 
 
 class Cluster:
@@ -21,7 +21,12 @@ class Cluster:
         folder.mkdir(parents=True, exist_ok=True)
         self.folder, self.log = folder, (folder / "log.txt").open("wb")
         self.scheduler = self.start("scheduler", "--host", "127.0.0.1", "--port", "0")
-        self.address = self.wait_for_address()
+        self.workers: list[subprocess.Popen[bytes]] = []
+        try:
+            self.address = self.wait_for_address()
+        except BaseException:
+            self.__exit__()
+            raise
         self.workers = [self.start_worker(threads) for _ in range(workers)]
 
     def __enter__(self) -> Self:
@@ -62,7 +67,7 @@ class Cluster:
         from distributed import Client
 
         with Client(self.address, set_as_default=False) as client:
-            client.wait_for_workers(len(self.workers), timeout=10 * START)
+            client.wait_for_workers(len(self.workers), timeout=START)
 
     def seconds(self) -> tuple[float, float]:
         """The processor's seconds of the scheduler, and of the workers with all they started."""

@@ -3,12 +3,12 @@
 import os
 from collections import Counter, deque
 from collections.abc import Callable, Iterator
-from concurrent.futures import CancelledError, Future
+from concurrent.futures import Future
 from itertools import groupby
 from pathlib import Path
 
 from ..errors import InvalidParameter
-from ..support.completed_futures import CompletedFutures
+from ..support.completed_futures import CompletedFutures, failure_of
 from ..support.text import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
@@ -136,13 +136,7 @@ def answers_of(future: "Future[list[Answer]]", batch: Batch) -> list[Answer]:
     ConnectionError
         Where the cluster is lost.
     """
-    try:
-        lost = future.exception()
-    except CancelledError:  # Dask's client gives up all futures when the scheduler is gone
-        raise ConnectionError(
-            "the workers were lost, such as by the end of a Dask scheduler; what was finished is "
-            "kept, and the same call with the same folder continues"
-        ) from None
+    lost = failure_of(future)
     return future.result() if lost is None else [lost] * len(batch)
 
 
