@@ -62,7 +62,8 @@ def one_by_one(times: int) -> dict[str, tuple[float, float]]:
         (HOUSE / room / f"{NAME}.ipynb").read_bytes() for room in ("solutions", "exercises")
     )
     limits = {"memory": 2**30, "cpu": 10, "files": 2**20}
-    nothing = [{"cells": [], "questions": [], "withheld": [], "lent": [], "limits": limits}]
+    request = {"cells": [], "questions": [], "lent": [], "drawing": False, "patience": 1.0}
+    nothing = [{**request, "limits": limits}]
     found = {
         "a right submission": timed(lambda: grade(right, task, SECRET, box), times),
         "an empty one": timed(lambda: grade(empty, task, SECRET, box), times),

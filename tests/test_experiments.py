@@ -3,10 +3,12 @@
 import csv
 import math
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import Executor, Future
 from functools import partial
 from pathlib import Path
 
@@ -27,9 +29,12 @@ from kinoedu.experiments import (
     scattered_polygons,
     summary,
 )
-from kinoedu.experiments.cells import digest_of
+from kinoedu.experiments.cells import Outcome, digest_of
+from kinoedu.experiments.children import run_batch
 from kinoedu.experiments.digests import digest
+from kinoedu.experiments.experiment import cells_of
 from kinoedu.experiments.files import planners_by_name
+from kinoedu.experiments.places import run_in_this_process
 from kinoedu.experiments.plots import save_plots
 from kinoedu.experiments.summaries import success_fraction
 
@@ -127,6 +132,56 @@ def test_workers_change_nothing_but_seconds(workers, table, monkeypatch):
     ran = run(SMALL, workers=workers, progress=lambda *counts: calls.append(counts))
     assert but_for_seconds(ran) == but_for_seconds(table)
     assert calls == [(n, 20) for n in range(21)]
+
+
+@pytest.mark.parametrize(("slice_seconds", "most"), [(0.0, 1), (60.0, 3)])
+def test_a_batch_comes_back_after_its_time(slice_seconds, most, monkeypatch):
+    """A batch is of one kind; what it had no time for is run later, in batches as short."""
+    monkeypatch.setattr(running, "AHEAD", 3)
+    monkeypatch.setattr("kinoedu.experiments.children.SLICE", slice_seconds)
+    answered = []
+
+    def submit(batch):
+        assert len({cell.kind for cell in batch}) == 1
+        future = Future()
+        future.set_result(run_batch(batch, lambda cell: Outcome("no path", cost=cell.seed or 0)))
+        answered.append(len(future.result()))
+        return future
+
+    cells = cells_of(SMALL)
+    made = list(running.run_cells(cells, submit))
+    assert sorted(cell.key for cell, _ in made) == sorted(cell.key for cell in cells)
+    assert all(outcome.cost == (cell.seed or 0) for cell, outcome in made)
+    assert (max(answered), sum(answered)) == (most, len(cells))
+
+
+class Losing(Executor):
+    """An executor whose cluster is lost after some batches."""
+
+    def __init__(self, batches):
+        self.left = batches
+
+    def submit(self, function, pickled):
+        """A future that is done, or that the client has given up."""
+        future = Future()
+        if self.left:
+            batch = pickle.loads(pickled)
+            future.set_result([run_in_this_process(cell) for cell in batch])
+        else:
+            future.cancel()
+            future.set_running_or_notify_cancel()
+        self.left = max(0, self.left - 1)
+        return future
+
+
+def test_an_experiment_whose_cluster_is_lost_resumes(table, tmp_path):
+    """The loss is an error with a name; what was finished before is not run again."""
+    with pytest.raises(ConnectionError, match="workers were lost"):
+        run(SMALL, where=Losing(7), out=tmp_path)
+    calls = []
+    ran = run(SMALL, where="here", out=tmp_path, progress=lambda *counts: calls.append(counts))
+    assert calls[0] == (7, 20) and len(calls) == 14
+    assert but_for_seconds(ran) == but_for_seconds(table)
 
 
 def test_a_dask_cluster_gives_the_same_rows(table):

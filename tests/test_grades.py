@@ -9,7 +9,8 @@ import json
 import shutil
 import sys
 import zipfile
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
@@ -791,6 +792,53 @@ def test_more_patience_grades_again_what_took_too_long(tmp_path, monkeypatch):
     assert [grade_with(patience)[0] for patience in (4.0, 8.0)] == [[4], []]
     for bad in ("0.5", "nan", "1e9"):
         assert main(["grade", str(tmp_path), "--out", str(tmp_path), "--patience", bad]) == 2
+
+
+class Counting(Executor):
+    """An executor that breaks once, at its fifth notebook, and counts results not yet taken."""
+
+    waiting, most, taken = 0, 0, 0
+
+    def submit(self, function, job):
+        """A future that is done; asking it whether it failed takes its result."""
+        self.taken += 1
+        if self.taken == 5:
+            raise BrokenProcessPool("a worker ended")
+        future = Asked(self)
+        future.set_result(function(job))
+        self.waiting += 1
+        self.most = max(self.most, self.waiting)
+        return future
+
+
+class Asked(Future):
+    """A future of Counting."""
+
+    def __init__(self, executor):
+        super().__init__()
+        self.executor = executor
+
+    def result(self, timeout=None):
+        """The result."""
+        self.executor.waiting -= 1
+        return super().result(timeout)
+
+
+def test_few_notebooks_of_a_large_class_wait_at_a_time(tmp_path, monkeypatch):
+    """And a pool that breaks while they are submitted loses none, and counts against none."""
+
+    executor = Counting()
+
+    @contextmanager
+    def place(most):
+        yield executor
+
+    monkeypatch.setattr(running, "AHEAD", 3)
+    monkeypatch.setattr(running, "grade_job", lambda job: record())
+    several = [Submission(f"{i}", NAME, "a.ipynb", f"{{{i}}}".encode()) for i in range(20)]
+    graded = running.grade_all(several, tmp_path, bytes(32), place=place)
+    assert all(one.grade is not None for one in graded) and len(graded) == 20
+    assert (executor.most, executor.waiting, executor.taken) == (4, 0, 21)
 
 
 def test_exports_and_tables_that_no_longer_agree_are_named(tmp_path, capsys):

@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
+from collections.abc import Callable
 from typing import Any, BinaryIO
 
 from ..compiled.tiers import BEGUN, DONE
@@ -30,11 +32,16 @@ START = (
 LENGTH = struct.Struct("<Q")
 LOADING, COMPILING = 10.0, 300.0  # extra seconds for the first run, and for a compilation
 IDLE = 60.0  # seconds for which a process waits for work
+SLICE = 1.0  # seconds after which a batch comes back, so that its outcomes are stored
 STOPPED = b"Timeout ("  # what the watchdog prints
 
 
 class ProcessEnded(Exception):
     """A process ended before its run did."""
+
+
+Batch = tuple[Cell, ...]
+Answer = Outcome | BaseException  # of a cell: what it gave, or how its worker was lost
 
 
 class Child:
@@ -135,14 +142,26 @@ class Children:
 OWN_CHILDREN = Children()  # of this process, which may be a cluster's worker
 
 
-def run_in_child(cell: Cell) -> Outcome:
-    """Run a cell in a process beside this one; called by an executor's workers.
+def run_in_children(pickled: bytes) -> list[Answer]:
+    """Run a batch in a process beside this one; called by an executor's workers.
 
-    Raises
-    ------
-    ProcessEnded
+    A batch is pickled by its sender: Dask would look into each of its tuples.
     """
-    return OWN_CHILDREN.run(cell)
+    return run_batch(pickle.loads(pickled), OWN_CHILDREN.run)
+
+
+def run_batch(batch: Batch, run: Callable[[Cell], Outcome]) -> list[Answer]:
+    """Answers to the first cells of a batch, as many as are run in a second, at least one."""
+    answers: list[Answer] = []
+    end = time.monotonic() + SLICE
+    for cell in batch:
+        try:
+            answers.append(run(cell))
+        except ProcessEnded as lost:
+            answers.append(lost)
+        if time.monotonic() > end:
+            break
+    return answers
 
 
 def send_message(message: bytes, stream: Any) -> None:

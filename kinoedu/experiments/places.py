@@ -11,15 +11,15 @@ from ..geometry.checks import integer
 from ..support.text import shortened
 from ..support.time_limit import TimeUp, run_within
 from .cells import Cell, Outcome, out_of_time, run_cell
-from .children import Children, run_in_child
+from .children import Answer, Batch, Children, run_batch, run_in_children
 
 LOADING = 300.0  # extra seconds for the first of two runs, which compiles
-Submit = Callable[[Cell], "Future[Outcome]"]
+Submit = Callable[[Batch], "Future[list[Answer]]"]
 
 
 @contextmanager
 def open_workers(where: object, workers: int | None) -> Iterator[Submit]:
-    """Context manager that yields a function to submit cells; its workers end with the block.
+    """Context manager that yields a function to submit batches; its workers end with the block.
 
     Raises
     ------
@@ -41,20 +41,20 @@ def open_workers(where: object, workers: int | None) -> Iterator[Submit]:
             yield submit
     elif where == "here":
         with ThreadPoolExecutor(1) as one:
-            yield lambda cell: one.submit(run_in_this_process, cell)
+            yield lambda batch: one.submit(run_batch, batch, run_in_this_process)
     elif isinstance(where, str):
         with cluster_executor(where) as executor:
-            yield lambda cell: executor.submit(run_in_child, cell)
+            yield lambda batch: executor.submit(run_in_children, pickle.dumps(batch))
     else:
-        yield lambda cell: where.submit(run_in_child, cell)
+        yield lambda batch: where.submit(run_in_children, pickle.dumps(batch))
 
 
 @contextmanager
 def local_workers(workers: int) -> Iterator[Submit]:
-    """Submit cells to this many processes of this computer, with a thread for each."""
+    """Submit batches to this many processes of this computer, with a thread for each."""
     children, threads = Children(), ThreadPoolExecutor(workers)
     try:
-        yield lambda cell: threads.submit(children.run, cell)
+        yield lambda batch: threads.submit(run_batch, batch, children.run)
     finally:
         children.close()
         threads.shutdown(cancel_futures=True)

@@ -1,19 +1,22 @@
 """Run the missing cells of an experiment on any workers, and make one table."""
 
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections import Counter, deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from itertools import groupby
 from pathlib import Path
 
 from ..errors import InvalidParameter
-from ..support.completed_futures import CompletedFutures
+from ..support.completed_futures import CompletedFutures, failure_of
 from ..support.text import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
-from .places import Submit, check_portable, open_workers
+from .places import Answer, Batch, Submit, check_portable, open_workers
 from .store import Store
 from .table import Row, Table
 
-AHEAD = 256  # runs submitted at a time, since a cluster holds their problems in memory
+AHEAD = 256  # batches submitted at a time, since a cluster holds their problems in memory
 TRIES = 2  # a worker may be lost through no fault of the run
 
 Progress = Callable[[int, int], None]
@@ -56,7 +59,7 @@ def run(
     ------
     InvalidParameter
     OSError
-        Where `out` cannot be written.
+        Where `out` cannot be written, or a cluster is lost (a ConnectionError).
 
     Examples
     --------
@@ -79,7 +82,7 @@ def run(
     report = progress or (lambda done, everything: None)
     report(len(done), everything)
     with open_workers(where, workers) as submit:
-        for cell, outcome in run_cells(missing.values(), submit):
+        for cell, outcome in run_cells(list(missing.values()), submit):
             store.write(cell, outcome)
             done[cell.key] = outcome
             report(len(done), everything)
@@ -89,31 +92,67 @@ def run(
     return table
 
 
-def run_cells(cells: Iterable[Cell], submit: Submit) -> Iterator[tuple[Cell, Outcome]]:
+def run_cells(cells: list[Cell], submit: Submit) -> Iterator[tuple[Cell, Outcome]]:
     """Yield every cell with its outcome, in order of completion.
 
     A cell whose worker is lost is submitted again.
+
+    Raises
+    ------
+    ConnectionError
+        Where the cluster is lost.
     """
-    remaining, completed, tries = iter(cells), CompletedFutures[Cell](), dict[str, int]()
+    waiting, tries = deque(make_batches(cells)), Counter[str]()
+    completed = CompletedFutures[Batch]()
+    submit_ahead(waiting, completed, submit)
+    for batch, future in completed:
+        answers = answers_of(future, batch)
+        for cell, answer in zip(batch, answers):  # a batch may come back before its end
+            tries[cell.key] += 1
+            if isinstance(answer, Outcome):
+                yield cell, answer
+            elif tries[cell.key] < TRIES:
+                waiting.appendleft((cell,))
+            else:
+                yield cell, Outcome(NOT_RUN, reason=f"{type(answer).__name__}: {answer}")
+        waiting.extendleft(split(batch[len(answers) :], len(answers)))
+        submit_ahead(waiting, completed, submit)
 
-    def start(cell: Cell) -> None:
-        tries[cell.key] = tries.get(cell.key, 0) + 1
-        completed.add(submit(cell), cell)
 
-    for _, cell in zip(range(AHEAD), remaining):  # range first, or zip would drop a cell
-        start(cell)
-    for cell, future in completed:
-        lost = future.exception()
-        if lost is not None and tries[cell.key] < TRIES:
-            start(cell)
-            continue
-        if lost is None:
-            yield cell, future.result()
-        else:
-            yield cell, Outcome(NOT_RUN, reason=f"{type(lost).__name__}: {lost}")
-        for following in remaining:
-            start(following)
-            break
+def submit_ahead(
+    waiting: "deque[Batch]", completed: "CompletedFutures[Batch]", submit: Submit
+) -> None:
+    """Submit batches until AHEAD of them are being run."""
+    while waiting and len(completed.waiting) < AHEAD:
+        batch = waiting.popleft()
+        completed.add(submit(batch), batch)
+
+
+def answers_of(future: "Future[list[Answer]]", batch: Batch) -> list[Answer]:
+    """The answers to the first cells of a batch; if its worker was lost, the loss for each.
+
+    Raises
+    ------
+    ConnectionError
+        Where the cluster is lost.
+    """
+    lost = failure_of(future)
+    return future.result() if lost is None else [lost] * len(batch)
+
+
+def make_batches(cells: list[Cell]) -> Iterator[Batch]:
+    """Batches of cells of one kind, which share a problem and the untimed run.
+
+    As far as possible there are as many as are submitted at a time, so that no worker is idle.
+    """
+    for _, alike in groupby(cells, key=lambda cell: cell.kind):
+        yield from split(tuple(alike), max(1, len(cells) // AHEAD))
+
+
+def split(batch: Batch, size: int) -> Iterator[Batch]:
+    """Batches of at most this many cells."""
+    for i in range(0, len(batch), size):
+        yield batch[i : i + size]
 
 
 def make_row(cell: Cell, outcome: Outcome) -> Row:

@@ -5,7 +5,7 @@ lock held for ever. This module waits on a queue, which Ctrl-C cannot damage.
 """
 
 from collections.abc import Iterator
-from concurrent.futures import Future
+from concurrent.futures import CancelledError, Future
 from contextlib import suppress
 from queue import Empty, SimpleQueue
 from typing import Any, Generic, TypeVar
@@ -43,3 +43,20 @@ class CompletedFutures(Generic[T]):
             with suppress(Empty):
                 future = self.done.get(timeout=0.2)  # some systems check for Ctrl-C on waking only
                 yield self.waiting.pop(future), future
+
+
+def failure_of(future: "Future[Any]") -> BaseException | None:
+    """The error with which a completed future ended, or None.
+
+    Raises
+    ------
+    ConnectionError
+        Where the future was cancelled: Dask's client does this when its scheduler is gone.
+    """
+    try:
+        return future.exception()
+    except CancelledError:
+        raise ConnectionError(
+            "the workers were lost, as when a Dask scheduler ends; what was finished is kept, and "
+            "the same command or call with the same folder continues"
+        ) from None

@@ -13,15 +13,16 @@ import multiprocessing
 import os
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...compiled.store import source_digest
 from ...course.release import HOUSE, solution_path
-from ...support.completed_futures import CompletedFutures
+from ...support.completed_futures import CompletedFutures, failure_of
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
@@ -29,6 +30,7 @@ from ..sandbox.sandbox import NoSandbox, Sandbox
 from .contracts import apply_contracts
 from .submission import Grade, grade, is_cut_off, is_late
 
+AHEAD = 256  # notebooks submitted at a time, since a cluster's scheduler holds them in memory
 TRIES = 5
 TRIES_BESIDE = 2  # of these while other jobs run
 PATIENT = 3.0  # factor on time limits, for jobs that took too long beside others
@@ -85,7 +87,7 @@ def grade_all(
     Raises
     ------
     OSError
-        Where `out` cannot be written.
+        Where `out` cannot be written, or a cluster is lost (a ConnectionError).
     """
     results = out / "results"
     results.mkdir(parents=True, exist_ok=True)
@@ -238,10 +240,11 @@ def run_jobs(
         left = [job for job in left if job not in calm] if calm else left[1:]
         with place(most if calm else 1) as executor:
             completed, begun = CompletedFutures[Job](), set[str]()
-            for job in now:
-                completed.add(executor.submit(grade_job, job), job)
+            following = iter(now)
+            submit_jobs(islice(following, AHEAD), executor, completed)
             for job, future in completed:
-                trouble = future.exception()
+                submit_jobs(islice(following, 1), executor, completed)
+                trouble = failure_of(future)
                 if trouble is None:
                     begun = {
                         other.key
@@ -257,6 +260,17 @@ def run_jobs(
                     left.append(job)
                 else:
                     yield job, None, f"{type(trouble).__name__}: {trouble}"
+
+
+def submit_jobs(jobs: Iterable[Job], executor: Executor, completed: CompletedFutures[Job]) -> None:
+    """Submit jobs. Those that broken workers do not take fail as those that they had taken."""
+    for job in jobs:
+        try:
+            future = executor.submit(grade_job, job)
+        except BrokenProcessPool as broken:
+            future = Future()
+            future.set_exception(broken)
+        completed.add(future, job)
 
 
 class ThreadSandboxes(threading.local):
