@@ -11,7 +11,7 @@ from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 from test_board import Page
 
 import kinoedu as ke
-from kinoedu.boards import curves_board, distance_board, search_board
+from kinoedu.boards import curves_board, distance_board, search_board, sweep_board
 from kinoedu.boards.car.curves import pose_in
 from kinoedu.boards.core.drawing import as_rows
 from kinoedu.boards.core.page_script import BROWSER, CORE, page_script
@@ -227,6 +227,25 @@ def graph_case(seed, search):
     return made
 
 
+def sweep_case(seed):
+    """A line before, in and after a room of stars, of which some touch its wall."""
+    rng = np.random.default_rng(seed)
+    stars = [star(rng) for _ in range(1 + seed % 5)]
+    touching = [(0, 5), (1, 6), (1, 4)]
+    try:
+        world = ke.PolygonWorld(ROOM, [*stars, touching] if seed % 3 == 0 else stars)
+    except KinoeduError:
+        return sweep_case(seed + 1000)
+    return sweep_board(world, x=[rng.uniform(-0.5, 10.5), 5.0, 0.0][seed % 3]).record()[0]
+
+
+def broken_sweep_case(seed):
+    """A vertex across an edge, or one obstacle in another."""
+    record = sweep_board(ke.PolygonWorld(ROOM, [SQUARE, [(5, 6), (7, 6), (6, 7)]])).record()[0]
+    record["scene"]["polygons"][0]["rings"][0][2] = [6.0, 6.4] if seed % 2 else [1.0, -2.0 - seed]
+    return record
+
+
 def searched_case(search):
     return lambda seed: graph_case(seed, search.removeprefix("search_")).record()[0]
 
@@ -234,6 +253,7 @@ def searched_case(search):
 CASES = {
     "nearest": [nearest_case, crossing_case],
     "curves": [curves_case],
+    "sweep": [sweep_case, broken_sweep_case],
     **{name: [searched_case(name)] for name in SEARCHED},
 }
 
@@ -331,6 +351,7 @@ def write_page(place):
     boards += [distance_board(SQUARE, (8, 8)), curves_board((0, 0, 0), (0, 4, 0), 2.0)]
     boards.append(search_board(GRID, search="bfs"))
     boards.append(ke.board(ke.Problem(ke.Point(), ke.Terrain(GRID), (1, 1), (8, 2)), "rrt"))
+    boards.append(sweep_board(SWEPT, x=4.0))
     records = [json.dumps(pack_records(board.record())) for board in boards]
     text = "".join(
         '<div class="kinoedu-record"><p class="still"></p>'
@@ -357,14 +378,14 @@ def chromium():
 @pytest.fixture
 def page(chromium, folder):
     """The page, opened from the disk; nothing may be fetched and nothing fail."""
-    opened = chromium.new_page(viewport={"width": 760, "height": 4900})
+    opened = chromium.new_page(viewport={"width": 760, "height": 8000})
     faults, asked = [], []
     opened.on("console", lambda message: faults.append(message.text))
     opened.on("pageerror", lambda error: faults.append(str(error)))
     opened.on("request", lambda request: asked.append(request.url))
     opened.goto((folder / "index.html").as_uri())
     opened.wait_for_function(
-        "document.querySelectorAll('.kinoedu-board[data-paints]').length === 6"
+        "document.querySelectorAll('.kinoedu-board[data-paints]').length === 7"
     )
     yield opened
     assert faults == []
@@ -454,11 +475,11 @@ def test_curves_differ_in_the_last_digits_only(blank, folder):
 
 
 def place_on_page(page, board, at, lo, hi):
-    """Where a point of a square world is on the page."""
+    """Where a point of a world is on the page."""
     box = page.locator(".kinoedu-board canvas").nth(board).bounding_box()
-    part = box["width"] - 16
+    part = (box["width"] - 16, box["height"] - 16)
     x, y = (np.array(at) - lo) / np.subtract(hi, lo)
-    return box["x"] + 8 + part * x, box["y"] + 8 + part * (1.0 - y)
+    return box["x"] + 8 + part[0] * x, box["y"] + 8 + part[1] * (1.0 - y)
 
 
 def drag(page, board, begin, end, lo=(0.0, 0.0), hi=(10.0, 10.0)):
@@ -490,6 +511,7 @@ WALL = [(4, 0), (6, 0), (6, 8), (4, 8)]
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 GRID = np.ones((10, 10), bool)
 GRID[:8, 4] = False
+SWEPT = ke.PolygonWorld(ROOM, [[(2, 2), (5, 3), (3, 5)], [(6, 6), (8, 6), (7, 8)]])
 
 
 def test_boards_are_dragged_in_the_page(page):
@@ -583,6 +605,28 @@ def test_planners_on_a_bitmap_are_dragged_in_the_page(page):
         ke.Problem(ke.Point(), ke.Terrain(GRID), (4.5, 3.5), (6.5, 4.5))
     page.wait_for_function(SAYS, arg=[5, str(told.value)])
     keep(page, "live_terrain")
+
+
+def test_the_sweep_line_is_dragged_in_the_page(page):
+    """The line, a vertex, and an obstacle into another: the last good picture stays."""
+    made = sweep_board(SWEPT, x=4.0)
+    scene, box = made.canvas.scene, (made.canvas.scene["lo"], made.canvas.scene["hi"])
+    low = scene["handles"][0]["at"][1]
+    drag(page, 6, (4.0, low), (7.5, low), *box)
+    made.canvas.arrange(moved(scene, "handle", 0, [7.5, low]))
+    page.wait_for_function(SAYS, arg=[6, made.canvas.drawing.text])
+    ring = [[2, 2], [5, 1], [3, 5]]
+    drag(page, 6, (5, 3), (5, 1), *box)
+    made.canvas.arrange(moved(made.canvas.shown, "polygon", 0, [ring]))
+    page.wait_for_function(SAYS, arg=[6, made.canvas.drawing.text])
+    board = page.locator(".kinoedu-board").nth(6)
+    layers = board.get_attribute("data-layers")
+    assert layers == " ".join(one.kind for one in made.canvas.drawing.layers)
+    drag(page, 6, (3, 5), (7, 6.5), *box)
+    page.wait_for_function(SAYS, arg=[6, get_message("sweep_board.overlap")])
+    assert board.get_attribute("data-refused") == "true"
+    assert board.get_attribute("data-layers") == layers
+    keep(page, "live_sweep")
 
 
 def test_a_link_brings_the_same_world(page, folder):

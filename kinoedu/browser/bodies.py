@@ -3,12 +3,13 @@
 from typing import Any
 
 from ..compiled import Compiled
+from ..decomposition.trapezoidation import KINDS
 from ..geometry.rings import FAULTS
 from ..messages import get_template
 from ..support.json_fields import JsonObject
 from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
 from .grids import GridSettings, show_grid
-from .looks import DOT, HANDLES, LINE, TEXTS, Body, Look, Say, describe_body
+from .looks import DOT, HANDLES, LINE, LIST, TEXTS, Body, Look, Say, describe_body
 from .nearest import NoSettings, ShownNearest, show_nearest
 from .plans import (
     PairSettings,
@@ -24,6 +25,7 @@ from .plans import (
 from .search_layers import ShownSearch
 from .search_runs import STATES
 from .searches import SearchSettings, show_astar, show_bfs, show_dfs, show_dijkstra
+from .sweeps import MOST_JOINED, ShownSweep, show_sweep
 from .terrains import (
     show_terrain_cells,
     show_terrain_grid,
@@ -206,7 +208,50 @@ SEARCHED = {
         ("astar", show_astar),
     )
 }
-BODIES = {**PLANNED, **ON_TERRAIN, **SEARCHED, "nearest": NEAREST, "curves": CURVES}
+JOINED = tuple("abcdef"[:MOST_JOINED])  # the names of the cells that a cell is joined to
+LISTED = [", ".join(f"{{{name}}}" for name in JOINED[:count]) for count in range(MOST_JOINED + 1)]
+LISTED.append(f"{LISTED[-1]}, ...")
+NEIGHBOURS = (
+    Say("board.note.alone"),
+    *(Say("board.note.joined", {"cells": cells}) for cells in LISTED[1:]),
+)
+EVENTS = (*KINDS.values(), "a touch", "{vertices} vertices")
+SWEPT = Body(
+    show_sweep,
+    NoSettings,
+    ShownSweep,
+    ("x:.4g", "closed:d", "open:d"),
+    (Say("sweep_board.before"), Say("sweep_board.now"), Say("sweep_board.ended")),
+    (
+        Look(
+            "closed",
+            "cells",
+            "cell",
+            says=tuple(Say("board.note.cell", {"joined": joined}) for joined in NEIGHBOURS),
+            names=("which", "number", "left", "right", *JOINED),
+        ),
+        Look("closed_sides", "edges", "tree", 1.5),
+        Look("open_sides", "edges", "tree", 1.8, dash=(6.0, 5.0)),
+        Look("numbers", "labels", "tree", form="d"),
+        Look("line", "edges", "ink", 2.0),
+        Look("floors", "edges", "floor", 4.0),
+        Look("ceilings", "edges", "ceiling", 4.0),
+        Look("met", "dots", "ink", 3.5),
+        Look("now", "dots", "path", 6.0),
+        Look("crossings", "dots", "ink", 3.0),
+        Look("floor_names", "labels", "floor", form="d"),
+        Look("ceiling_names", "labels", "ceiling", form="d"),
+        Look(
+            "event",
+            LIST,
+            says=tuple(Say("sweep_board.event", {"event": event}) for event in EVENTS),
+            names=("which:d", "vertices:d"),
+        ),
+        Look("status", LIST, says=(Say("sweep_board.edge"),), names=("number:d",)),
+    ),
+    warns=(Say("sweep_board.overlap"),),
+)
+BODIES = {**PLANNED, **ON_TERRAIN, **SEARCHED, "nearest": NEAREST, "curves": CURVES, "sweep": SWEPT}
 
 
 def describe_bodies(language: str = "en") -> JsonObject:

@@ -7,7 +7,8 @@
 // when a board first needs it. So pages work from a disk too, where nothing else may be loaded.
 
 const HERE = document.currentScript?.src ?? "";
-const START_NOT_FREE = -1, GOAL_NOT_FREE = -2, RING_FAULT = -3;  // kinoedu/browser/scenes.py
+// the status of a fault, as in kinoedu/browser/scenes.py
+const START_NOT_FREE = -1, GOAL_NOT_FREE = -2, RING_FAULT = -3, REFUSED = -20;
 // how many points begin a row of each kind, and how many columns are in the unit of the world
 const POINTS_OF = { edges: 2, path: 1, dots: 1, arrows: 1, labels: 1, cells: 4, nodes: 1 };
 const COLUMNS_OF = { edges: 4, path: 2, dots: 2, arrows: 4, labels: 2, cells: 8, nodes: 2 };
@@ -194,6 +195,7 @@ function button(text, press) {
 // ---- drawings, as kinoedu/boards/core/shown.py makes and drawing.py encodes them
 
 function drawn(body, scene, settings, { facts: [status, ...facts], layers, took }) {
+  if (status <= REFUSED) return warned(body.warns[REFUSED - status]);
   if (status < 0) return warned(faultOf(body, scene, settings, [status, ...facts]));
   const values = Object.fromEntries(body.facts.map(([name], k) => [name, facts[k]]));
   const spoken = body.facts.filter(([, form]) => form);
@@ -206,6 +208,8 @@ function drawn(body, scene, settings, { facts: [status, ...facts], layers, took 
       places.push(...rows.map(([number, ...at]) => ["handle", number, at]));
     } else if (look.kind === "texts") {
       steps.push(...rows.map((row) => textOf(look, row)));
+    } else if (look.kind === "list") {
+      texts[look.field] = rows.map((row) => textOf(look, row)).join(", ");
     } else if (rows.length > 0) {
       message.push(encoded(look, rows, values));
       buffers.push(bufferOf(look, rows, scene));
@@ -218,7 +222,7 @@ function drawn(body, scene, settings, { facts: [status, ...facts], layers, took 
 
 function textOf({ says, names }, row) {
   const forms = names.map((name) => name.split(":"));
-  return fill(says[row[0]],
+  return fill(says[says.length > 1 ? row[0] : 0],
     Object.fromEntries(forms.map(([name, form], k) => [name, inForm(row[k], form)])));
 }
 

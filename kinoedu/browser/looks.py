@@ -19,6 +19,7 @@ LINE, DOT = "line", "dot"  # a width that falls with the number of steps; a size
 TOTAL = "total"  # the fact with this name is the number of steps
 HANDLES = "handles"  # the kind of rows number, x, y: handles that are moved there
 TEXTS = "texts"  # the kind of rows that fill the text at each step before the last
+LIST = "list"  # the kind of rows that are listed in the text, in the blank with the field's name
 
 
 class Say(NamedTuple):
@@ -63,6 +64,7 @@ class Body(NamedTuple):
         as "length:.4g". The form of a word is its alphabet: each digit d of the number stands for
         letter d, and 0 for "-".
     says : what is said at each status.
+    warns : what is said where nothing can be shown, at the statuses REFUSED, REFUSED - 1, ...
     title : its name in a menu; menu : the key of the menu's name.
     unit : the key of the message that names a step.
     """
@@ -73,6 +75,7 @@ class Body(NamedTuple):
     facts: tuple[str, ...]
     says: tuple[Say, ...]
     layers: tuple[Look, ...]
+    warns: tuple[Say, ...] = ()
     title: Say | str = ""
     menu: str = ""
     unit: str = ""
@@ -122,6 +125,7 @@ def describe_body(body: Body, language: str) -> JsonObject:
         "settings": list(body.settings._fields),
         "facts": [split_form(fact) for fact in body.facts],
         "says": [template_of(say, language) for say in body.says],
+        "warns": [template_of(say, language) for say in body.warns],
         "layers": [describe_look(look, language) for look in body.layers],
         "title": template_of(body.title, language) if isinstance(body.title, Say) else body.title,
         "menu": get_template(body.menu, language) if body.menu else "",

@@ -79,7 +79,7 @@ class Canvas(anywidget.AnyWidget):
     ----------
     scene : a scene from `make_scene`.
     answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a
-        warning without a drawing.
+        warning, over the last good drawing, which turns pale.
     free : a bitmap to draw beneath, (rows, columns), lowest row first. True is free; where the
         scene has `colours`, each cell is the number of a colour.
     drive : a function of the set of arrow keys held, by name. It moves the driven handle; then the

@@ -13,6 +13,7 @@ from ...browser.looks import (
     DOT,
     HANDLES,
     LINE,
+    LIST,
     TEXTS,
     TOTAL,
     Body,
@@ -70,16 +71,19 @@ def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> D
     layers, places, steps = list[Layer](), list[tuple[str, int, Any]](), list[str]()
     named = [(*split_form(form), fact) for form, fact in zip(body.facts, facts)]
     values = {name: fact for name, _, fact in named}
+    blanks = {name: in_form(fact, form) for name, form, fact in named if form}
     for look in body.layers:
         rows = getattr(shown, look.field)
         if look.kind == HANDLES:
             places += [("handle", int(number), at) for number, *at in rows.tolist()]
         elif look.kind == TEXTS:
             steps = fill_texts(look, rows)
+        elif look.kind == LIST:
+            blanks[look.field] = ", ".join(fill_texts(look, rows))
         elif len(rows):
             layers.append(make_layer(look, rows, values))
     text = template_of(body.says[status], chosen_language())
-    text = text.format(**{name: in_form(fact, form) for name, form, fact in named if form})
+    text = text.format(**blanks)
     total, unit = int(values.get(TOTAL, 0)), get_message(body.unit) if body.unit else ""
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=steps, places=places)
 
@@ -117,7 +121,7 @@ def fill_texts(look: Look, rows: Array) -> list[str]:
     texts = []
     for row in rows.tolist():
         values = {name: in_form(number, form) for (name, form), number in zip(named, row)}
-        texts.append(templates[int(values["which"])].format(**values))
+        texts.append(templates[int(values.get("which", 0))].format(**values))
     return texts
 
 
