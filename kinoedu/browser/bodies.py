@@ -6,10 +6,12 @@ from ..compiled import Compiled
 from ..decomposition.trapezoidation import KINDS
 from ..geometry.rings import FAULTS
 from ..messages import get_template
+from ..robots.arm import TOO_FAR, TOO_NEAR
 from ..support.json_fields import JsonObject
+from .arms import ArmSettings, ShownArm, show_arm
 from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
 from .grids import GridSettings, show_grid
-from .looks import DOT, HANDLES, LINE, LIST, TEXTS, Body, Look, Say, describe_body
+from .looks import DOT, HANDLES, IMAGE, LINE, LIST, TEXTS, Body, Look, Picture, Say, describe_body
 from .nearest import NoSettings, ShownNearest, show_nearest
 from .plans import (
     PairSettings,
@@ -251,7 +253,60 @@ SWEPT = Body(
     ),
     warns=(Say("sweep_board.overlap"),),
 )
-BODIES = {**PLANNED, **ON_TERRAIN, **SEARCHED, "nearest": NEAREST, "curves": CURVES, "sweep": SWEPT}
+CONTACTS = (
+    Say("figure.no_link_in_contact"),
+    *(Say("figure.link_in_contact", {"link": link}) for link in (1, 2)),
+    Say("arm_board.both"),
+)
+HERE = tuple(Say("arm_board.result", {"contact": contact}) for contact in CONTACTS)
+HINDERED = tuple(Say("arm_board.out_of_reach", {"reason": why}) for why in (TOO_FAR, TOO_NEAR))
+FREE_AND_HIT = tuple(Say(f"figure.link_{link}") for link in range(3))
+SQUARE = Picture(
+    tuple(
+        Say("arm_board.in_square", {"first": "{across}", "second": "{up}", "link": link})
+        for link in FREE_AND_HIT
+    ),
+    (
+        Look("regions", "labels", says=FREE_AND_HIT, names=("which:d",)),
+        Look("sights", "edges", "ink", 1.2, dash=(2.0, 5.0)),
+        Look("spot", HANDLES),
+        Look("image", IMAGE),
+    ),
+    "hit",
+)
+ARM = Body(
+    show_arm,
+    ArmSettings,
+    ShownArm,
+    (
+        *("first:.2f", "second:.2f", "across:.0f", "up:.0f"),
+        *("far:.6g", "inner:.6g", "outer:.6g", "hit"),
+    ),
+    (
+        *HERE,
+        *(Say("arm_board.two", {"first": a, "then": b}) for b in HINDERED for a in HERE),
+    ),
+    (
+        Look("free_links", "bodies", "free_link", 2.0),
+        Look("first_hit", "bodies", "ink", 2.0, hatched=True),
+        Look("second_hit", "bodies", "hit", 2.0, hatched=True),
+        Look("base", "dots", "ink", 8.0),
+        Look("joints", "dots", "ink", 7.0),
+        Look("joints", "dots", "free", 4.5),
+        Look("names", "labels", says=(Say("arm_board.link"),), names=("number:d",)),
+        Look("grips", HANDLES),
+    ),
+    beside=SQUARE,
+)
+BODIES = {
+    **PLANNED,
+    **ON_TERRAIN,
+    **SEARCHED,
+    "nearest": NEAREST,
+    "curves": CURVES,
+    "sweep": SWEPT,
+    "arm": ARM,
+}
 
 
 def describe_bodies(language: str = "en") -> JsonObject:

@@ -8,10 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from ...browser.arms import CORNERS
 from ...browser.bodies import BODIES
 from ...browser.looks import (
     DOT,
     HANDLES,
+    IMAGE,
     LINE,
     LIST,
     TEXTS,
@@ -42,6 +44,7 @@ COORDINATES = {
     "labels": 2,
     "cells": 8,
     "nodes": 2,
+    "bodies": CORNERS,
 }
 
 
@@ -80,7 +83,7 @@ def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> D
             steps = fill_texts(look, rows)
         elif look.kind == LIST:
             blanks[look.field] = ", ".join(fill_texts(look, rows))
-        elif len(rows):
+        elif len(rows) and look.kind != IMAGE:
             layers.append(make_layer(look, rows, values))
     text = template_of(body.says[status], chosen_language())
     text = text.format(**blanks)
@@ -88,12 +91,23 @@ def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> D
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=steps, places=places)
 
 
+def draw_beside(body: Body, facts: Sequence[float], shown: Any) -> Drawing:
+    """The drawing of a body's second picture."""
+    assert body.beside is not None
+    names = [split_form(fact)[0] for fact in body.facts]
+    chosen = facts[names.index(body.beside.chosen)]
+    second = body._replace(says=body.beside.says, layers=body.beside.layers)
+    return draw_shown(second, int(chosen), facts, shown)
+
+
 def make_layer(look: Look, rows: Array, values: dict[str, float]) -> Layer:
     """The layer of a look, in a drawing with these facts."""
     columns, is_path = COORDINATES[look.kind], look.kind == "path"
     width = width_of(look.width, values, len(rows))
     layer = Layer(look.kind, rows[:, :columns], look.colour, width, look.dash)
-    layer = layer._replace(last=is_path, casing=is_path)
+    layer = layer._replace(last=is_path, casing=is_path, hatched=look.hatched)
+    if look.kind == "labels" and look.says:
+        return layer._replace(texts=tuple(fill_texts(look, rows[:, columns:])))
     if look.kind == "labels":
         return layer._replace(texts=tuple(in_form(row[columns], look.form) for row in rows))
     if look.ends:
