@@ -702,3 +702,4 @@ def test_a_link_brings_the_same_world(page, folder):
     page.goto("about:blank")
     page.goto((folder / "index.html").as_uri() + "#kinoedu=nonsense")
     page.wait_for_function(SAYS, arg=[0, get_message("live.bad_link")])
+    assert "path" in page.locator(".kinoedu-board").first.get_attribute("data-layers")
