@@ -25,6 +25,7 @@ from .scenes import RING_FAULT, SceneArrays, find_fault, no_rows, world_of_scene
 CELLS = 360  # of the image, in each direction
 ELBOW, TIP, Q, Q_BEFORE = range(4)  # the handles: two of the arm, q in the square, q as it was
 CORNERS = 100  # columns of an outline
+STILL = 1e-9  # a joint that moved by a smaller part of the arm is where another C library put it
 ASIDE = 0.15  # the distance of a link's name from it, as a fraction of its length
 PI = math.pi
 
@@ -121,8 +122,8 @@ def q_of_scene(arm: ArmRobot, handles: Array) -> tuple[Array, Array]:
         joints_at(arm.lengths, arm.base, q, ends)
         return q, ends[2].copy()
     elbow, tip = handles[ELBOW, :2].copy(), handles[TIP, :2].copy()
-    pulls_elbow = elbow[0] != ends[1, 0] or elbow[1] != ends[1, 1]
-    pulls_tip = tip[0] != ends[2, 0] or tip[1] != ends[2, 1]
+    least = STILL * (arm.lengths[0] + arm.lengths[1])
+    pulls_elbow, pulls_tip = is_apart(elbow, ends[1], least), is_apart(tip, ends[2], least)
     if pulls_elbow and pulls_tip:
         q = pull_elbow_and_tip(arm, q, elbow, tip)
     elif pulls_elbow:
@@ -131,6 +132,12 @@ def q_of_scene(arm: ArmRobot, handles: Array) -> tuple[Array, Array]:
         return pull_tip(arm, q, tip), tip
     joints_at(arm.lengths, arm.base, q, ends)
     return q, ends[2].copy()
+
+
+@compiled
+def is_apart(a: Array, b: Array, least: float) -> bool:
+    """Whether two points differ by more than a least distance in x or y."""
+    return abs(a[0] - b[0]) > least or abs(a[1] - b[1]) > least
 
 
 @algorithm
