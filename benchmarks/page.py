@@ -49,6 +49,10 @@ THINGS = (
     ("Dubins and Reeds-Shepp, a pose", 3, "handle-0"),
     ("BFS on a grid, start", 4, "handle-0"),
     ("RRT on a bitmap, goal", 5, "handle-1"),
+    ("sweep, the line", 6, "handle-0"),
+    ("arm, its tip", 7, "handle-1"),
+    ("arm, a disc", 7, "disc-0"),
+    ("arm, q in the square", 8, "handle-0"),
 )
 
 
@@ -128,7 +132,7 @@ def touch(browser: Any, folder: Path, seconds: float) -> None:
     print("| what is dragged | first touch, ms | plans/s | paints/s | delay, ms |")
     print("|---|---:|---:|---:|---:|")
     for what, number, thing in THINGS:
-        page = browser.new_page(viewport={"width": 760, "height": 4900})
+        page = browser.new_page(viewport={"width": 760, "height": 8000})
         page.goto((folder / "index.html").as_uri())
         board = page.locator(".kinoedu-board").nth(number)
         page.wait_for_function("e => e.dataset.paints", arg=board.element_handle())

@@ -11,7 +11,6 @@ import kinoedu as ke
 from kinoedu.boards import arm_board, slide_board
 from kinoedu.boards.arm.arm_drawn import links_in_contact
 from kinoedu.boards.arm.glued import split_motions
-from kinoedu.boards.arm.pulling import nearest_reachable, pull_arm
 from kinoedu.boards.core.drawing import Drawing, bodies, encode_drawing
 from kinoedu.boards.geometry.slide import fraction_at
 from kinoedu.c_space import slide
@@ -19,6 +18,7 @@ from kinoedu.collision import paint_configuration_space
 from kinoedu.errors import InvalidParameter, InvalidPoint, InvalidPolygon, InvalidRobot
 from kinoedu.geometry import minkowski_difference, point_polygon_distance
 from kinoedu.robots import ArmChain
+from kinoedu.robots.pulling import nearest_reachable, pull_arm
 from kinoedu.spaces import torus_distance
 
 ARM = ke.TwoLinkArm(1.5, 1.2, 0.2)

@@ -148,7 +148,7 @@ def test_the_same_scene_is_answered_once():
         ),
     ],
 )
-def test_what_cannot_be_planned_is_said_and_nothing_old_is_shown(part, words):
+def test_what_cannot_be_planned_is_said(part, words):
     """A warning without layers; the next good scene is planned as if nothing had happened."""
     made = board(walled())
     page, good = Page(made.canvas), made.canvas.drawing.text

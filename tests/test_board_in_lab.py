@@ -147,19 +147,20 @@ def test_the_scene_is_kept_in_the_notebook(yard, page):
 
 
 def test_a_vertex_is_dragged_and_a_crossing_told(yard):
-    """A vertex across the opposite edge gives a warning and no plan; back again, a plan."""
+    """A vertex across the opposite edge gives a warning over the last plan; back again, a plan."""
     yard.board.locator("[data-thing=polygon-0]").focus()
     yard.page.keyboard.press("Enter")
     yard.drag("vertex-0-0-0", 0, -250, release=False)
     yard.until(
-        "root.dataset.warning.includes('crosses or touches itself') && root.dataset.layers === ''"
+        "root.dataset.warning.includes('crosses or touches itself')"
+        " && root.dataset.refused === 'true'"
     )
-    assert "obstacle 0" in yard.shown_text()
+    assert "obstacle 0" in yard.shown_text() and yard.data("layers") == "edges path"
     keep(yard.page, "warning")
     x, y = yard.middle("vertex-0-0-0")
     yard.page.mouse.move(x, y + 250, steps=5)
     yard.page.mouse.up()
-    yard.until("root.dataset.warning === '' && root.dataset.layers === 'edges path'")
+    yard.until("root.dataset.warning === '' && root.dataset.refused === 'false'")
     assert "a path of length" in yard.shown_text()
 
 

@@ -135,8 +135,12 @@ def test_a_search_says_the_costs_at_each_step():
 def test_a_cell_says_what_it_is_joined_to():
     """The wall leaves a cell on the left, one above, and one on the right."""
     (layer,) = saying_layers(sweep_board(walled().world, x=9.9999))
-    assert len(layer.says) == 2  # the third is still open
-    assert layer.says[0].endswith("joined to 2") and layer.says[1].endswith("joined to 1")
+    assert len(layer.rows) == 2  # the third is still open
+    texts = [
+        layer.says[int(which)].format(**dict(zip(layer.names[1:], map(int, numbers))))
+        for which, *numbers in layer.notes
+    ]
+    assert texts[0].endswith("joined to 2") and texts[1].endswith("joined to 1")
 
 
 def test_motions_that_were_refused_say_why():

@@ -282,6 +282,25 @@ def test_the_site_begins_with_a_board_that_answers(browser_page):
     keep(page, "site_front")
 
 
+@pytest.mark.parametrize("lesson", ["03_decomposition", "05_configuration_spaces"])
+def test_boards_of_lessons_answer(browser_page, lesson):
+    """The sweep line, and an arm, in whose second picture q moves too, are moved by keys."""
+    page, address = browser_page
+    page.goto(f"{address}/notebooks/{lesson}.html", wait_until="load")
+    for place in page.locator(".kinoedu-record").all():
+        place.scroll_into_view_if_needed()
+    live = page.locator(".kinoedu-record:has(.kinoedu-live)").first
+    live.wait_for()
+    boards = live.locator(".kinoedu-board[data-paints]").all()
+    before = [board.get_attribute("data-answers") for board in boards]
+    boards[0].locator(".kinoedu-thing[data-thing^=handle]").last.press("ArrowUp")
+    for board, answers in zip(boards, before, strict=True):
+        changed = "([board, answers]) => board.dataset.answers !== answers"
+        page.wait_for_function(changed, arg=[board.element_handle(), answers])
+        assert board.get_attribute("data-warning") == ""
+    keep(page, f"site_live_{lesson[:2]}")
+
+
 def test_words_are_found(browser_page):
     """Search answers with the lesson, the exercises and the place in the reference."""
     page, address = browser_page

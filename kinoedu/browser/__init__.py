@@ -14,6 +14,7 @@ The boards of a distance, of curves and of searches call the body's own function
 | `nearest.py` | the body of the distance board |
 | `curves.py` | the body of the curves' board |
 | `searches.py`, `search_runs.py`, `search_layers.py` | the bodies of the search board |
+| `sweeps.py` | the body of the sweep's board |
 | `looks.py` | what a body says, and how its layers look |
 | `bodies.py` | the table of all bodies, with their words and looks |
 | `wasm.py` | from a body to a WebAssembly module |

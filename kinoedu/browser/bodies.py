@@ -3,12 +3,15 @@
 from typing import Any
 
 from ..compiled import Compiled
+from ..decomposition.trapezoidation import KINDS
 from ..geometry.rings import FAULTS
 from ..messages import get_template
+from ..robots.arm import TOO_FAR, TOO_NEAR
 from ..support.json_fields import JsonObject
+from .arms import ArmSettings, ShownArm, show_arm
 from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
 from .grids import GridSettings, show_grid
-from .looks import DOT, HANDLES, LINE, TEXTS, Body, Look, Say, describe_body
+from .looks import DOT, HANDLES, IMAGE, LINE, LIST, TEXTS, Body, Look, Picture, Say, describe_body
 from .nearest import NoSettings, ShownNearest, show_nearest
 from .plans import (
     PairSettings,
@@ -24,6 +27,7 @@ from .plans import (
 from .search_layers import ShownSearch
 from .search_runs import STATES
 from .searches import SearchSettings, show_astar, show_bfs, show_dfs, show_dijkstra
+from .sweeps import MOST_JOINED, ShownSweep, show_sweep
 from .terrains import (
     show_terrain_cells,
     show_terrain_grid,
@@ -206,7 +210,103 @@ SEARCHED = {
         ("astar", show_astar),
     )
 }
-BODIES = {**PLANNED, **ON_TERRAIN, **SEARCHED, "nearest": NEAREST, "curves": CURVES}
+JOINED = tuple("abcdef"[:MOST_JOINED])  # the names of the cells that a cell is joined to
+LISTED = [", ".join(f"{{{name}}}" for name in JOINED[:count]) for count in range(MOST_JOINED + 1)]
+LISTED.append(f"{LISTED[-1]}, ...")
+NEIGHBOURS = (
+    Say("board.note.alone"),
+    *(Say("board.note.joined", {"cells": cells}) for cells in LISTED[1:]),
+)
+EVENTS = (*KINDS.values(), "a touch", "{vertices} vertices")
+SWEPT = Body(
+    show_sweep,
+    NoSettings,
+    ShownSweep,
+    ("x:.4g", "closed:d", "open:d"),
+    (Say("sweep_board.before"), Say("sweep_board.now"), Say("sweep_board.ended")),
+    (
+        Look(
+            "closed",
+            "cells",
+            "cell",
+            says=tuple(Say("board.note.cell", {"joined": joined}) for joined in NEIGHBOURS),
+            names=("which", "number", "left", "right", *JOINED),
+        ),
+        Look("closed_sides", "edges", "tree", 1.5),
+        Look("open_sides", "edges", "tree", 1.8, dash=(6.0, 5.0)),
+        Look("numbers", "labels", "tree", form="d"),
+        Look("line", "edges", "ink", 2.0),
+        Look("floors", "edges", "floor", 4.0),
+        Look("ceilings", "edges", "ceiling", 4.0),
+        Look("met", "dots", "ink", 3.5),
+        Look("now", "dots", "path", 6.0),
+        Look("crossings", "dots", "ink", 3.0),
+        Look("floor_names", "labels", "floor", form="d"),
+        Look("ceiling_names", "labels", "ceiling", form="d"),
+        Look(
+            "event",
+            LIST,
+            says=tuple(Say("sweep_board.event", {"event": event}) for event in EVENTS),
+            names=("which:d", "vertices:d"),
+        ),
+        Look("status", LIST, says=(Say("sweep_board.edge"),), names=("number:d",)),
+    ),
+    warns=(Say("sweep_board.overlap"),),
+)
+CONTACTS = (
+    Say("figure.no_link_in_contact"),
+    *(Say("figure.link_in_contact", {"link": link}) for link in (1, 2)),
+    Say("arm_board.both"),
+)
+HERE = tuple(Say("arm_board.result", {"contact": contact}) for contact in CONTACTS)
+HINDERED = tuple(Say("arm_board.out_of_reach", {"reason": why}) for why in (TOO_FAR, TOO_NEAR))
+FREE_AND_HIT = tuple(Say(f"figure.link_{link}") for link in range(3))
+SQUARE = Picture(
+    tuple(
+        Say("arm_board.in_square", {"first": "{across}", "second": "{up}", "link": link})
+        for link in FREE_AND_HIT
+    ),
+    (
+        Look("regions", "labels", says=FREE_AND_HIT, names=("which:d",)),
+        Look("sights", "edges", "ink", 1.2, dash=(2.0, 5.0)),
+        Look("spot", HANDLES),
+        Look("image", IMAGE),
+    ),
+    "hit",
+)
+ARM = Body(
+    show_arm,
+    ArmSettings,
+    ShownArm,
+    (
+        *("first:.2f", "second:.2f", "across:.0f", "up:.0f"),
+        *("far:.6g", "inner:.6g", "outer:.6g", "hit"),
+    ),
+    (
+        *HERE,
+        *(Say("arm_board.two", {"first": a, "then": b}) for b in HINDERED for a in HERE),
+    ),
+    (
+        Look("free_links", "bodies", "free_link", 2.0),
+        Look("first_hit", "bodies", "ink", 2.0, hatched=True),
+        Look("second_hit", "bodies", "hit", 2.0, hatched=True),
+        Look("base", "dots", "ink", 8.0),
+        Look("joints", "dots", "ink", 7.0),
+        Look("joints", "dots", "free", 4.5),
+        Look("names", "labels", says=(Say("arm_board.link"),), names=("number:d",)),
+        Look("grips", HANDLES),
+    ),
+    beside=SQUARE,
+)
+BODIES = {
+    **PLANNED,
+    **ON_TERRAIN,
+    **SEARCHED,
+    "nearest": NEAREST,
+    "curves": CURVES,
+    "sweep": SWEPT,
+    "arm": ARM,
+}
 
 
 def describe_bodies(language: str = "en") -> JsonObject:

@@ -7,10 +7,15 @@
 // when a board first needs it. So pages work from a disk too, where nothing else may be loaded.
 
 const HERE = document.currentScript?.src ?? "";
-const START_NOT_FREE = -1, GOAL_NOT_FREE = -2, RING_FAULT = -3;  // kinoedu/browser/scenes.py
+// the status of a fault, as in kinoedu/browser/scenes.py
+const START_NOT_FREE = -1, GOAL_NOT_FREE = -2, RING_FAULT = -3, REFUSED = -20;
 // how many points begin a row of each kind, and how many columns are in the unit of the world
-const POINTS_OF = { edges: 2, path: 1, dots: 1, arrows: 1, labels: 1, cells: 4, nodes: 1 };
-const COLUMNS_OF = { edges: 4, path: 2, dots: 2, arrows: 4, labels: 2, cells: 8, nodes: 2 };
+const POINTS_OF = {
+  edges: 2, path: 1, dots: 1, arrows: 1, labels: 1, cells: 4, nodes: 1, bodies: 50,
+};
+const COLUMNS_OF = {
+  edges: 4, path: 2, dots: 2, arrows: 4, labels: 2, cells: 8, nodes: 2, bodies: 100,
+};
 
 let worker = null, asked = 0;
 const heard = new Map();                // what to do with the answer of each question
@@ -60,12 +65,20 @@ function script(file) {
   });
 }
 
-// The answers to a board: each from the scene as it is when a page asks.
+// The scene that a body takes: the things on the board, and the handles of a picture beside it.
+function sceneOf({ scene, live: { beside = [] } }) {
+  return copy({ ...scene, handles: [...scene.handles, ...beside] });
+}
+
+// The answers to a board: each from the scene as it is when a page asks. Where the body has a
+// picture beside the board, both pictures get each answer.
 class Answers {
-  constructor({ live: { body, seed, settings }, scene, bitmap, step = null }, key, tell) {
-    this.scene = copy(scene);
+  constructor(record, key, tell) {
+    const { live: { body, seed, settings }, scene, bitmap, step = null } = record;
+    this.scene = sceneOf(record);
+    this.own = scene.handles.length;      // the number of its own handles
     this.free = scene.size ? cellsOf(bytesOf(bitmap), scene.size) : undefined;
-    Object.assign(this, { body, seed, settings, key, tell, step });
+    Object.assign(this, { body, seed, settings, key, tell, step, beside: null });
   }
 
   take({ from, seq, moved }) {            // things were moved: answer the page that asks
@@ -73,22 +86,45 @@ class Answers {
     return this.answer(from, seq);
   }
 
-  async answer(to = null, seq = null) {
+  takeBeside({ from, seq, moved }) {      // the same in the picture beside
+    move(this.scene, moved.map(([kind, i, where]) => [kind, i + this.own, where]));
+    return this.answer(from, seq, true);
+  }
+
+  async answer(to = null, seq = null, asksBeside = false) {
     const { body: name, seed, free } = this, given = this.settings[name];
     const settings = this.settings[given] ?? given;     // those of another body, or its own
     const scene = copy(this.scene);
-    let drawing;
+    let drawing, second = null;
     try {
       await load(name);
-      const shown = await ask({ name, scene, free, settings, seed });
-      drawing = drawn(LIVE.bodies[name], scene, settings, shown);
+      const shown = await ask({ name, scene, free, settings, seed }), body = LIVE.bodies[name];
+      drawing = drawn(body, scene, settings, shown);
       move(this.scene, drawing.message.places);
+      if (body.beside && !drawing.message.warning) {
+        second = drawn({ ...body, ...body.beside }, this.beside.scene, settings, shown);
+      }
     } catch (error) {
       drawing = warned(said("live.failed", { error: error.message }));
     }
     const { message, buffers } = drawing, { total } = message;
     const first = this.step === null ? null : Math.min(this.step, total);  // of a link
-    this.tell({ kind: "drawing", to, seq, ...message, first }, buffers);
+    const own = asksBeside ? [null, null] : [to, seq];
+    if (second) this.showBeside(second, asksBeside ? [to, seq] : [null, null]);
+    else if (asksBeside) this.beside.tell({ kind: "skipped", to, seq });
+    this.tell({ kind: "drawing", to: own[0], seq: own[1], ...message, first }, buffers);
+  }
+
+  showBeside({ message, buffers, image }, [to, seq]) {
+    const { own, beside: { under, tell, lay } } = this, count = message.places.length;
+    lay(Uint8Array.from(image));
+    for (const [kind, i, at] of message.places) {
+      move(this.scene, [[kind, own + i, at], [kind, own + count + i, at]]);
+    }
+    const { drawing: { layers }, buffers: below } = under;
+    const beneath = below.map((text) => new DataView(bytesOf(text).buffer));
+    const drawing = { ...message, layers: [...layers, ...message.layers], first: null };
+    tell({ kind: "drawing", to, seq, ...drawing }, [...beneath, ...buffers]);
   }
 }
 
@@ -136,24 +172,25 @@ function linked() {
 }
 
 // Whether a link has the things of a scene, and a planner and a seed of this page, and a step.
-function fits({ version, body, seed, places, step = 0 }, { scene, live }) {
+function fits({ version, body, seed, places, step = 0 }, record) {
   const form = (value) => JSON.stringify(value, (_, v) => (Number.isFinite(v) ? "number" : v));
   const formOf = (parts) => parts.map(([kind, i, where]) => `${kind} ${i} ${form(where)}`).join();
-  return version === VERSION && body in live.settings && Number.isInteger(seed) && seed >= 0
+  return version === VERSION && body in record.live.settings && Number.isInteger(seed) && seed >= 0
     && seed < 2 ** 32 && Number.isInteger(step) && step >= 0
     && Array.isArray(places) && places.every(Array.isArray)
-    && formOf(places) === formOf(placesOf(scene));
+    && formOf(places) === formOf(placesOf(sceneOf(record)));
 }
 
 // Arrange a record as the page's address says, if that names it. A link that does not fit leaves
 // the record as it was, and says so.
 function arranged(record, key) {
   const link = linked();
-  if (!isLive(record) || !link || (link.key ?? key) !== key) return record;
+  if (!isLive(record) || !record.live.settings || !link || (link.key ?? key) !== key) return record;
   if (!fits(link, record)) return { ...record, warning: said("live.bad_link", {}) };
-  const scene = copy(record.scene), { body, seed, step = null } = link;
+  const scene = sceneOf(record), { body, seed, step = null } = link;
   move(scene, link.places);
-  return { ...record, scene, step, live: { ...record.live, body, seed }, moved: true };
+  const own = record.scene.handles.length, beside = scene.handles.splice(own);
+  return { ...record, scene, step, live: { ...record.live, body, seed, beside }, moved: true };
 }
 
 // A choice of what answers, a button for another seed where that is random, and one that puts the
@@ -194,45 +231,54 @@ function button(text, press) {
 // ---- drawings, as kinoedu/boards/core/shown.py makes and drawing.py encodes them
 
 function drawn(body, scene, settings, { facts: [status, ...facts], layers, took }) {
+  if (status <= REFUSED) return warned(body.warns[REFUSED - status]);
   if (status < 0) return warned(faultOf(body, scene, settings, [status, ...facts]));
   const values = Object.fromEntries(body.facts.map(([name], k) => [name, facts[k]]));
   const spoken = body.facts.filter(([, form]) => form);
   const texts = Object.fromEntries(
     spoken.map(([name, form]) => [name, inForm(values[name], form)]));
   const total = values.total ?? 0, message = [], buffers = [], places = [], steps = [];
+  let image = null;
   for (const look of body.layers) {
     const rows = rowsOf(layers[look.field]);
     if (look.kind === "handles") {
       places.push(...rows.map(([number, ...at]) => ["handle", number, at]));
     } else if (look.kind === "texts") {
       steps.push(...rows.map((row) => textOf(look, row)));
+    } else if (look.kind === "image") {
+      image = layers[look.field].numbers;
+    } else if (look.kind === "list") {
+      texts[look.field] = rows.map((row) => textOf(look, row)).join(", ");
     } else if (rows.length > 0) {
       message.push(encoded(look, rows, values));
       buffers.push(bufferOf(look, rows, scene));
     }
   }
-  const text = fill(body.says[status], texts), { unit } = body;
+  const text = fill(body.says[values[body.chosen] ?? status], texts), { unit } = body;
   const about = { text, total, unit, step_texts: steps, places, took };
-  return { message: { ...PLAIN, layers: message, ...about }, buffers };
+  return { message: { ...PLAIN, layers: message, ...about }, buffers, image };
 }
 
 function textOf({ says, names }, row) {
   const forms = names.map((name) => name.split(":"));
-  return fill(says[row[0]],
+  return fill(says[says.length > 1 ? row[0] : 0],
     Object.fromEntries(forms.map(([name, form], k) => [name, inForm(row[k], form)])));
 }
 
 const rowsOf = ({ numbers, shape: [count, columns] }) => Array.from({ length: count },
   (_, k) => [...numbers.subarray(columns * k, columns * (k + 1))]);
 
-function encoded({ kind, colour, width, dash, grows, ends, form, says, names }, rows, values) {
+function encoded(look, rows, values) {
+  const { kind, colour, width, dash, grows, ends, form, says, names, hatched } = look;
   const count = width === "line" ? values.total : rows.length;
   const size = SIZES[width]?.(count) ?? values[width] ?? width;
   const path = kind === "path";
-  const texts = kind === "labels" ? rows.map((row) => inForm(row[2], form)) : [];
+  const worded = (row) => (says.length ? textOf(look, row.slice(2)) : inForm(row[2], form));
+  const texts = kind === "labels" ? rows.map(worded) : [];
   return {
     kind, colour, width: size, dash, grows, ends, last: path, casing: path, texts,
-    points: POINTS_OF[kind], hatched: false, ...(says.length ? { says, names } : {}),
+    points: POINTS_OF[kind], hatched,
+    ...(says.length && kind !== "labels" ? { says, names } : {}),
   };
 }
 
@@ -287,6 +333,7 @@ const padded = (text) => text.replace(/e([+-])(\d)$/, "e$10$2");
 function inForm(value, form) {
   if (form === ",") return value.toLocaleString("en");
   if (form === "d") return String(value);
+  if (form.endsWith("f")) return value.toFixed(parseInt(form.slice(1), 10));
   if (/^[A-Z]+$/.test(form)) {
     return [...String(value)].map((digit) => form[digit - 1] ?? "").join("") || "-";
   }

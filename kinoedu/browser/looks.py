@@ -19,6 +19,8 @@ LINE, DOT = "line", "dot"  # a width that falls with the number of steps; a size
 TOTAL = "total"  # the fact with this name is the number of steps
 HANDLES = "handles"  # the kind of rows number, x, y: handles that are moved there
 TEXTS = "texts"  # the kind of rows that fill the text at each step before the last
+IMAGE = "image"  # the kind of rows that are the numbers of the bitmap's colours
+LIST = "list"  # the kind of rows that are listed in the text, in the blank with the field's name
 
 
 class Say(NamedTuple):
@@ -40,7 +42,8 @@ class Look(NamedTuple):
     grows, ends : whether a row has the step at which it appears, and that at which it disappears.
     form : how the number of a label is written, as in `Body.facts`.
     says, names : the messages of a row, and the names of its numbers; `which` is that of the
-        message, where there are several.
+        message, where there are several. Those of a label are its text.
+    hatched : whether bodies have stripes.
     """
 
     field: str
@@ -53,6 +56,18 @@ class Look(NamedTuple):
     form: str = ""
     says: tuple[Say, ...] = ()
     names: tuple[str, ...] = ()
+    hatched: bool = False
+
+
+class Picture(NamedTuple):
+    """A second picture beside that of a body.
+
+    says : what it says, chosen by the fact `chosen`.
+    """
+
+    says: tuple[Say, ...]
+    layers: tuple[Look, ...]
+    chosen: str
 
 
 class Body(NamedTuple):
@@ -63,6 +78,9 @@ class Body(NamedTuple):
         as "length:.4g". The form of a word is its alphabet: each digit d of the number stands for
         letter d, and 0 for "-".
     says : what is said at each status.
+    warns : what is said where nothing can be shown, at the statuses REFUSED, REFUSED - 1, ...
+    beside : a second picture, with handles of its own. The scene has each of them twice, after
+        those of the first picture: where it is, and where it was at the last answer.
     title : its name in a menu; menu : the key of the menu's name.
     unit : the key of the message that names a step.
     """
@@ -73,6 +91,8 @@ class Body(NamedTuple):
     facts: tuple[str, ...]
     says: tuple[Say, ...]
     layers: tuple[Look, ...]
+    warns: tuple[Say, ...] = ()
+    beside: Picture | None = None
     title: Say | str = ""
     menu: str = ""
     unit: str = ""
@@ -122,7 +142,9 @@ def describe_body(body: Body, language: str) -> JsonObject:
         "settings": list(body.settings._fields),
         "facts": [split_form(fact) for fact in body.facts],
         "says": [template_of(say, language) for say in body.says],
+        "warns": [template_of(say, language) for say in body.warns],
         "layers": [describe_look(look, language) for look in body.layers],
+        "beside": None if body.beside is None else describe_picture(body.beside, language),
         "title": template_of(body.title, language) if isinstance(body.title, Say) else body.title,
         "menu": get_template(body.menu, language) if body.menu else "",
         "unit": get_template(body.unit, language) if body.unit else "",
@@ -133,3 +155,12 @@ def describe_body(body: Body, language: str) -> JsonObject:
 def describe_look(look: Look, language: str) -> JsonObject:
     """A look as plain data, with what its rows say."""
     return {**look._asdict(), "says": [template_of(say, language) for say in look.says]}
+
+
+def describe_picture(picture: Picture, language: str) -> JsonObject:
+    """A second picture as plain data."""
+    return {
+        "says": [template_of(say, language) for say in picture.says],
+        "layers": [describe_look(look, language) for look in picture.layers],
+        "chosen": picture.chosen,
+    }

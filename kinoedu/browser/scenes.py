@@ -17,6 +17,7 @@ from ..worlds.polygon_world import PolygonWorldRecord, Rings, world_of_rings
 # The status of an answer: the number of what is said, or a fault of the scene. From RING_FAULT on
 # the fault's kind is subtracted; then the facts after the status are the ring and the fault's i, j.
 FOUND, START_NOT_FREE, GOAL_NOT_FREE, RING_FAULT = 0, -1, -2, -3
+REFUSED = -20  # from here on down the reasons of a body's own, `Body.warns`
 
 
 class SceneArrays(NamedTuple):
@@ -83,14 +84,19 @@ def without_obstacles(scene: SceneArrays) -> SceneArrays:
 @compiled
 def world_of_scene(scene: SceneArrays) -> PolygonWorldRecord:
     """The world of a scene whose rings have no fault."""
+    no_parts = Parts(np.empty((0, 2)), np.zeros(1, np.int64), np.empty(0))
+    return world_of_rings(rings_of_scene(scene), no_parts, scene.discs)
+
+
+@compiled
+def rings_of_scene(scene: SceneArrays) -> Rings:
+    """The rings of a scene without a fault: the boundary clockwise, obstacles counter-clockwise."""
     points = np.empty_like(scene.points)
     for k in range(len(scene.first) - 1):
         begin, end = scene.first[k], scene.first[k + 1]
         ring = counter_clockwise(scene.points[begin:end])
         points[begin:end] = ring if k > 0 else ring[::-1]
-    rings = Rings(points, scene.first, np.arange(len(scene.first) - 1))
-    no_parts = Parts(np.empty((0, 2)), np.zeros(1, np.int64), np.empty(0))
-    return world_of_rings(rings, no_parts, scene.discs)
+    return Rings(points, scene.first, np.arange(len(scene.first) - 1))
 
 
 @compiled

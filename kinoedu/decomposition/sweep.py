@@ -85,17 +85,22 @@ class Sweep(NamedTuple):
     heights: Array
 
 
+@compiled
 def new_sweep(edges: Array) -> Sweep:
     """The state before the sweep, steps 1 and 2, for edges (n, 5) of a world. O(n log n)."""
     n = len(edges)
-    rightward = edges[:, 0] < edges[:, 2]
-    ends = np.where(rightward[:, None], edges[:, :4], edges[:, [2, 3, 0, 1]])
+    floor, ends = edges[:, 0] >= edges[:, 2], edges[:, :4].copy()
+    for i in range(n):
+        if floor[i]:
+            ends[i, :2], ends[i, 2:] = edges[i, 2:4], edges[i, :2]
+    order = np.argsort(edges[:, 1], kind="mergesort")
+    order = order[np.argsort(edges[order, 0], kind="mergesort")]
     return Sweep(
-        vertices=np.ascontiguousarray(edges[:, :2]),
-        order=np.lexsort((edges[:, 1], edges[:, 0])),  # 2: sort the vertices by x
+        vertices=edges[:, :2].copy(),
+        order=order,  # 2: sort the vertices by x
         incoming=edges_into_vertices(edges),
         ends=ends,
-        floor=~rightward,
+        floor=floor,
         cells=np.empty((2 * n, 6)),
         sides=np.empty((2 * n, 2), np.int64),
         closed=np.empty(2 * n, np.int64),

@@ -1,14 +1,12 @@
 """Bars with rounded ends, such as the links of an arm."""
 
-import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
+from ..geometry.bars import bar_outline
 from ..geometry.checks import Array
 from .palette import Style
-
-ROUND = np.linspace(-np.pi / 2.0, np.pi / 2.0, 25)
 
 
 def draw_bar(
@@ -22,11 +20,3 @@ def draw_bar(
     edge = (*face[:3], min(1.0, 2.5 * alpha))
     look: Style = {"facecolor": face, "edgecolor": edge, "linewidth": 1.2}
     return [ax.add_patch(Polygon(bar_outline(a, b, radius), zorder=zorder, **look))]
-
-
-def bar_outline(a: Array, b: Array, radius: float) -> Array:
-    """The outline of a bar, shape (50, 2): half a circle about each end."""
-    heading = np.arctan2(b[1] - a[1], b[0] - a[0])
-    halves = ((b, heading + ROUND), (a, heading + (ROUND + np.pi)))
-    ends = [p + radius * np.stack([np.cos(t), np.sin(t)], axis=1) for p, t in halves]
-    return np.vstack(ends)

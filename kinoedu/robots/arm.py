@@ -95,25 +95,7 @@ class ArmRobot(NamedTuple):
                 "at its base an arm of two equal links has infinitely many solutions: q = (any "
                 "angle, -pi)"
             )
-        reach, heading = l1 + l2, math.atan2(y, x)
-        if abs(far - reach) <= RIM * reach:
-            return [np.array([wrap_angle(heading), 0.0])]
-        if abs(far - abs(l1 - l2)) <= RIM * reach and l1 != l2:
-            return [np.array([wrap_angle(heading if l1 > l2 else heading + math.pi), -math.pi])]
-        if far > reach or far < abs(l1 - l2):
-            return []
-        # half-angle formulas of the triangle base, elbow, tip: the tangents are accurate near the
-        # rims, where cosines are not
-        elbow = 2.0 * math.atan2(
-            math.sqrt((reach - far) * (reach + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2))
-        )
-        lead = 2.0 * math.atan2(
-            math.sqrt((reach - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + reach))
-        )
-        return [
-            np.array([wrap_angle(heading - lead), wrap_angle(elbow)]),
-            np.array([wrap_angle(heading + lead), wrap_angle(-elbow)]),
-        ]
+        return list(solve_two_links(l1, l2, x, y))
 
 
 class TwoLinkArm(ArmRobot, metaclass=Constructor):
@@ -189,6 +171,33 @@ class ArmChain(ArmRobot, metaclass=Constructor):
         return ArmRobot(sizes, as_point(base, "base"), links)
 
 
+@compiled
+def solve_two_links(l1: float, l2: float, x: float, y: float) -> Array:
+    """The solutions of `ArmRobot.inverse` for a tip at (x, y) from the base, (k, 2)."""
+    reach, heading, far = l1 + l2, math.atan2(y, x), length(x, y)
+    if abs(far - reach) <= RIM * reach:
+        return np.array([wrap_angle(heading), 0.0]).reshape(1, 2)
+    if abs(far - abs(l1 - l2)) <= RIM * reach and l1 != l2:
+        folded = wrap_angle(heading if l1 > l2 else heading + math.pi)
+        return np.array([folded, -math.pi]).reshape(1, 2)
+    if far > reach or far < abs(l1 - l2):
+        return np.empty((0, 2))
+    # half-angle formulas of the triangle base, elbow, tip: the tangents are accurate near the rims,
+    # where cosines are not
+    elbow = 2.0 * math.atan2(
+        math.sqrt((reach - far) * (reach + far)), math.sqrt((far - l1 + l2) * (far + l1 - l2))
+    )
+    lead = 2.0 * math.atan2(
+        math.sqrt((reach - far) * (l2 + far - l1)), math.sqrt((far + l1 - l2) * (far + reach))
+    )
+    angles = (heading - lead, elbow, heading + lead, -elbow)
+    return np.array([wrap_angle(angle) for angle in angles]).reshape(2, 2)
+
+
+TOO_FAR = "it is {far} from the base, and the links together reach only {outer}"
+TOO_NEAR = "it is {far} from the base, and folded up the arm still reaches {inner} away"
+
+
 def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     """Explain why the tip of a two-link arm cannot reach p.
 
@@ -210,12 +219,9 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     """
     l1, l2, _, _, far = two_links(arm, p)
     if far > (l1 + l2) * (1.0 + RIM):
-        return f"it is {far:g} from the base, and the links together reach only {l1 + l2:g}"
+        return TOO_FAR.format(far=f"{far:g}", outer=f"{l1 + l2:g}")
     if far < abs(l1 - l2) - RIM * (l1 + l2):
-        return (
-            f"it is {far:g} from the base, and folded up the arm still reaches {abs(l1 - l2):g} "
-            "away"
-        )
+        return TOO_NEAR.format(far=f"{far:g}", inner=f"{abs(l1 - l2):g}")
     return ""
 
 

@@ -13,27 +13,33 @@ import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...collision import link_in_contact, paint_configuration_space
+from ...browser.arms import ShownArm, pose_arm
+from ...browser.bodies import ARM
+from ...browser.regions import name_regions
+from ...collision import paint_configuration_space
 from ...collision.arms import check_arm
+from ...geometry.checks import Array
 from ...messages import get_message
 from ...planners import rrt
 from ...planners.tuning import integer
 from ...problems import Plan
 from ...problems.configurations import as_configuration, space_of
-from ...robots import why_unreachable
 from ...robots.arm import ArmRobot
+from ...robots.pulling import pull_arm
 from ...support.json_fields import JsonObject
 from ...worlds.checks import World
+from ...worlds.polygon_world import PolygonWorldRecord
 from ..core.canvas import Canvas
-from ..core.drawing import Drawing, Layer, bodies
+from ..core.drawing import Drawing, Layer, bodies, encode_drawing
 from ..core.framed import Pictured, arrange_in_row
 from ..core.printed import join_pictures
-from ..core.scene import Scene, handle, mark_drawn
+from ..core.recorded import record_drawing
+from ..core.scene import Scene, frame_of, handle, mark_drawn
+from ..core.shown import draw_beside, draw_shown, make_live
 from ..planning.own import Attempt
 from ..planning.plans import make_canvas, make_world_scene, world_in
-from .arm_drawn import describe_contact, draw_arm, link_outlines, links_in_contact
-from .glued import draw_frame, draw_sights, label_regions, make_square_scene
-from .pulling import pull_arm
+from .arm_drawn import link_outlines
+from .glued import draw_frame, make_square_scene
 from .rides import Ride, draw_ride_in_square, draw_ride_in_workspace, plan_ride
 
 ELBOW, TIP = 0, 1  # the numbers of the workspace's handles; the square's are q and the goal
@@ -99,7 +105,7 @@ class ArmBoard(Pictured, widgets.VBox):
         space = space_of(arm, world)
         self.arm, self.world = arm, world
         self.image = paint_configuration_space(arm, world)
-        self._names = label_regions(self.image)
+        self._names = name_regions(self.image)
         self.q = as_configuration(q, space, "q")
         self.goal = None if goal is None else as_configuration(goal, space, "goal")
         self._planner, self._seed = planner, integer(rng, "rng", least=0)
@@ -120,20 +126,21 @@ class ArmBoard(Pictured, widgets.VBox):
 
     def answer(self, scene: Scene) -> Drawing:
         """Take over what was moved in the workspace, update the square, and draw the arm."""
-        hindered = self._take(scene)
-        hits = links_in_contact(self.arm, self.q, self.world)
+        shown = self._posed(self._take(scene))
+        status, *facts = shown.facts.tolist()
+        drawing = draw_shown(ARM, int(status), facts, shown)
         layers: list[Layer] = []
         if self.goal is not None:
             layers.append(bodies(link_outlines(self.arm, self.goal), "goal"))
         layers += draw_ride_in_workspace(self.arm, self._ride) if self._ride else []
-        layers += draw_arm(self.arm, self.q, hits)
-        first, second = (f"{angle:.2f}" for angle in self.q)
-        text = get_message(
-            "arm_board.result", first=first, second=second, contact=describe_contact(hits)
-        )
-        self._gripped = [joint.tolist() for joint in self.arm.joints(self.q)]
-        lines = (text, hindered, self._ride.text if self._ride else "")
+        layers += drawing.layers
+        self._gripped = [at for _, _, at in drawing.places]
+        lines = (drawing.text, self._ride.text if self._ride else "")
         return self._drawn(layers, "\n".join(filter(None, lines)), self._gripped)
+
+    def _posed(self, tip: Array) -> ShownArm:
+        """What is shown of the arm, whose tip was pulled to a place."""
+        return pose_arm(self.arm, self.world, self.q, tip, self._names, np.empty((0, 0)))
 
     def _in_square(self, scene: Scene) -> Drawing:
         """Take over what was moved in the square, update the workspace, and draw on the image."""
@@ -144,23 +151,25 @@ class ArmBoard(Pictured, widgets.VBox):
             self.goal = None if self.goal is None else as_configuration(at[1], space, "goal")
             self._plan_anew()
             self.canvas.refresh()
-        layers = [*draw_frame(), *self._names, draw_sights(self.q)]
+        shown = self._posed(self.arm.joints(self.q)[1])
+        drawing = draw_beside(ARM, shown.facts.tolist()[1:], shown)
+        layers = [*draw_frame(), *drawing.layers]
         layers += draw_ride_in_square(self._ride) if self._ride else []
         self._spotted = [q.tolist() for q in (self.q, self.goal) if q is not None]
-        first, second = (f"{np.degrees(angle):.0f}" for angle in self.q)
-        link = get_message(f"figure.link_{link_in_contact(self.arm, self.q, self.world)}")
-        text = get_message("arm_board.in_square", first=first, second=second, link=link)
-        return self._drawn(layers, text, self._spotted)
+        return self._drawn(layers, drawing.text, self._spotted)
 
-    def _take(self, scene: Scene) -> str:
-        """Take over what was moved in the workspace; returns why the tip is out of reach, or ""."""
+    def _take(self, scene: Scene) -> Array:
+        """Take over what was moved in the workspace; returns where the tip was pulled to.
+
+        Its own place, if only the elbow was pulled or nothing.
+        """
         now, at = obstacle_places(scene), handle_places(scene)
         if now == self._standing and at == self._gripped:
-            return ""
+            return self.arm.joints(self.q)[1]
         if now != self._standing:
             self.world = world_in(scene)
             self.image = paint_configuration_space(self.arm, self.world)
-            self._names = label_regions(self.image)
+            self._names = name_regions(self.image)
             self.square.set_bitmap(self.image)
             self._standing = now
         pulls = [
@@ -170,9 +179,8 @@ class ArmBoard(Pictured, widgets.VBox):
         self.q = pull_arm(self.arm, self.q, pulls[ELBOW], pulls[TIP])
         self._plan_anew()
         self.square.refresh()
-        tip = pulls[TIP] if pulls[ELBOW] is None else None
-        reason = "" if tip is None else why_unreachable(self.arm, tip)
-        return get_message("arm_board.out_of_reach", reason=reason) if reason else ""
+        pulled = pulls[TIP] if pulls[ELBOW] is None else None
+        return self.arm.joints(self.q)[1] if pulled is None else pulled
 
     def _plan_anew(self) -> None:
         """Plan if there is a goal.
@@ -211,6 +219,19 @@ class ArmBoard(Pictured, widgets.VBox):
             goal = handle(get_message("arm_board.goal"), self.goal, colour="goal", marker="star")
             handles.append(goal)
         return handles
+
+    def record(self) -> list[JsonObject]:
+        """Both pictures as they are now; without a goal, among polygons, a page answers them."""
+        self.canvas.live = self.square.live = None
+        rooms = any(len(item["rings"]) > 1 for item in self.canvas.shown["polygons"])
+        if self.goal is None and not rooms and isinstance(self.world, PolygonWorldRecord):
+            width = 2.0 * self.arm.shape.radius[0]
+            settings = [*self.arm.lengths.tolist(), float(width), *self.arm.base.tolist()]
+            spots = self.square.shown["handles"]
+            frame = encode_drawing(Drawing(draw_frame()), *frame_of(self.square.shown))
+            self.canvas.live = {**make_live("arm", settings), "beside": [*spots, *spots]}
+            self.square.live = {"body": "arm", "under": record_drawing(*frame)}
+        return super().record()
 
     def picture(self) -> bytes:
         """Workspace and square side by side, as a PNG."""

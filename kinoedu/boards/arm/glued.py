@@ -1,9 +1,7 @@
 """The square of an arm's two angles, with opposite sides identified: the torus laid flat."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...figures.arms import find_widest
 from ...geometry.checks import Array
 from ...messages import get_message
 from ...support.json_fields import JsonObject
@@ -12,7 +10,6 @@ from ..core.scene import Scene, make_scene
 
 PI, TURN = np.pi, 2.0 * np.pi
 COLOURS = ["free_area", "hit_1_area", "hit_2_area"]  # of an image: free, link 1 hits, link 2 hits
-COARSE = 6  # names are placed on every sixth cell only
 
 
 def make_square_scene(handles: list[JsonObject]) -> Scene:
@@ -37,23 +34,6 @@ def draw_frame() -> list[Layer]:
         labels(np.column_stack([values - 0.3, np.full(3, -PI - 0.55)]), names, "ink"),
         labels(np.column_stack([np.full(3, -PI - 0.65), values - 0.2]), names, "ink"),
         labels([(0.5 * PI - 0.3, -PI - 0.55), (-PI - 0.65, 0.5 * PI - 0.2)], ["θ₁", "θ₂"], "ink"),
-    ]
-
-
-def draw_sights(q: Array) -> Layer:
-    """Thin lines through q, to read its angles off the scales."""
-    lines = [[(-PI, q[1]), (PI, q[1])], [(q[0], -PI), (q[0], PI)]]
-    return edges(lines, "ink", width=1.2, dash=(2.0, 5.0))
-
-
-def label_regions(image: NDArray[np.int8]) -> list[Layer]:
-    """The meaning of each colour of a painted image, written where the region is widest."""
-    coarse = image[COARSE // 2 :: COARSE, COARSE // 2 :: COARSE]
-    found = [(find_widest(coarse == link), get_message(f"figure.link_{link}")) for link in range(3)]
-    return [
-        labels([(min(place[0], PI - 1.3) - 0.3, place[1] - 0.2)], [name], "ink")
-        for place, name in found
-        if place is not None
     ]
 
 

@@ -133,25 +133,23 @@ class BugBoard(Pictured, widgets.VBox):
         """Walk in a scene with the settings of the controls; draw the walk here and in the plot."""
         self.plans = []
         plans: list[tuple[Plan, Walk]] = []
-        try:
-            obstacles = [item["rings"][0] for item in scene["polygons"]]
-            start, goal = place_of(scene, START), place_of(scene, GOAL)
-            chosen = list(BUGS) if self.bug.value == ALL else [self.bug.value]
-            for name in chosen:
-                plan = BUGS[name][1](start, goal, obstacles, self.step, turn=self.turn.value)
-                plans.append((plan, plan.walk))
-            self.plans = plans
-            self._clock = make_clock([walk for _, walk in plans], self.step)
-            self._texts = describe_steps(plans, self._clock)
-            if len(plans) > 1:
-                return draw_race(plans, self._clock, self._texts)
-            drawing = draw_walk(*plans[0], self._clock, self._texts, check_obstacles(obstacles))
-            if not self.shows_code:
-                return drawing
-            walk = partial(BUGS[name][1], start, goal, obstacles, self.step, turn=self.turn.value)
-            return trace_bug(name, self._clock.tick, walk).draw_over(drawing)
-        finally:
-            self.plot.refresh()
+        obstacles = [item["rings"][0] for item in scene["polygons"]]
+        start, goal = place_of(scene, START), place_of(scene, GOAL)
+        chosen = list(BUGS) if self.bug.value == ALL else [self.bug.value]
+        for name in chosen:
+            plan = BUGS[name][1](start, goal, obstacles, self.step, turn=self.turn.value)
+            plans.append((plan, plan.walk))
+        self.plans = plans
+        self._clock = make_clock([walk for _, walk in plans], self.step)
+        self._texts = describe_steps(plans, self._clock)
+        self.plot.refresh()
+        if len(plans) > 1:
+            return draw_race(plans, self._clock, self._texts)
+        drawing = draw_walk(*plans[0], self._clock, self._texts, check_obstacles(obstacles))
+        if not self.shows_code:
+            return drawing
+        walk = partial(BUGS[name][1], start, goal, obstacles, self.step, turn=self.turn.value)
+        return trace_bug(name, self._clock.tick, walk).draw_over(drawing)
 
     def _plotted(self, _: Scene) -> Drawing:
         """The plot of the walks shown."""

@@ -154,7 +154,7 @@ class Board {
     this.views = new Set();
     this.id = Math.random().toString(36).slice(2);       // of this page; a widget may be on several
     this.scene = copy(model.get("scene"));
-    this.drawing = { text: "", warning: "", layers: [], places: [] };
+    this.drawing = { text: "", warning: "", layers: [], places: [], refused: false };
     Object.assign(this.drawing, { total: 0, unit: "", stepTexts: [], listing: null });
     this.seq = 0;                                        // the number of the newest scene
     this.shown = 0;                                      // the number of the scene that is answered
@@ -370,7 +370,9 @@ class Board {
     const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
     const { listing, first, challenges = [] } = message, before = this.drawing;
     const scrubbed = before.listing && this.step < before.total;
-    this.drawing = { text, warning, layers, total, unit, stepTexts, places, listing };
+    const refused = Boolean(warning) && layers.length === 0;   // the last good picture stays
+    this.drawing = refused ? { ...before, warning, places, refused }
+      : { text, warning, layers, total, unit, stepTexts, places, listing, refused };
     this.drawing.challenges = challenges;
     this.took = took;
     this.answers += 1;
@@ -379,7 +381,10 @@ class Board {
     this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
-    this.step = scrubbed ? Math.min(this.step, total) : this.answers === 1 ? first ?? total : total;
+    if (!refused) {
+      const end = this.answers === 1 ? first ?? total : total;
+      this.step = scrubbed ? Math.min(this.step, total) : end;
+    }
     this.emit("answered", seq);
     this.changed();
   }
@@ -456,14 +461,17 @@ class Board {
   }
 
   text() {
-    const { text, warning, total, unit, stepTexts, listing } = this.drawing;
+    const { text, warning, total, unit, stepTexts, listing, refused } = this.drawing;
     if (this.isLate()) return this.words.thinking;
+    if (refused) return warning;
     if (this.step < total && listing) return this.lineText() || this.words.begin;
     if (this.step < total && !warning) {
       return stepTexts[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     }
     return warning || text;
   }
+
+  isPale() { return this.isLate() || this.drawing.refused; }
 
   isLate() {                             // whether the newest change has waited long for its answer
     return this.pendingSince !== null && performance.now() - this.pendingSince > PENDING;
@@ -896,11 +904,11 @@ class View {
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
     if (!this.grabs.size) this.look();   // the view does not move during a drag
-    const late = board.isLate(), complete = board.step >= board.drawing.total;
+    const pale = board.isPale(), complete = board.step >= board.drawing.total;
     const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
     const paint = (wanted) => {
       wanted.forEach((layer) => {
-        pen.globalAlpha = (late ? 0.35 : 1) * this.strength(layer.colour);
+        pen.globalAlpha = (pale ? 0.35 : 1) * this.strength(layer.colour);
         this[`paint_${layer.kind}`]?.(layer);
       });
       pen.globalAlpha = 1;
@@ -1221,9 +1229,9 @@ class View {
   storeState() {                         // the data- attributes of the board, for tests
     const { drawing, shown: seq, seq: newest, answers, stale, step, bitmaps } = this.board;
     const layers = drawing.layers.map((layer) => layer.kind).join(" ");
-    const { total, warning } = drawing, { paints } = this;
+    const { total, warning, refused } = drawing, { paints } = this;
     Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps });
-    Object.assign(this.root.dataset, { total, paints, warning });
+    Object.assign(this.root.dataset, { total, paints, warning, refused });
   }
 
   speakLater(text) {                     // read a text out once it has not changed for a while

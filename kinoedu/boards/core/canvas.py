@@ -46,7 +46,7 @@ from .challenge import Posed
 from .drawing import Drawing, encode_drawing
 from .printed import Bitmap, fit_page, print_board
 from .recorded import RECORD, pack_records, record_drawing
-from .scene import Scene, arrange_like, list_places, move_parts
+from .scene import Scene, arrange_like, frame_of, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
 
@@ -79,7 +79,7 @@ class Canvas(anywidget.AnyWidget):
     ----------
     scene : a scene from `make_scene`.
     answer : a function from a scene to a Drawing. A KinoeduError that it raises is shown as a
-        warning without a drawing.
+        warning, over the last good drawing, which turns pale.
     free : a bitmap to draw beneath, (rows, columns), lowest row first. True is free; where the
         scene has `colours`, each cell is the number of a colour.
     drive : a function of the set of arrow keys held, by name. It moves the driven handle; then the
@@ -235,10 +235,7 @@ class Canvas(anywidget.AnyWidget):
 
     def _keep(self, drawing: Drawing) -> None:
         """Keep a drawing and the message that carries it."""
-        lo, hi = self._shown["lo"], self._shown["hi"]
-        self._content, self._buffers = encode_drawing(
-            drawing, lo, max(hi[0] - lo[0], hi[1] - lo[1])
-        )
+        self._content, self._buffers = encode_drawing(drawing, *frame_of(self._shown))
         self._shown = move_parts(self._shown, self._content["places"])
         self.drawing = drawing
 

@@ -69,7 +69,7 @@ class Drawing:
     ----------
     layers : what is drawn, the lowest first.
     text : what the picture shows. It is read out, unless there is a warning.
-    warning : what is wrong; it replaces the text.
+    warning : what is wrong; it replaces the text. Without layers the last drawing stays, pale.
     total : the number of steps of the growth, 0 for none.
     unit : the unit of a step, in words.
     step_texts : the text at each step before the last, from step 0; without them the board shows

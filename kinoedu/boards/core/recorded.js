@@ -7,14 +7,22 @@
 
 // A model as anywidget gives it. It answers "hello" with the recorded drawing, and a scene that was
 // moved only where the board is live.
-function recordedModel(stored, key, team) {
-  const heard = [], record = arranged(stored, key);
+//
+// main : the answers of the board beside it, where it is the second picture of a body.
+function recordedModel(stored, key, team, main) {
+  const heard = [], laid = [], record = arranged(stored, key);
   const values = {
     key, partner: team, scene: record.scene, home: stored.scene, palette: PALETTE, words: WORDS,
     bitmap: new DataView(bytesOf(record.bitmap).buffer), recorded: !isLive(record),
   };
   const tell = (message, buffers) => heard.forEach((hear) => hear(message, buffers));
-  const answers = isLive(record) ? new Answers(record, key, tell) : null;
+  const isBeside = isLive(record) && !record.live.settings;
+  const answers = isLive(record) && !isBeside ? new Answers(record, key, tell) : null;
+  const lay = (bytes) => {
+    values.bitmap = new DataView(bytes.buffer);
+    laid.forEach((hear) => hear());
+  };
+  if (isBeside) main.beside = { scene: record.scene, under: record.live.under, tell, lay };
   const show = () => {
     if (record.moved) { answers.answer(); return; }
     const buffers = record.buffers.map((text) => new DataView(bytesOf(text).buffer));
@@ -26,10 +34,14 @@ function recordedModel(stored, key, team) {
     get: (name) => values[name],
     set: () => {},
     save_changes: () => {},
-    on: (event, hear) => { if (event === "msg:custom") heard.push(hear); },
+    on: (event, hear) => {
+      if (event === "msg:custom") heard.push(hear);
+      if (event === "change:bitmap") laid.push(hear);
+    },
     send: (message) => {
       if (message.kind === "hello") queueMicrotask(show);
-      if (message.kind === "scene") answers?.take(message);
+      if (message.kind === "scene" && isBeside) main.takeBeside(message);
+      else if (message.kind === "scene") answers?.take(message);
     },
   };
 }
@@ -49,10 +61,12 @@ async function play(element, number) {
   const row = document.createElement("div");
   row.className = "kinoedu-row";
   element.append(row);
+  let main = null;
   records.forEach((record, k) => {
     const place = document.createElement("div");
     row.append(place);
-    const model = recordedModel(record, `${number}-${k}`, `${number}-${record.team}`);
+    const model = recordedModel(record, `${number}-${k}`, `${number}-${record.team}`, main);
+    main = model.answers ?? main;
     if (model.answers) place.append(controlsOf(model.answers));
     widget.initialize({ model });
     widget.render({ model, el: place });
@@ -75,6 +89,9 @@ function begin() {
   elements.forEach((element) => seen.observe(element));
   elements[parseInt(linked()?.key, 10)]?.scrollIntoView();
 }
+
+// A link that is put into the address of an open page is followed too.
+addEventListener("hashchange", () => { if (linked()) location.reload(); });
 
 if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
 else begin();

@@ -155,6 +155,12 @@ def place_of(scene: Scene, name: str) -> Array:
     raise InvalidParameter(f"the scene has no handle {name!r}")
 
 
+def frame_of(scene: Scene) -> tuple[list[float], float]:
+    """The lower corner of a scene, and its size."""
+    lo, hi = scene["lo"], scene["hi"]
+    return lo, max(hi[0] - lo[0], hi[1] - lo[1])
+
+
 def move_parts(scene: Scene, parts: object) -> Scene:
     """The scene with some parts at other places.
 

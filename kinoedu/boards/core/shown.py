@@ -8,11 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from ...browser.arms import CORNERS
 from ...browser.bodies import BODIES
 from ...browser.looks import (
     DOT,
     HANDLES,
+    IMAGE,
     LINE,
+    LIST,
     TEXTS,
     TOTAL,
     Body,
@@ -41,6 +44,7 @@ COORDINATES = {
     "labels": 2,
     "cells": 8,
     "nodes": 2,
+    "bodies": CORNERS,
 }
 
 
@@ -70,18 +74,30 @@ def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> D
     layers, places, steps = list[Layer](), list[tuple[str, int, Any]](), list[str]()
     named = [(*split_form(form), fact) for form, fact in zip(body.facts, facts)]
     values = {name: fact for name, _, fact in named}
+    blanks = {name: in_form(fact, form) for name, form, fact in named if form}
     for look in body.layers:
         rows = getattr(shown, look.field)
         if look.kind == HANDLES:
             places += [("handle", int(number), at) for number, *at in rows.tolist()]
         elif look.kind == TEXTS:
             steps = fill_texts(look, rows)
-        elif len(rows):
+        elif look.kind == LIST:
+            blanks[look.field] = ", ".join(fill_texts(look, rows))
+        elif len(rows) and look.kind != IMAGE:
             layers.append(make_layer(look, rows, values))
     text = template_of(body.says[status], chosen_language())
-    text = text.format(**{name: in_form(fact, form) for name, form, fact in named if form})
+    text = text.format(**blanks)
     total, unit = int(values.get(TOTAL, 0)), get_message(body.unit) if body.unit else ""
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=steps, places=places)
+
+
+def draw_beside(body: Body, facts: Sequence[float], shown: Any) -> Drawing:
+    """The drawing of a body's second picture."""
+    assert body.beside is not None
+    names = [split_form(fact)[0] for fact in body.facts]
+    chosen = facts[names.index(body.beside.chosen)]
+    second = body._replace(says=body.beside.says, layers=body.beside.layers)
+    return draw_shown(second, int(chosen), facts, shown)
 
 
 def make_layer(look: Look, rows: Array, values: dict[str, float]) -> Layer:
@@ -89,7 +105,9 @@ def make_layer(look: Look, rows: Array, values: dict[str, float]) -> Layer:
     columns, is_path = COORDINATES[look.kind], look.kind == "path"
     width = width_of(look.width, values, len(rows))
     layer = Layer(look.kind, rows[:, :columns], look.colour, width, look.dash)
-    layer = layer._replace(last=is_path, casing=is_path)
+    layer = layer._replace(last=is_path, casing=is_path, hatched=look.hatched)
+    if look.kind == "labels" and look.says:
+        return layer._replace(texts=tuple(fill_texts(look, rows[:, columns:])))
     if look.kind == "labels":
         return layer._replace(texts=tuple(in_form(row[columns], look.form) for row in rows))
     if look.ends:
@@ -117,7 +135,7 @@ def fill_texts(look: Look, rows: Array) -> list[str]:
     texts = []
     for row in rows.tolist():
         values = {name: in_form(number, form) for (name, form), number in zip(named, row)}
-        texts.append(templates[int(values["which"])].format(**values))
+        texts.append(templates[int(values.get("which", 0))].format(**values))
     return texts
 
 

@@ -1,6 +1,6 @@
 """The lines of the sweep that its board shows as they run."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -9,7 +9,7 @@ from ...decomposition import Step, sweep
 from ...decomposition.crossing import handle_event
 from ...decomposition.trapezoidation import drain, edges_on_line
 from ...worlds.polygon_world import PolygonWorldRecord
-from ..core.drawing import Drawing, Layer
+from ..core.drawing import Layer
 from ..tracing.code_run import CodeRun, Look, trace_lines
 from ..tracing.moments import draw_moments
 
@@ -34,10 +34,7 @@ def trace_sweep(
     return trace_lines(handle_event, look, lambda _: list(sweep(world)), drain)
 
 
-def draw_events(
-    steps: Sequence[Step], draw: Callable[[Sequence[Step], float], Drawing]
-) -> list[Layer]:
-    """What the board shows after each event, one step each."""
-    shown = [draw(steps[: k + 1], step.x).layers for k, step in enumerate(steps)]
+def draw_events(shown: Sequence[Sequence[Layer]]) -> list[Layer]:
+    """The layers that the board shows after each event, one step each."""
     plain = [[layer._replace(says=(), names=(), notes=None) for layer in one] for one in shown]
     return draw_moments(plain)
