@@ -78,14 +78,7 @@ def written() -> str:
         )
         + "\n## Exercises without variants\n\n"
         + "".join(f"- {reason}: {listed(names)}\n" for reason, names in WITHOUT.items())
-        + (f"- a variant is not written yet: {listed(unwritten())}\n" if unwritten() else "")
     )
-
-
-def unwritten() -> list[str]:
-    """The exercises that have no variants, without a reason."""
-    given = {name for names in WITHOUT.values() for name in names}
-    return [one.name for one in EXERCISES.values() if not one.variants and one.name not in given]
 
 
 def listed(names: Iterable[str]) -> str:

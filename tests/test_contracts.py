@@ -1,5 +1,7 @@
 """Checks of planners, robots and worlds: the library passes, and each kind of mistake is found."""
 
+import statistics
+import time
 from collections import defaultdict
 from functools import partial
 from typing import NamedTuple
@@ -302,6 +304,30 @@ def test_a_mistake_of_a_robot_is_found(mistake):
     assert BROKEN_ROBOTS[mistake] in report.broken, report
 
 
+def test_a_motion_without_an_answer_breaks_one_promise():
+    """An error is listed once, not under each promise."""
+    report = check_robot(Ball(0.3, "raises"), motions=5)
+    assert report.broken == ("answers",)
+    assert report["between"].tried == 0
+    assert "5 motions without an answer" in report.notes[-1]
+
+
+def test_an_error_of_python_is_shown_with_the_readers_own_line():
+    """The line in the standard library helps nobody."""
+
+    def mean_of_nothing(problem):
+        return statistics.mean([])
+
+    first = check_planner(mean_of_nothing)["errors"].where[0]
+    assert "return statistics.mean([])" in first
+
+
+def test_a_planner_that_waits_is_told_for_how_long():
+    """It computed for no time: both times are listed."""
+    report = check_planner(lambda problem: time.sleep(60.0), seconds=0.02)
+    assert "of which it computed for 0.0 s" in report["time"].where[0]
+
+
 def test_a_right_robot_of_ones_own_passes():
     """And plans, with a space of its own."""
     assert check_robot(Ball(0.5), motions=80).passed
@@ -351,4 +377,4 @@ def test_what_is_no_robot_is_said():
     """Without a traceback: the check is for beginners."""
     report = check_robot("robot")
     assert set(report.broken) == {"record", "space"}
-    assert "expected a robot such as" in report["space"].where[0]
+    assert "@space_of.register" in report["space"].where[0]

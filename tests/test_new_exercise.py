@@ -61,6 +61,14 @@ def run(house: Path, *command: str) -> subprocess.CompletedProcess:
     )
 
 
+def lint(house: Path, files: list[str]) -> None:
+    """Run the linters on the files of a new exercise."""
+    programs = [file for file in files if file.endswith(".py")]
+    for tool in (["check", *files], ["format", "--check", *programs]):
+        ruff = run(house, "-m", "ruff", *tool)
+        assert ruff.returncode == 0, ruff.stdout
+
+
 def sources(file: Path) -> list[str]:
     """Sources of a notebook's cells."""
     return [
@@ -111,10 +119,8 @@ def test_a_new_exercise_passes_the_tests_of_the_house(house, listed):
     )
     assert tests.returncode == 0, tests.stdout + tests.stderr
     assert "skipped" not in tests.stdout
-    mine = [line for line in listed if line.endswith(".py")]
-    for tool in (["check"], ["format", "--check"]):
-        ruff = run(house, "-m", "ruff", *tool, *mine)
-        assert ruff.returncode == 0, ruff.stdout
+    mine = [line for line in listed if line.endswith((".py", ".ipynb"))]
+    lint(house, mine)
 
 
 @pytest.mark.usefixtures("listed")
@@ -164,10 +170,9 @@ def test_an_exercise_from_a_plain_function_passes_the_tests_of_the_house(house, 
     assert ran.returncode == 0, ran.stdout + ran.stderr
     worded = run(house, "-c", f"import sys; sys.path.insert(0, 'tests'); {WORDS}")
     assert worded.returncode == 0, worded.stderr
-    mine = [line.strip() for line in made.stdout.splitlines() if line.strip().endswith(".py")]
-    for tool in (["check"], ["format", "--check"]):
-        ruff = run(house, "-m", "ruff", *tool, *mine)
-        assert ruff.returncode == 0, ruff.stdout
+    made_files = [line.strip() for line in made.stdout.splitlines()]
+    mine = [line for line in made_files if line.endswith((".py", ".ipynb"))]
+    lint(house, mine)
 
 
 def test_an_exercise_without_a_lesson_is_refused(capsys):

@@ -117,7 +117,7 @@ def stands(case: Case) -> str:
     free = case.problem.is_free(case.a), case.problem.is_free_path(case.a, case.a)
     if bool(free[0]) == bool(free[1]):
         return ""
-    return f"at its begin it is {describe(free[0])}, the motion to itself {describe(free[1])}"
+    return f"where it begins it is {describe(free[0])}, the motion to itself {describe(free[1])}"
 
 
 def free_between(case: Case) -> str | None:

@@ -171,7 +171,8 @@ def run_trap(planner: Callable[..., object], trap: Trap, seed: int, seconds: flo
     try:
         answer, error = run_within_processor_time(seconds, work)
     except TimeUp as over:
-        return Run(trap, None, Faults(), {"time": f"stopped after {over.used:.1f} s of computing"})
+        text = f"no answer after {over.passed:.1f} s, of which it computed for {over.used:.1f} s"
+        return Run(trap, None, Faults(), {"time": text})
     if fingerprint(asked) != before:
         broken["problem"] = "the problem is another one afterwards"
     if random_states() != numbers:

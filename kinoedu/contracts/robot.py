@@ -15,7 +15,7 @@ from ..robots import Point
 from ..support.faults import describe_exception
 from ..support.text import shortened
 from ..worlds import PolygonWorld
-from .motions import LAWS, Case, Law, draw_case
+from .motions import LAWS, Case, Law, answers, draw_case
 from .report import Finding, Report
 
 STAND_IN: Any = PolygonWorld(
@@ -24,6 +24,8 @@ STAND_IN: Any = PolygonWorld(
 )
 
 RECORD = "It is a record that another process can read."
+NO_SPACE = "it has no space: register a function for its kind with @space_of.register"
+UNCHECKED = "its motions were not checked"
 CORNERS = "Its corners lo and hi are two finite points (2,), lo below hi."
 
 
@@ -95,7 +97,7 @@ def check_world(world: Any, robot: Any = None, *, motions: int = 200, seed: int 
     corners = Finding("corners", CORNERS, 1, tuple(wrong_corners(world)))
     findings = [check_record(world), corners]
     if not corners.kept:
-        return Report(type(world).__name__, tuple(findings), ("its motions were not checked",))
+        return Report(type(world).__name__, tuple(findings), (UNCHECKED,))
     checked, notes = check_pair(Point() if robot is None else robot, world, motions, seed)
     return Report(type(world).__name__, (*findings, *checked), tuple(notes))
 
@@ -104,7 +106,7 @@ def check_record(thing: Any) -> Finding:
     """Whether a robot or a world is a record that can be pickled."""
     where = []
     if not (isinstance(thing, tuple) and hasattr(thing, "_fields")):
-        where.append(f"it is a {type(thing).__name__}, not a NamedTuple")
+        where.append(f"it is of the type {type(thing).__name__}, not a NamedTuple")
     try:
         pickle.loads(pickle.dumps(thing))
     except Exception as error:  # pickling can raise anything
@@ -136,21 +138,36 @@ def check_pair(robot: Any, world: Any, motions: int, seed: int) -> tuple[list[Fi
     """Check the motions of a robot in a world."""
     number = integer(motions, "motions", least=1)
     rng = np.random.default_rng(integer(seed, "seed", least=0))
+    if space_of.dispatch(type(robot)) is space_of.dispatch(object):
+        return [Finding("space", LAWS["space"][0], 1, (NO_SPACE,))], [UNCHECKED]
     try:
         space = space_of(robot, world)
         problem = ProblemRecord(robot, world, space, space.lo, space.lo, 0.0, np.zeros(2, np.int64))
         cases = [draw_case(problem, rng) for _ in range(number)]
     except Exception as error:  # a reader's own functions can raise anything
         where = (describe_exception(error, "it"),)
-        return [Finding("space", LAWS["space"][0], 1, where)], ["its motions were not checked"]
+        return [Finding("space", LAWS["space"][0], 1, where)], [UNCHECKED]
+    answered = [case for case in cases if is_answered(case)]
     findings = [
-        Finding(name, promise, *try_law(law, cases)) for name, (promise, law) in LAWS.items()
+        Finding(name, promise, *try_law(law, cases if name == "answers" else answered))
+        for name, (promise, law) in LAWS.items()
     ]
-    free = sum(is_free_or_not(case) for case in cases)
+    free = sum(is_free_or_not(case) for case in answered)
     notes = [f"{free} of {number} random motions were free"]
-    if free in (0, number):
+    if len(answered) < number:
+        notes.append(f"{number - len(answered)} motions without an answer were not checked further")
+    elif free in (0, number):
         notes.append("so the others were not tried: give a world with more or fewer obstacles")
     return findings, notes
+
+
+def is_answered(case: Case) -> bool:
+    """Whether the questions about a motion have answers."""
+    try:
+        answers(case)
+    except Exception:  # a reader's own functions can raise anything
+        return False
+    return True
 
 
 def is_free_or_not(case: Case) -> bool:

@@ -34,7 +34,6 @@ PLACES = {  # the file that each template becomes
 }
 CELLS = ("statement.md", "answer.py")  # of the notebook
 NUMPY = "import numpy as np"
-ARRAY = "from ....geometry.checks import Array\n"
 DESCRIBED = {  # kinds of input and answer, in words
     "point": "a point, an array of shape `(2,)`",
     "points": "points, an array of shape `(n, 2)`",
@@ -169,15 +168,12 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
     slips = usual_slips(plain)
     first_line = " ".join(plain.statement.split("\n\n")[0].split())
     shapes = [ANSWERS[plain.answer], *(repr_shape(kind) for kind in plain.inputs.values())]
-    used = sorted({shape.partition("(")[0] for shape in shapes} - {"Integer"} | {"Record"})
+    used = sorted({shape.partition("(")[0] for shape in shapes} - {"Integer"} | {"Record", "Value"})
     body = indent(plain.body, "    ")
     own_imports = [line for line in plain.imports.splitlines() if line != NUMPY]
-    array = "Array" if plain.answer in ("point", "points") else "float"
-    uses_arrays = "Array" in (array, *map(type_of, plain.inputs.values()))
     return {
         "signature": f"{plain.name}({', '.join(plain.inputs)})",
-        "typed": ", ".join(f"{one}: {type_of(kind)}" for one, kind in plain.inputs.items()),
-        "answer_type": array if plain.answer != "truth" else "bool",
+        "typed": ", ".join(f"{one}: Value" for one in plain.inputs),
         "first_line": first_line,
         "statement": plain.statement,
         "rule": first_line.replace("\\", "\\\\").replace('"', "'"),
@@ -187,7 +183,6 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
         "result": plain.result,
         "standard_imports": "".join(f"{line}\n" for line in own_imports if is_standard(line)),
         "imports": "\n".join([NUMPY, *(one for one in own_imports if not is_standard(one))]),
-        "array_import": ARRAY if uses_arrays else "",
         "solution": "\n".join([*(f"    {line}" for line in own_imports), body]),
         "body": body,
         "shapes": ", ".join(used),
@@ -218,11 +213,6 @@ def is_standard(line: str) -> bool:
 def repr_shape(kind: str) -> str:
     """The shape of a kind of input, as Python."""
     return {"polygon": ANSWERS["points"]}.get(kind) or ANSWERS[kind]
-
-
-def type_of(kind: str) -> str:
-    """The type of a kind of input."""
-    return {"count": "int"}.get(kind, "Array" if kind[:2] == "po" else "float")
 
 
 def as_source(value: Any) -> str:
@@ -313,7 +303,7 @@ def add_cells(file: Path, name: str, lesson: str, statement: str, answer: str) -
     else:
         title = lesson.replace("_", " ").capitalize()
         first = f"# {title}\n\nEdit: what holds for all exercises of this lesson."
-        imports = "import numpy as np\nfrom kinoedu.course import check, show"
+        imports = "import numpy as np\nfrom kinoedu.course import check"
         book = v4.new_notebook(
             cells=[v4.new_markdown_cell(first, id="title"), v4.new_code_cell(imports, id="imports")]
         )

@@ -1,6 +1,7 @@
 """What went wrong in a reader's function, in words."""
 
 import linecache
+import sysconfig
 from pathlib import Path
 from traceback import walk_tb
 
@@ -8,6 +9,7 @@ from ..messages import get_message
 from .time_limit import TimeUp
 
 PACKAGE = Path(__file__).resolve().parent.parent
+PYTHON = Path(sysconfig.get_path("stdlib"))
 
 
 def describe_timeout(over: TimeUp, who: str) -> str:
@@ -37,9 +39,9 @@ def describe_exception(error: BaseException, who: str) -> str:
 
 
 def is_readers_code(file: str) -> bool:
-    """Whether code is a reader's: neither this package's nor a library's."""
+    """Whether code is a reader's: neither this package's, nor Python's, nor a library's."""
     return (
-        PACKAGE not in Path(file).parents
+        {PACKAGE, PYTHON}.isdisjoint(Path(file).parents)
         and "site-packages" not in file
         and not file.startswith("<frozen")
     )
