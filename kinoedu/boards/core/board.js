@@ -161,7 +161,7 @@ class Board {
     this.open = 0;                                       // questions without an answer
     Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
-    Object.assign(this, { held: new Set(), ticking: 0 });
+    Object.assign(this, { held: new Set(), ticking: 0, completing: 0 });
     this.moved = new Map();                              // the things moved since the last question
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
@@ -169,7 +169,12 @@ class Board {
     this.model.send({ kind: "hello", from: this.id });
   }
 
-  stop() { this.pause(); this.release(); clearTimeout(this.timer); clearTimeout(this.resting); }
+  stop() {
+    this.pause();
+    this.release();
+    [this.timer, this.resting, this.completing].forEach(clearTimeout);
+  }
+
   changed() { this.views.forEach((view) => view.request()); }
 
   // the scene: the places of things, and moving them
@@ -252,6 +257,7 @@ class Board {
     things.forEach(({ kind, i }) => this.moved.set(`${kind}-${i}`, [kind, i]));
     this.seq += 1;
     this.pendingSince ??= performance.now();
+    clearTimeout(this.completing);
     this.ask(false);
     this.changed();
     clearTimeout(this.timer);
@@ -261,7 +267,14 @@ class Board {
   settle() {                             // after a release: store the scene when it is answered
     this.unkept = true;
     this.ask(true);
+    if (this.shown === this.seq) this.complete(0);
     this.keep();
+  }
+
+  complete(wait) {                       // ask for the whole of a brief drawing, after some ms
+    clearTimeout(this.completing);
+    if (!this.drawing.brief) return;
+    this.completing = setTimeout(() => this.model.send({ kind: "hello", from: this.id }), wait);
   }
 
   keep() {
@@ -368,18 +381,22 @@ class Board {
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
-    const { listing, first, challenges = [] } = message, before = this.drawing;
+    const { listing, first, challenges = [], brief = false } = message, before = this.drawing;
     const scrubbed = before.listing && this.step < before.total;
     this.drawing = { text, warning, layers, total, unit, stepTexts, places, listing };
-    this.drawing.challenges = challenges;
+    Object.assign(this.drawing, { challenges, brief });
+    // the lines stay beside the picture, though of before, until there are new ones
+    if (brief) Object.assign(this.drawing, { listing: before.listing });
+    if (brief && before.listing) this.drawing.total = before.total;
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
     this.put();
+    this.complete(this.unkept ? 0 : REST);
     this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
-    this.step = scrubbed ? Math.min(this.step, total) : this.answers === 1 ? first ?? total : total;
+    this.step = scrubbed ? Math.min(this.step, this.drawing.total) : this.answers === 1 ? first ?? total : total;
     this.emit("answered", seq);
     this.changed();
   }
@@ -456,10 +473,10 @@ class Board {
   }
 
   text() {
-    const { text, warning, total, unit, stepTexts, listing } = this.drawing;
+    const { text, warning, total, unit, stepTexts, listing, brief } = this.drawing;
     if (this.isLate()) return this.words.thinking;
-    if (this.step < total && listing) return this.lineText() || this.words.begin;
-    if (this.step < total && !warning) {
+    if (this.step < total && listing && !brief) return this.lineText() || this.words.begin;
+    if (this.step < total && !warning && !brief) {
       return stepTexts[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     }
     return warning || text;
@@ -896,7 +913,8 @@ class View {
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
     if (!this.grabs.size) this.look();   // the view does not move during a drag
-    const late = board.isLate(), complete = board.step >= board.drawing.total;
+    const { brief, total } = board.drawing, late = board.isLate();
+    const complete = brief || board.step >= total;
     const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
     const paint = (wanted) => {
       wanted.forEach((layer) => {
@@ -1194,7 +1212,7 @@ class View {
     const growth = fill(words.growth, { shown: step, total, unit });
     this.slider.setAttribute("aria-valuetext", growth);
     this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
-    const how = this.hint();
+    const how = drawing.brief ? this.how.textContent : this.hint();
     if (this.how.textContent !== how) this.how.textContent = how;
     this.storeState();
     const won = this.showGoals();
@@ -1416,7 +1434,7 @@ class Pointer {
     const { view } = this, target = this.found();
     if (target) this.light(target);
     const text = target ? this.text(target) : this.meaning();
-    this.button.hidden = !this.layers().length;
+    if (!view.board.drawing.brief) this.button.hidden = !this.layers().length;
     view.root.dataset.pointed = text;
     this.tip.hidden = !text;
     if (this.tip.textContent !== text) this.tip.textContent = text;
@@ -1514,6 +1532,8 @@ class Code {
     const { board, root } = this.view, { listing, total } = board.drawing;
     root.classList.toggle("kinoedu-coded", Boolean(listing));
     if (!listing) return;
+    this.panel.classList.toggle("kinoedu-past", board.drawing.brief);
+    if (board.drawing.brief) return;
     if (!same(listing.lines, this.shown?.lines)) this.write(listing);
     this.shown = listing;
     const ran = new Set(listing.ran), now = board.line();

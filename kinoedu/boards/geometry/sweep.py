@@ -92,9 +92,10 @@ class SweepBoard(Pictured, widgets.HBox):
                     [draw_line(x, scene)], text=get_message("sweep_board.before", x=f"{x:.4g}")
                 )
             rows = self.steps[-1].status
-            if self.code.value:
-                return self._with_code(world, everything, names, scene)
-            return draw_sweep(self.steps, x, names, scene)
+            drawing = draw_sweep(self.steps, x, names, scene)
+            if not self.code.value:
+                return drawing
+            return drawing.completed_by(lambda: self._with_code(world, everything, names, scene))
         finally:
             self.status.value = list_status(rows, names if len(rows) else {})
 
