@@ -39,6 +39,7 @@ const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its 
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
 const NAMING = "[class^='ke-']", DIM = 0.2;   // words for things; the strength of the rest
+const READING = ["pointerover", "focusin", "focusout"];   // events at a word of the lesson
 const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
@@ -103,6 +104,12 @@ function make(tag, className, parent, attributes = {}) {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   parent?.append(element);
   return element;
+}
+
+// Let Tab reach the words of the page that name things, which may have come a moment ago.
+function offerWords({ key }) {
+  if (key !== "Tab") return;
+  document.querySelectorAll(`${NAMING}:not([tabindex])`).forEach((word) => { word.tabIndex = 0; });
 }
 
 // Copy text where a page may not use the clipboard by itself, as one without encryption.
@@ -504,7 +511,11 @@ class View {
     this.darkness = matchMedia("(prefers-color-scheme: dark)");
     this.darkness.addEventListener("change", this.redress = () => this.dress());
     this.word = null;                    // the colour that a word under the pointer names
-    document.addEventListener("pointerover", this.read = ({ target }) => this.light(target));
+    this.read = ({ type, target, relatedTarget }) => {
+      this.light(type === "focusout" ? relatedTarget : target);
+    };
+    READING.forEach((kind) => document.addEventListener(kind, this.read));
+    document.addEventListener("keydown", offerWords, true);
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(this.root);
     board.views.add(this);
@@ -515,7 +526,7 @@ class View {
     this.resizing.disconnect();
     this.theming.disconnect();
     this.darkness.removeEventListener("change", this.redress);
-    document.removeEventListener("pointerover", this.read);
+    READING.forEach((kind) => document.removeEventListener(kind, this.read));
     clearTimeout(this.speaking);
     this.board.views.delete(this);
   }
@@ -892,8 +903,8 @@ class View {
     this.emit("painted", board.shown);
   }
 
-  light(target) {                        // what a word names: <b class="ke-goal">
-    const name = target.closest?.(NAMING)?.classList[0].slice(3).replaceAll("-", "_") ?? null;
+  light(target) {                        // what a word names: <b class="ke-goal">goal</b>
+    const name = target?.closest?.(NAMING)?.classList[0].slice(3).replaceAll("-", "_") ?? null;
     const { drawing, scene } = this.board;
     const there = [...drawing.layers, ...scene.handles].some(({ colour }) => colour === name);
     const solids = name === "obstacle" && scene.polygons.length + scene.discs.length > 0;
@@ -1239,9 +1250,9 @@ class View {
   storeState() {                         // the data- attributes of the board, for tests
     const { drawing, shown: seq, seq: newest, answers, stale, step, bitmaps } = this.board;
     const layers = drawing.layers.map((layer) => layer.kind).join(" ");
-    const { total, warning } = drawing, { paints } = this;
+    const { total, warning } = drawing, { paints } = this, word = this.word ?? "";
     Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps });
-    Object.assign(this.root.dataset, { total, paints, warning });
+    Object.assign(this.root.dataset, { total, paints, warning, word });
   }
 
   speakLater(text) {                     // read a text out once it has not changed for a while
