@@ -63,7 +63,9 @@ export default {
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const BESIDE = [[10, -12], [10, 14], [-10, -12], [-10, 14]];   // the spots of a label at its point
-const SPOTS = [...BESIDE, [10, -28], [10, 30], [-10, -28], [-10, 30]];
+const SPOTS = [28, 44].reduce((spots, away) => [
+  ...spots, [10, -away], [10, away + 2], [-10, -away], [-10, away + 2],
+], BESIDE);
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
@@ -1202,7 +1204,7 @@ class View {
         const [x, y] = [px + dx, clamp(py + dy, 12, this.height - 12)];
         return { x, y, align, box: this.boxOf(text, x, y, align) };
       });
-      const inside = spots.filter(({ box }) => box[0] > 0 && box[2] < this.width);
+      const inside = spots.filter(({ box }) => box[0] > 3 && box[2] < this.width - 3);
       const best = inside.find(({ box }) => !this.taken.some((other) => overlap(box, other)));
       const { x, y, align, box } = best ?? inside[0] ?? spots[0];
       this.taken.push(box);
