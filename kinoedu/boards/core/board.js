@@ -405,7 +405,8 @@ class Board {
     this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
-    this.step = scrubbed ? Math.min(this.step, this.drawing.total) : this.answers === 1 ? first ?? total : total;
+    const end = this.drawing.total, opened = this.answers === 1 ? first ?? end : end;
+    this.step = scrubbed ? Math.min(this.step, end) : opened;
     this.emit("answered", seq);
     this.changed();
   }
