@@ -35,6 +35,7 @@ const GROWTH = 4000;          // ms to play the whole growth
 const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
+const BATCH = 256;            // segments that are painted at once: very long paths take longer
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
@@ -1114,10 +1115,15 @@ class View {
 
   paint_edges(layer) {
     const { pen, left, bottom } = this;
+    let segments = 0;
     pen.beginPath();
     this.eachRow(layer, 4, (px, py, x, y) => {
       pen.moveTo(px, py);
       pen.lineTo(left + x, bottom - y);
+      segments += 1;
+      if (segments % BATCH) return;
+      this.stroke(layer);
+      pen.beginPath();
     });
     this.stroke(layer);
   }
