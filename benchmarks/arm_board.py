@@ -27,8 +27,8 @@ DRAGGED = (
     ("q", "handle-0", SQUARE),
 )
 PICTURES, PLANS = (
-    10.0,
     30.0,
+    44.0,
 )  # a second: of an obstacle that is dragged, and answers to anything else
 
 

@@ -2,88 +2,25 @@
 JupyterLab in headless Chromium.
 """
 
+import subprocess
 import sys
 import tempfile
 import time
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from dragged import BOARDS, HOUSE
 from timing import Missing, run
 
-HOUSE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(HOUSE / "tests"))
 
 # E402: the file lies in tests, which the line above adds to the path
-from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  # noqa: E402
+from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook
 
-SECONDS = 400
-SCENE = """
-import kinoedu as ke
-obstacles = [[(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)],
-             [(5, 0.6), (6.2, 0.9), (6, 4.4), (5.2, 4.6)],
-             [(5, 6), (7.2, 5.8), (8, 7.6), (6.2, 7.2), (5.4, 8.2)],
-             [(8, 2), (10.4, 2.4), (10, 3.4), (9.2, 3.1), (8.8, 4.8), (7.8, 4.6)], ((10, 6.2), 0.9)]
-world = ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles)
-ke.board(ke.Problem(ke.Point(), world, (1, 1), (11, 8)))
-"""
-TOWN = f"""
-import kinoedu as ke
-ke.board(ke.read_problem({str(HOUSE / "notebooks" / "maps" / "Paris_1_256.map")!r}, query=324))
-"""
-BUG = """
-from kinoedu.boards import bug_board
-bug_board((0, 0), (5, 3), [[(1, 2), (1, 0), (3, 0)], [(2, 3), (4, 1), (5, 2)]], bug="bug1")
-"""
-SWEEP = f"""
-{SCENE.replace("ke.board(", "(")}
-from kinoedu.boards import sweep_board
-sweep_board(ke.PolygonWorld([(0, 0), (12, 0), (12, 9), (0, 9)], obstacles[:4]))
-"""
-SEARCH = """
-import numpy as np
-from kinoedu.boards import search_board
-from kinoedu.graphs import Graph
-nodes = np.random.default_rng(1).random((30, 2))
-apart = ((nodes[:, None] - nodes) ** 2).sum(axis=2)
-near = {tuple(sorted((i, int(j)))) for i in range(30) for j in np.argsort(apart[i])[1:4]}
-search_board(Graph(nodes=nodes, edges=sorted(near)), search="astar")
-"""
-YARD = SCENE.replace("ke.board(", "yard = (")
-ROADMAP = YARD + "ke.boards.roadmap_board(yard, n=1000)"
-PROPERTIES = YARD + "ke.boards.properties_board(yard, n=300)"
-RACE = YARD + "ke.boards.race_board(yard, nodes=1000)"
-REWIRING = YARD + "ke.boards.rewiring_board(yard, nodes=1000)"
-EXPLORING = YARD + "ke.boards.exploring_board(yard)"
-CAR = """
-import numpy as np
-import kinoedu as ke
-walls = [[(70, 0), (90, 0), (90, 90), (70, 90)], [(150, 70), (170, 70), (170, 160), (150, 160)]]
-world = ke.PolygonWorld([(0, 0), (240, 0), (240, 160), (0, 160)], walls)
-yard = ke.Problem(ke.Car(30, 10, 20), world, (25, 30, np.pi / 2), (200, 90, np.pi / 2))
-ke.boards.car_board(yard)
-"""
-DRAGGED = {  # on the first board of each notebook: what, and the thing
-    SCENE: (("goal", "handle-1"), ("polygon", "polygon-2")),
-    TOWN: (("goal in the town", "handle-1"),),
-    BUG: (("goal of a bug", "handle-1"), ("obstacle of a bug", "polygon-0")),
-    SWEEP: (("sweep line", "handle-0"), ("obstacle under the sweep", "polygon-2")),
-    SEARCH: (("goal of a search", "handle-1"), ("node of a search", "handle-9")),
-    ROADMAP: (
-        ("goal of a roadmap, 1,000 nodes", "handle-1"),
-        ("obstacle in a roadmap", "polygon-2"),
-    ),
-    PROPERTIES: (("obstacle in a roadmap measured", "polygon-2"),),
-    RACE: (("goal of a race, 1,000 nodes", "handle-1"), ("obstacle in a race", "polygon-2")),
-    REWIRING: (("goal of RRT*, 1,000 nodes", "handle-1"), ("obstacle in RRT*", "polygon-2")),
-    EXPLORING: (("goal of an explorer", "handle-1"), ("obstacle of an explorer", "polygon-2")),
-    CAR: (
-        ("goal of a car, kinodynamic RRT", "handle-2"),
-        ("its heading", "handle-3"),
-        ("wall in a car's way", "polygon-0"),
-    ),
-}
+SECONDS = 900
 LISTEN = """board => {
     window.events = []; window.held = board;
     if (board.heard) return;
@@ -102,7 +39,16 @@ DRAG = """([board, x, y, seconds]) => new Promise(done => {
         const where = {clientX, clientY, pointerId: 1, bubbles: true};
         canvas.dispatchEvent(new PointerEvent('pointermove', where)); moves += 1;
     }, 10); })"""
-GOALS = {"plans": 30.0, "paints": 50.0}
+SLIDE = """([board, seconds]) => new Promise(done => {
+    const slider = board.querySelector('input'), began = performance.now(); let moves = 0;
+    const [lo, hi] = [Number(slider.min), Number(slider.max)];
+    const timer = setInterval(() => {
+        const t = (performance.now() - began) / 1000;
+        if (t > seconds) { clearInterval(timer); done(moves / t); return; }
+        slider.value = lo + (hi - lo) * (0.5 + 0.4 * Math.sin(3 * t));
+        slider.dispatchEvent(new Event('input', {bubbles: true})); moves += 1;
+    }, 10); })"""
+GOALS = {"plans": 44.0, "paints": 55.0}
 
 
 def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, float]:
@@ -132,14 +78,25 @@ def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, flo
     }
 
 
-def warm(page: Any, name: str, seconds: float = 120.0) -> None:
+def slide(page: Any, _: str, seconds: float) -> dict[str, float]:
+    """Move the slider of a solid's plane up and down; what was seen meanwhile."""
+    board = page.locator(".kinoedu-solid").first
+    board.scroll_into_view_if_needed()
+    board.evaluate(LISTEN)
+    began = time.perf_counter()
+    moves = page.evaluate(SLIDE, [board.element_handle(), seconds])
+    spent = time.perf_counter() - began
+    return {"spent": spent, "moves": moves, **seen(page.evaluate("events.slice()"), spent)}
+
+
+def warm(page: Any, pull: Callable[..., Any], name: str, seconds: float = 120.0) -> None:
     """Drag until it is answered, or for so long: what was not compiled yet is compiled
     meanwhile.
     """
     until = time.perf_counter() + seconds
     while time.perf_counter() < until:
         with suppress(Unanswered):
-            drag(page, name, 0.5)
+            pull(page, name, 0.5)
             return
 
 
@@ -181,27 +138,53 @@ def print_row(what: str, rounds: list[dict[str, float]]) -> None:
     print(f"| {what} | {' | '.join(cells)} | {verdict} |", flush=True)
 
 
-def main(seconds: float = 4.0, repeats: int = 3) -> None:
-    """Drag on every board and print a table; `seconds` is how long each is dragged."""
+@contextmanager
+def slow_computer(page: Any, slower: float) -> Iterator[None]:
+    """Slow the page down so many times, and let another program take a core."""
+    page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slower})
+    busy = subprocess.Popen([sys.executable, "-c", "while True: pass"])
+    try:
+        yield
+    finally:
+        busy.kill()
+        busy.wait()
+
+
+def show(page: Any, name: str) -> Callable[..., dict[str, float]]:
+    """Run the notebook that is open until its board is there; returns how it is dragged."""
+    page.evaluate(RUN_ALL)
+    is_solid = name == "solid"
+    page.wait_for_selector(".kinoedu-solid" if is_solid else ".kinoedu-board[data-answers]")
+    page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
+    return slide if is_solid else drag
+
+
+def main(seconds: float = 3.0, repeats: int = 3, slower: float = 1.0, only: str = "") -> None:
+    """Drag on every board and print a table.
+
+    `seconds` is how long each is dragged. Where the computer is made `slower`, by 4.0 for example,
+    another program runs beside it. `only` is a part of the names of the boards that are measured.
+    """
     if CHROMIUM is None:
         raise Missing("Chromium")
+    chosen = [name for name in BOARDS if only in name]
     print(
         "| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of "
         "order | |"
     )
     print("|---|---:|---:|---:|---:|---:|---:|---|")
     with tempfile.TemporaryDirectory() as home, tempfile.TemporaryDirectory() as course:
-        for number, code in enumerate(DRAGGED):
-            (Path(course) / f"{number}.ipynb").write_text(written_notebook(code))
+        for number, name in enumerate(chosen):
+            (Path(course) / f"{number}.ipynb").write_text(written_notebook(BOARDS[name][0]))
         with lab(Path(course), Path(home)) as (address, token):
-            for number, things in enumerate(DRAGGED.values()):
+            for number, name in enumerate(chosen):
                 with notebook_page(address, token, f"{number}.ipynb") as page:
-                    page.evaluate(RUN_ALL)
-                    page.wait_for_selector(".kinoedu-board[data-answers]")
-                    page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
-                    for what, name in things:
-                        warm(page, name)
-                        print_row(what, [drag(page, name, seconds) for _ in range(repeats)])
+                    pull = show(page, name)
+                    with slow_computer(page, slower) if slower > 1.0 else nullcontext():
+                        for thing in BOARDS[name][1]:
+                            warm(page, pull, thing)
+                            rows = [pull(page, thing, seconds) for _ in range(repeats)]
+                            print_row(f"{name}: {thing}", rows)
 
 
 if __name__ == "__main__":

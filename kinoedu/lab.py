@@ -14,6 +14,7 @@ from .errors import InvalidParameter, UnreadableScene
 from .support.whole_files import written_whole
 
 TOUR = "notebooks/00_tour.ipynb"
+CONNECTION = "kinoedu.cli.prompt_socket.PromptConnection"
 PACKAGE = Path(__file__).resolve().parent
 # The lessons are in the package where pip has installed it, and beside it in the whole course.
 COURSE = PACKAGE if (PACKAGE / TOUR).is_file() else PACKAGE.parent
@@ -128,6 +129,7 @@ def lab_command(*, browser: bool) -> list[str]:
         "--LabApp.news_url=None",
         "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
         "--log-level=WARN",
+        f"--ServerApp.kernel_websocket_connection_class={CONNECTION}",
     ]
     if not browser:
         command.append("--no-browser")

@@ -76,9 +76,9 @@ def test_a_planner_grows_and_then_the_car_drives(planner):
 def test_the_same_seed_is_the_same_scene():
     """Another seed gives another; planners are the library's, with the iterations chosen."""
     made, again = car_board(problem_of(), rng=5), car_board(problem_of(), rng=5)
-    assert made.canvas._buffers == again.canvas._buffers
+    assert made.canvas._reply.whole.buffers == again.canvas._reply.whole.buffers
     again.seed.value = 6
-    assert made.canvas._buffers != again.canvas._buffers
+    assert made.canvas._reply.whole.buffers != again.canvas._reply.whole.buffers
     same = ke.kinodynamic_rrt(problem_of(), max_iterations=1000, rng=5)
     assert np.array_equal(made.plan.tree.nodes, same.tree.nodes)
     made.planner.value = "kinodynamic_prm"

@@ -3,6 +3,7 @@
 One lesson runs whole. Of the others, whose cells nbval runs, only what their boards need.
 """
 
+import importlib
 import json
 import os
 import re
@@ -227,3 +228,33 @@ def test_without_jupyterlab_a_line_says_what_to_install(monkeypatch):
     monkeypatch.setattr(kinoedu.lab, "copy_lessons", lambda folder: pytest.fail("copied"))
     with pytest.raises(InvalidParameter, match="pip install jupyterlab"):
         kinoedu.lab.open_lab(browser=False)
+
+
+def test_the_lab_sends_small_messages_at_once():
+    """Its connection is JupyterLab's, with Nagle's algorithm switched off when it connects."""
+    from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
+
+    name = "--ServerApp.kernel_websocket_connection_class="
+    (given,) = [word for word in lab_command(browser=False) if word.startswith(name)]
+    module, _, kind = given.removeprefix(name).rpartition(".")
+    connection = getattr(importlib.import_module(module), kind)
+    assert issubclass(connection, ZMQChannelsWebsocketConnection)
+    heard = []
+
+    class Handler:
+        def set_nodelay(self, value):
+            heard.append(value)
+
+    class Begun(Exception):
+        """The connection goes on to connect."""
+
+    class Stub(connection):
+        websocket_handler = Handler()
+
+        @property
+        def multi_kernel_manager(self):
+            raise Begun
+
+    with pytest.raises(Begun):
+        Stub.connect(Stub.__new__(Stub))
+    assert heard == [True]

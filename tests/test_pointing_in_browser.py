@@ -276,6 +276,19 @@ def test_a_word_of_the_lesson_lights_what_it_names(light):
         assert picture.screenshot() == before
 
 
+def test_a_word_is_chosen_by_keys(light):
+    """Tab comes to it from the top of the page; the next Tab leaves it."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        before = root.locator("canvas").screenshot()
+        for expected in ("goal", ""):
+            page.keyboard.press("Tab")
+            frames(page)
+            assert root.get_attribute("data-word") == expected
+            assert root.locator("canvas").screenshot() != before  # the next has a ring
+
+
 def test_a_page_that_turns_dark_takes_its_boards_along(light):
     with browser() as page:
         page.goto(light)

@@ -149,7 +149,8 @@ class BugBoard(Pictured, widgets.VBox):
         if not self.shows_code:
             return drawing
         walk = partial(BUGS[name][1], start, goal, obstacles, self.step, turn=self.turn.value)
-        return trace_bug(name, self._clock.tick, walk).draw_over(drawing)
+        tick = self._clock.tick
+        return drawing.completed_by(lambda: trace_bug(name, tick, walk).draw_over(drawing))
 
     def _plotted(self, _: Scene) -> Drawing:
         """The plot of the walks shown."""

@@ -167,8 +167,15 @@ class CarBoard(Framed):
         last = self.problem
         ends = poses_in(scene, last.robot, [(last.start, last.goal)])
         wrong = [q for q in ends if not is_free(last.robot, last.world, q, last.clearance)]
-        layers = [*self._drawing.layers, *draw_refused(last.robot, wrong)]
-        return replace(self._drawing, layers=layers, warning=reason, places=list_places(self._good))
+        refused, valid = draw_refused(last.robot, wrong), self._drawing
+        places = list_places(self._good)
+
+        def warn(drawing: Drawing) -> Drawing:
+            layers = [*drawing.layers, *refused]
+            return replace(drawing, layers=layers, warning=reason, places=places, whole=None)
+
+        whole = valid.whole
+        return warn(valid) if whole is None else warn(valid).completed_by(lambda: warn(whole()))
 
     def _plan(self, problem: Any) -> Plan:
         """The plan of the chosen planner for the problem, or for a recorder of it."""
@@ -182,17 +189,21 @@ class CarBoard(Framed):
         """
         layers, begin = draw_growth(self.problem.robot, plan)
         total, unit = growth_of(plan)
-        if self.code.value:
-            run = trace_car_planner(
-                self.planner.value, self.problem, self._plan, begin / max(total, 1)
-            )
-            ends = draw_ends(self.problem.robot, (self.problem.start, self.problem.goal))
+        problem, name, ride = self.problem, self.planner.value, make_ride(trajectory_of(plan))
+        drawing = self._ridden(ride, begin, layers, summary(plan, total), problem.start)
+
+        def describe_all() -> Drawing:
+            counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
+            shown = (f"{k * total // begin:,}" for k in range(begin))
+            texts = [get_message("figure.growing", shown=count, **counts) for count in shown]
+            return replace(drawing, step_texts=[*texts, *describe_ride(ride)[:-1]])
+
+        def show_lines() -> Drawing:
+            run = trace_car_planner(name, problem, self._plan, begin / max(total, 1))
+            ends = draw_ends(problem.robot, (problem.start, problem.goal))
             return run.draw_over(Drawing([*layers, *ends], text=summary(plan, total)))
-        counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
-        ride, shown = make_ride(trajectory_of(plan)), (k * total // begin for k in range(begin))
-        texts = [get_message("figure.growing", shown=f"{count:,}", **counts) for count in shown]
-        texts += [*describe_ride(ride)[:-1], summary(plan, total)]
-        return self._ridden(ride, begin, layers, texts, self.problem.start)
+
+        return drawing.completed_by(show_lines if self.code.value else describe_all)
 
     def _by_you(self) -> Drawing:
         """Draw what you have driven."""
@@ -203,10 +214,11 @@ class CarBoard(Framed):
         lines = [get_message("car_board.driven", **values)]
         lines += [get_message("car_board.contact")] if self._drive.stopped else []
         lines += [get_message("car_board.arrived")] if is_at_goal(self.problem, here) else []
-        return self._ridden(ride, 0, [], [*describe_ride(ride)[:-1], "\n".join(lines)], here)
+        drawing = self._ridden(ride, 0, [], "\n".join(lines), here)
+        return drawing.completed_by(lambda: replace(drawing, step_texts=describe_ride(ride)[:-1]))
 
     def _ridden(
-        self, ride: Ride, begin: int, grown: list[Layer], texts: list[str], here: Array
+        self, ride: Ride, begin: int, grown: list[Layer], text: str, here: Array
     ) -> Drawing:
         """Draw what has grown until step `begin`, and the ride that follows.
 
@@ -218,9 +230,8 @@ class CarBoard(Framed):
         layers += draw_ride(car, ride, begin, hit=hit)
         layers += [follow_car(car, ride, begin)] if self.view.value == "followed" else []
         places = [("handle", k, place) for k, place in enumerate(handle_places(car, *ends, here))]
-        *before, text = texts
-        drawing = Drawing(layers, text=text, total=len(before), unit=get_message("car_board.unit"))
-        return replace(drawing, step_texts=before, places=places)
+        total, unit = begin + len(ride.times) - 1, get_message("car_board.unit")
+        return Drawing(layers, text=text, total=total, unit=unit, places=places)
 
     def _dress(self) -> None:
         """Show the controls that apply to the chosen planner."""

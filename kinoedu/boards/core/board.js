@@ -35,10 +35,12 @@ const GROWTH = 4000;          // ms to play the whole growth
 const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
+const BATCH = 256;            // segments that are painted at once: very long paths take longer
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
 const NAMING = "[class^='ke-']", DIM = 0.2;   // words for things; the strength of the rest
+const READING = ["pointerover", "focusin", "focusout"];   // events at a word of the lesson
 const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
@@ -62,7 +64,9 @@ export default {
 const copy = (value) => JSON.parse(JSON.stringify(value));
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const BESIDE = [[10, -12], [10, 14], [-10, -12], [-10, 14]];   // the spots of a label at its point
-const SPOTS = [...BESIDE, [10, -28], [10, 30], [-10, -28], [-10, 30]];
+const SPOTS = [28, 44].reduce((spots, away) => [
+  ...spots, [10, -away], [10, away + 2], [-10, -away], [-10, away + 2],
+], BESIDE);
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
@@ -103,6 +107,12 @@ function make(tag, className, parent, attributes = {}) {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   parent?.append(element);
   return element;
+}
+
+// Let Tab reach the words of the page that name things, which may have come a moment ago.
+function offerWords({ key }) {
+  if (key !== "Tab") return;
+  document.querySelectorAll(`${NAMING}:not([tabindex])`).forEach((word) => { word.tabIndex = 0; });
 }
 
 // Copy text where a page may not use the clipboard by itself, as one without encryption.
@@ -161,7 +171,7 @@ class Board {
     this.open = 0;                                       // questions without an answer
     Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
-    Object.assign(this, { held: new Set(), ticking: 0 });
+    Object.assign(this, { held: new Set(), ticking: 0, completing: 0 });
     this.moved = new Map();                              // the things moved since the last question
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
@@ -169,7 +179,12 @@ class Board {
     this.model.send({ kind: "hello", from: this.id });
   }
 
-  stop() { this.pause(); this.release(); clearTimeout(this.timer); clearTimeout(this.resting); }
+  stop() {
+    this.pause();
+    this.release();
+    [this.timer, this.resting, this.completing].forEach(clearTimeout);
+  }
+
   changed() { this.views.forEach((view) => view.request()); }
 
   // the scene: the places of things, and moving them
@@ -252,6 +267,7 @@ class Board {
     things.forEach(({ kind, i }) => this.moved.set(`${kind}-${i}`, [kind, i]));
     this.seq += 1;
     this.pendingSince ??= performance.now();
+    clearTimeout(this.completing);
     this.ask(false);
     this.changed();
     clearTimeout(this.timer);
@@ -261,7 +277,14 @@ class Board {
   settle() {                             // after a release: store the scene when it is answered
     this.unkept = true;
     this.ask(true);
+    if (this.shown === this.seq) this.complete(0);
     this.keep();
+  }
+
+  complete(wait) {                       // ask for the whole of a brief drawing, after some ms
+    clearTimeout(this.completing);
+    if (!this.drawing.brief || this.drawing.refused) return;
+    this.completing = setTimeout(() => this.model.send({ kind: "hello", from: this.id }), wait);
   }
 
   keep() {
@@ -368,22 +391,26 @@ class Board {
   show(message, buffers) {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
-    const { listing, first, challenges = [] } = message, before = this.drawing;
+    const { listing, first, challenges = [], brief = false } = message, before = this.drawing;
     const scrubbed = before.listing && this.step < before.total;
     const refused = Boolean(warning) && layers.length === 0;   // the last good picture stays
     this.drawing = refused ? { ...before, warning, places, refused }
-      : { text, warning, layers, total, unit, stepTexts, places, listing, refused };
+      : { text, warning, layers, total, unit, stepTexts, places, listing, refused, brief };
     this.drawing.challenges = challenges;
+    // the lines stay beside the picture, though of before, until there are new ones
+    if (brief) Object.assign(this.drawing, { listing: before.listing });
+    if (brief && before.listing) this.drawing.total = before.total;
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
     this.put();
+    this.complete(this.unkept ? 0 : REST);
     this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;
     this.playing = null;
     if (!refused) {
-      const end = this.answers === 1 ? first ?? total : total;
-      this.step = scrubbed ? Math.min(this.step, total) : end;
+      const end = this.drawing.total, opened = this.answers === 1 ? first ?? end : end;
+      this.step = scrubbed ? Math.min(this.step, end) : opened;
     }
     this.emit("answered", seq);
     this.changed();
@@ -461,11 +488,11 @@ class Board {
   }
 
   text() {
-    const { text, warning, total, unit, stepTexts, listing, refused } = this.drawing;
+    const { text, warning, total, unit, stepTexts, listing, brief, refused } = this.drawing;
     if (this.isLate()) return this.words.thinking;
     if (refused) return warning;
-    if (this.step < total && listing) return this.lineText() || this.words.begin;
-    if (this.step < total && !warning) {
+    if (this.step < total && listing && !brief) return this.lineText() || this.words.begin;
+    if (this.step < total && !warning && !brief) {
       return stepTexts[this.step] ?? fill(this.words.growth, { shown: this.step, total, unit });
     }
     return warning || text;
@@ -495,7 +522,11 @@ class View {
     this.darkness = matchMedia("(prefers-color-scheme: dark)");
     this.darkness.addEventListener("change", this.redress = () => this.dress());
     this.word = null;                    // the colour that a word under the pointer names
-    document.addEventListener("pointerover", this.read = ({ target }) => this.light(target));
+    this.read = ({ type, target, relatedTarget }) => {
+      this.light(type === "focusout" ? relatedTarget : target);
+    };
+    READING.forEach((kind) => document.addEventListener(kind, this.read));
+    document.addEventListener("keydown", offerWords, true);
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(this.root);
     board.views.add(this);
@@ -506,7 +537,7 @@ class View {
     this.resizing.disconnect();
     this.theming.disconnect();
     this.darkness.removeEventListener("change", this.redress);
-    document.removeEventListener("pointerover", this.read);
+    READING.forEach((kind) => document.removeEventListener(kind, this.read));
     clearTimeout(this.speaking);
     this.board.views.delete(this);
   }
@@ -883,8 +914,8 @@ class View {
     this.emit("painted", board.shown);
   }
 
-  light(target) {                        // what a word names: <b class="ke-goal">
-    const name = target.closest?.(NAMING)?.classList[0].slice(3).replaceAll("-", "_") ?? null;
+  light(target) {                        // what a word names: <b class="ke-goal">goal</b>
+    const name = target?.closest?.(NAMING)?.classList[0].slice(3).replaceAll("-", "_") ?? null;
     const { drawing, scene } = this.board;
     const there = [...drawing.layers, ...scene.handles].some(({ colour }) => colour === name);
     const solids = name === "obstacle" && scene.polygons.length + scene.discs.length > 0;
@@ -904,7 +935,8 @@ class View {
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
     if (!this.grabs.size) this.look();   // the view does not move during a drag
-    const pale = board.isPale(), complete = board.step >= board.drawing.total;
+    const { brief, total } = board.drawing, pale = board.isPale();
+    const complete = brief || board.step >= total;
     const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
     const paint = (wanted) => {
       wanted.forEach((layer) => {
@@ -1090,10 +1122,15 @@ class View {
 
   paint_edges(layer) {
     const { pen, left, bottom } = this;
+    let segments = 0;
     pen.beginPath();
     this.eachRow(layer, 4, (px, py, x, y) => {
       pen.moveTo(px, py);
       pen.lineTo(left + x, bottom - y);
+      segments += 1;
+      if (segments % BATCH) return;
+      this.stroke(layer);
+      pen.beginPath();
     });
     this.stroke(layer);
   }
@@ -1181,7 +1218,7 @@ class View {
         const [x, y] = [px + dx, clamp(py + dy, 12, this.height - 12)];
         return { x, y, align, box: this.boxOf(text, x, y, align) };
       });
-      const inside = spots.filter(({ box }) => box[0] > 0 && box[2] < this.width);
+      const inside = spots.filter(({ box }) => box[0] > 3 && box[2] < this.width - 3);
       const best = inside.find(({ box }) => !this.taken.some((other) => overlap(box, other)));
       const { x, y, align, box } = best ?? inside[0] ?? spots[0];
       this.taken.push(box);
@@ -1202,7 +1239,7 @@ class View {
     const growth = fill(words.growth, { shown: step, total, unit });
     this.slider.setAttribute("aria-valuetext", growth);
     this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
-    const how = this.hint();
+    const how = drawing.brief ? this.how.textContent : this.hint();
     if (this.how.textContent !== how) this.how.textContent = how;
     this.storeState();
     const won = this.showGoals();
@@ -1229,9 +1266,9 @@ class View {
   storeState() {                         // the data- attributes of the board, for tests
     const { drawing, shown: seq, seq: newest, answers, stale, step, bitmaps } = this.board;
     const layers = drawing.layers.map((layer) => layer.kind).join(" ");
-    const { total, warning, refused } = drawing, { paints } = this;
+    const { total, warning, refused } = drawing, { paints } = this, word = this.word ?? "";
     Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps });
-    Object.assign(this.root.dataset, { total, paints, warning, refused });
+    Object.assign(this.root.dataset, { total, paints, warning, refused, word });
   }
 
   speakLater(text) {                     // read a text out once it has not changed for a while
@@ -1424,7 +1461,7 @@ class Pointer {
     const { view } = this, target = this.found();
     if (target) this.light(target);
     const text = target ? this.text(target) : this.meaning();
-    this.button.hidden = !this.layers().length;
+    if (!view.board.drawing.brief) this.button.hidden = !this.layers().length;
     view.root.dataset.pointed = text;
     this.tip.hidden = !text;
     if (this.tip.textContent !== text) this.tip.textContent = text;
@@ -1522,6 +1559,8 @@ class Code {
     const { board, root } = this.view, { listing, total } = board.drawing;
     root.classList.toggle("kinoedu-coded", Boolean(listing));
     if (!listing) return;
+    this.panel.classList.toggle("kinoedu-past", board.drawing.brief);
+    if (board.drawing.brief) return;
     if (!same(listing.lines, this.shown?.lines)) this.write(listing);
     this.shown = listing;
     const ran = new Set(listing.ran), now = board.line();

@@ -10,12 +10,15 @@ The messages between the two halves:
                 {kind: "keys", from, seq, held: ["ArrowUp", ...]}
                     sent repeatedly while arrow keys are held on a driven handle
                 {kind: "code", from}
-    from Python {kind: "drawing", to, seq, took, text, warning, total, unit, step_texts, listing,
-                 first, places, layers, challenges} and a buffer of float32 for each layer
+    from Python {kind: "drawing", to, seq, took, brief, text, warning, total, unit, step_texts,
+                 listing, first, places, layers, challenges} and a buffer of float32 for each layer
                 {kind: "code", to, text}
                     the board as Python code, which the page copies
                 {kind: "note", text}
                     the reason why an answer takes long
+
+A scene or keys are answered by a brief drawing, as at its last step; "hello" by the whole one, for
+which a page asks again when everything is at rest.
 
 `from` and `to` name a page, because several pages may show one widget. A drawing without `to` and
 `seq` is for all pages. When something was let go and the answer has arrived, the page writes its
@@ -27,7 +30,6 @@ from __future__ import annotations
 import base64
 import logging
 import threading
-import time
 import uuid
 from collections.abc import Callable
 from copy import deepcopy
@@ -43,10 +45,11 @@ from ...figures import palette
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from .challenge import Posed
-from .drawing import Drawing, encode_drawing
+from .drawing import Drawing
 from .printed import Bitmap, fit_page, print_board
 from .recorded import RECORD, pack_records, record_drawing
-from .scene import Scene, arrange_like, frame_of, list_places, move_parts
+from .reply import Message, Reply
+from .scene import Scene, arrange_like, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
 
@@ -124,7 +127,6 @@ class Canvas(anywidget.AnyWidget):
         self.challenges: Posed | None = None
         kind: Any = np.uint8 if "colours" in scene else np.bool_
         self._free = None if free is None else np.asarray(free, kind)
-        self.drawing = Drawing()
         self._shown = {**scene, "size": None if self._free is None else list(self._free.shape)}
         super().__init__(
             key=uuid.uuid4().hex,
@@ -143,7 +145,7 @@ class Canvas(anywidget.AnyWidget):
         """Answer the same scene again, after something else changed, and show it on every page."""
         with _answering:
             self._draw()
-            self._show(None, None)
+            self._show(None, None, self._reply.whole)
 
     def arrange(self, scene: Scene) -> None:
         """Move all parts to their places in another scene, answer it, and show it on every page.
@@ -153,8 +155,9 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             self._shown = scene
             self._draw()
-            self._content["places"] = [list(part) for part in list_places(scene)]
-            self._show(None, None)
+            content, buffers = self._reply.brief
+            places = [list(part) for part in list_places(scene)]
+            self._show(None, None, Message({**content, "places": places}, buffers))
             self.scene = scene  # last, because a page that has the places sends no question
 
     def set_bitmap(self, bitmap: Bitmap | None) -> None:
@@ -190,62 +193,47 @@ class Canvas(anywidget.AnyWidget):
         page, seq = message["from"], message.get("seq")
         with _answering:
             if message.get("kind") == "hello":
-                self._show(page, None)
+                self._show(page, None, self._reply.whole)
             elif message.get("kind") == "code" and self._code is not None:
                 self.send({"kind": "code", "to": page, "text": self._code()})
             elif message.get("kind") == "scene" and isinstance(seq, int):
-                try:
-                    self._move(message.get("moved"))
-                except KinoeduError as error:
-                    self._show(page, seq, warning=str(error))
-                else:
-                    self._show(page, seq)
+                self._show(page, seq, self._move(message.get("moved")))
             elif message.get("kind") == "keys" and isinstance(seq, int) and self._drive is not None:
                 held = message.get("held")
                 keys = held if isinstance(held, list) else []
                 self._drive({key for key in ARROWS if key in keys})
                 self._draw()
-                self._show(page, seq)
+                self._show(page, seq, self._reply.brief)
 
-    def _move(self, parts: object) -> None:
-        """Move parts of the scene and answer it, unless nothing changed."""
-        scene = move_parts(self._shown, parts)
+    def _move(self, parts: object) -> Message:
+        """Move parts of the scene and answer it, unless nothing changed; or say why not."""
+        try:
+            scene = move_parts(self._shown, parts)
+        except KinoeduError as error:
+            warning = Drawing(warning=str(error))
+            return Reply(lambda: warning, self._shown).brief
         if scene != self._shown:
             self._shown = scene
             self._draw()
+        return self._reply.brief
 
     def _draw(self) -> None:
-        """Answer the scene, or show what is wrong with it.
-
-        An unexpected exception of the answer is shown as a warning and logged, not raised.
-        """
-        began = time.perf_counter()
-        try:
-            self._keep(self._answer(self._shown))
-        except KinoeduError as error:
-            self._keep(Drawing(warning=str(error)))
-        except Exception as error:
-            log.exception("a board could not answer")
-            warning = get_message("board.failed", error=f"{type(error).__name__}: {error}")
-            self._keep(Drawing(warning=warning))
+        """Answer the scene, or show what is wrong with it."""
+        self._reply = Reply(lambda: self._answer(self._shown), self._shown)
+        self._shown = move_parts(self._shown, self._reply.brief.content["places"])
         if self.challenges is not None:
             self.challenges.judge()
-            self._content["challenges"] = self.challenges.answers
-        self._content["took"] = 1e3 * (time.perf_counter() - began)
 
-    def _keep(self, drawing: Drawing) -> None:
-        """Keep a drawing and the message that carries it."""
-        self._content, self._buffers = encode_drawing(drawing, *frame_of(self._shown))
-        self._shown = move_parts(self._shown, self._content["places"])
-        self.drawing = drawing
+    def _show(self, page: str | None, seq: int | None, message: Message) -> None:
+        """Send a drawing to one page or to all."""
+        posed = [] if self.challenges is None else self.challenges.answers
+        content = {**message.content, "challenges": posed}
+        self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=message.buffers)
 
-    def _show(self, page: str | None, seq: int | None, *, warning: str = "") -> None:
-        """Send the drawing, or a warning in its place, to one page or to all."""
-        content, buffers = self._content, self._buffers
-        if warning:
-            content, buffers = encode_drawing(Drawing(warning=warning), self._shown["lo"], 1.0)
-            content |= {"took": 0.0, "challenges": self._content.get("challenges", [])}
-        self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=buffers)
+    @property
+    def drawing(self) -> Drawing:
+        """The answer shown now."""
+        return self._reply.drawing
 
     @property
     def shown(self) -> Scene:
@@ -259,7 +247,7 @@ class Canvas(anywidget.AnyWidget):
     def record(self) -> list[JsonObject]:
         """The board as it is now, for pages without a kernel."""
         bitmap = base64.b64encode(pack_bitmap(self._free)).decode("ascii")
-        drawing = record_drawing(self._content, self._buffers)
+        drawing = record_drawing(*self._reply.whole)
         live = {} if self.live is None else {"live": self.live}
         return [{"scene": self._shown, "bitmap": bitmap, "team": 0, **drawing, **live}]
 

@@ -7,8 +7,8 @@ names in `kinoedu.figures.palette`, in small letters.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -60,6 +60,17 @@ class Layer(NamedTuple):
         """How many points begin each row."""
         return POINTS.get(self.kind, self.rows.shape[1] // 2)
 
+    def at(self, step: int) -> Layer:
+        """The layer as it is seen at a step, without notes; it does not grow."""
+        there = np.ones(len(self.rows), np.bool_)
+        if self.when is not None:
+            there &= self.when <= step
+        if self.until is not None:
+            there &= self.until > step
+        texts = tuple(text for text, is_there in zip(self.texts, there) if is_there)
+        seen = self._replace(rows=self.rows[there], texts=texts, when=None, until=None)
+        return seen._replace(says=(), names=(), notes=None)
+
 
 @dataclass(frozen=True, eq=False)
 class Drawing:
@@ -78,6 +89,8 @@ class Drawing:
     first : the step that is shown at first; None for the last one.
     places : where the answer moves things, each (kind, number, coordinates) as in `move_parts`;
         things that are being dragged are not moved.
+    whole : makes the same drawing with all that only scrubbing and pointing need, where that takes
+        long. It is called when nothing is dragged any more.
     """
 
     layers: Sequence[Layer] = ()
@@ -89,6 +102,19 @@ class Drawing:
     listing: Listing | None = None
     first: int | None = None
     places: Sequence[tuple[str, int, Any]] = ()
+    whole: Callable[[], Drawing] | None = None
+
+    def at_end(self) -> Drawing:
+        """The drawing as it is seen at its last step; itself where that is all, or has code."""
+        if self.total == 0 or self.listing is not None:
+            return self
+        seen = [one if one.kind == "eye" else one.at(self.total) for one in self.layers]
+        layers = [layer for layer in seen if layer.kind != "nodes"]
+        return replace(self, layers=layers, step_texts=())
+
+    def completed_by(self, whole: Callable[[], Drawing]) -> Drawing:
+        """This drawing while something is dragged, and another one when nothing is."""
+        return replace(self, whole=whole)
 
     @property
     def message(self) -> str:

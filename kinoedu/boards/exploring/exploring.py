@@ -91,13 +91,14 @@ class ExploringBoard(Framed):
         problem = problem_in(scene, self._given)
         given = {"reach": self.reach.value, "horizon": self.horizon.value, "rng": self.seed.value}
 
-        def explore(_: object) -> None:
-            for look in receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60):
-                self.looks.append(look)
+        def explore(_: object = None) -> list[Look]:
+            return list(receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60))
 
-        run = trace_lines(receding_horizon_looks, LOOK, explore) if self.code.value else None
-        if run is None:
-            explore(None)
+        self.looks = explore()
         self.plan = plan_from_looks(problem, self.looks)
         drawing = draw_exploration(self.plan, self.looks)
-        return drawing if run is None else run.draw_over(drawing)
+        if not self.code.value:
+            return drawing
+        return drawing.completed_by(
+            lambda: trace_lines(receding_horizon_looks, LOOK, explore).draw_over(drawing)
+        )

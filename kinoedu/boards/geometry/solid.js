@@ -41,6 +41,7 @@ class Solid {
     this.theta = model.get("theta");
     this.place = model.get("place");
     this.sent = null;                    // when the open question was sent; null without one
+    this.asked = 0;                      // questions so far
     Object.assign(this, { azimuth: -1.05, height: 0.42, zoom: 1, paints: 0, queued: false });
     this.points = array(Float32Array, model.get("vertices"));
     this.faces = array(Uint32Array, model.get("faces"));
@@ -67,6 +68,7 @@ class Solid {
 
   receive() {                            // the answer to the open question has come
     this.sent = null;
+    this.emit("answered", this.asked);
     this.ask();
     this.request();
   }
@@ -177,8 +179,13 @@ class Solid {
     if (this.sent !== null && performance.now() - this.sent < WAIT) return;
     if (model.get("theta") === theta && same(model.get("place"), place)) return;
     this.sent = performance.now();
+    this.emit("sent", this.asked += 1);
     model.set({ theta, place });
     model.save_changes();
+  }
+
+  emit(name, detail) {
+    this.root.dispatchEvent(new CustomEvent(`kinoedu-${name}`, { detail, bubbles: true }));
   }
 
   request() {
@@ -219,6 +226,7 @@ class Solid {
     const { text, theta } = this.model.get("section");
     if (this.text.textContent !== text) this.text.textContent = text;
     this.paints += 1;
+    this.emit("painted", this.asked);
     Object.assign(this.root.dataset, { paints: this.paints, theta, azimuth, zoom });
   }
 

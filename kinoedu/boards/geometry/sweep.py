@@ -92,7 +92,10 @@ class SweepBoard(Pictured, widgets.HBox):
         self._x = float(place_of(scene, get_message("sweep_board.line"))[0])
         shown = self._cut(scene, self._x)
         self.status.value = list_status(shown.status.ravel().astype(int).tolist())
-        return self._with_code(scene) if self.code.value else draw(shown)
+        drawing = draw(shown)
+        if not self.code.value:
+            return drawing
+        return drawing.completed_by(lambda: self._with_code(scene))
 
     def _cut(self, scene: Scene, x: float) -> ShownSweep:
         """The sweep up to x, as it is shown in a scene."""

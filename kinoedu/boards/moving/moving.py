@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -131,17 +132,16 @@ class MovingBoard(Framed):
             times = {"time": f"{plan.cost:.3g}", "waited": f"{waiting_time(plan.path):.3g}"}
             text = get_message("moving_board.there", **times)
             layers += draw_path(problem.robot, plan.path, moments)
-        texts = [
-            get_message(
-                f"moving_board.{'waits' if waits_at(plan.path, t) else 'now'}", time=f"{t:.2f}"
+        drawing = Drawing(layers, text=text, total=STEPS, unit=get_message("moving_board.unit"))
+        if not self.code.value:
+            return drawing.completed_by(
+                lambda: replace(drawing, step_texts=describe_moments(plan.path, moments[:-1]))
             )
-            for t in moments[:-1]
-        ]
-        if self.code.value:
-            run = trace_lines(search_intervals, LOOK, lambda _: call())
-            return run.draw_over(Drawing(layers, text=text))
-        unit = get_message("moving_board.unit")
-        return Drawing(layers, text=text, total=STEPS, unit=unit, step_texts=texts)
+        return drawing.completed_by(
+            lambda: trace_lines(search_intervals, LOOK, lambda _: call()).draw_over(
+                Drawing(layers, text=text)
+            )
+        )
 
     def _problem_in(self, scene: Scene) -> TimedProblemRecord:
         """The given problem with everything where the scene has it, at the speed chosen."""
@@ -150,6 +150,13 @@ class MovingBoard(Framed):
         ends = place_of(scene, START), place_of(scene, GOAL)
         limits = {"horizon": given.horizon, "clearance": given.clearance}
         return TimedProblem(given.robot, world, *ends, speed=self.speed.value, **limits)
+
+
+def describe_moments(path: Array | None, moments: Array) -> list[str]:
+    """The time at each moment, and whether the robot waits, in words."""
+    keys = ["waits" if waits_at(path, t) else "now" for t in moments.tolist()]
+    times = [f"{t:.2f}" for t in moments.tolist()]
+    return [get_message(f"moving_board.{key}", time=time) for key, time in zip(keys, times)]
 
 
 def draw_movers(world: MovingWorldRecord, moments: Array) -> list[Layer]:

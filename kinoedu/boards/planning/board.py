@@ -132,20 +132,35 @@ class Board(Framed):
         problem = problem_in(scene, self._given)
         seed, self.problem = self.seed.value, problem
         if self.planner.value == OWN and self._own is not None:
-            ours = rrt(problem, step_size=self.step_size.value, rng=seed)
-            run = CodeRun(self._own, Look()) if self.code.value else None
-            tried = self._stuck or try_planner(self._own, problem, seed, run=run)
-            self._stuck = tried if tried.still_running else None
-            self.plan = tried
-            return draw_attempt(tried, ours, run)
+            return self._draw_own(self._own, problem, seed)
         planner = ON_BOARD[self.planner.value]
         given = self._settings()
         settings = {name: given[name] for name in planner.board or ()}
-        self.plan = planner.plan(problem, seed=seed, **settings)
-        if self.code.value and planner.name in CODE:
-            call = partial(planner.plan, seed=seed, **settings)
-            return draw_lines_of(self.plan, trace_planner(planner.name, problem, call))
-        return draw_plan(self.plan)
+        plan = self.plan = planner.plan(problem, seed=seed, **settings)
+        drawing = draw_plan(plan)
+        if not (self.code.value and planner.name in CODE):
+            return drawing
+        call = partial(planner.plan, seed=seed, **settings)
+        return drawing.completed_by(
+            lambda: draw_lines_of(plan, trace_planner(planner.name, problem, call))
+        )
+
+    def _draw_own(
+        self, planner: Callable[..., object], problem: ProblemRecord, seed: int
+    ) -> Drawing:
+        """Try a reader's planner, and draw its questions and its path beside our RRT's."""
+        ours = rrt(problem, step_size=self.step_size.value, rng=seed)
+
+        def attempt(run: CodeRun | None) -> Drawing:
+            tried = self._stuck or try_planner(planner, problem, seed, run=run)
+            self._stuck = tried if tried.still_running else None
+            self.plan = tried
+            return draw_attempt(tried, ours, run)
+
+        drawing = attempt(None)
+        if not self.code.value:
+            return drawing
+        return drawing.completed_by(lambda: attempt(CodeRun(planner, Look())))
 
     def write_code(self) -> str:
         """Python code for this board as it is now: the problem, the planner and the settings."""

@@ -1,6 +1,8 @@
 """Planners on a board: the scene of a problem, the problem of a scene, the drawing of a plan."""
 
+import json
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -108,12 +110,17 @@ def problem_in(scene: Scene, problem: ProblemRecord) -> ProblemRecord:
 
 def world_in(scene: Scene) -> PolygonWorldRecord:
     """The world of a scene's obstacles within its boundary, or InvalidPolygon."""
-    solids: list[Any] = [
-        (rings[0], rings[1:]) if rings[1:] else rings[0]
-        for rings in (p["rings"] for p in scene["polygons"])
-    ]
-    discs = [(d["at"], d["radius"]) for d in scene["discs"]]
-    return PolygonWorld(scene["boundary"], solids + discs)
+    rings = [item["rings"] for item in scene["polygons"]]
+    discs = [(item["at"], item["radius"]) for item in scene["discs"]]
+    return build_world(json.dumps([scene["boundary"], rings, discs]))
+
+
+@lru_cache(maxsize=4)  # most drags move a start or a goal: then the world is the same
+def build_world(parts: str) -> PolygonWorldRecord:
+    """The world of a boundary, the rings of polygons, and discs, given as JSON."""
+    boundary, polygons, discs = json.loads(parts)
+    solids: list[Any] = [(rings[0], rings[1:]) if rings[1:] else rings[0] for rings in polygons]
+    return PolygonWorld(boundary, solids + discs)
 
 
 def draw_plan(plan: Plan) -> Drawing:

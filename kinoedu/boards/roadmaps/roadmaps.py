@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -126,11 +127,12 @@ class RoadmapBoard(Framed):
         """Plan in a scene with the settings of the controls, and draw the roadmap."""
         problem = problem_in(scene, self._given)
         call: Any = partial(prm, **self.controls.given)
-        self.plan = call(problem)
-        if self.code.value:
-            name = "prm_components" if self.controls.rule.value == "component" else "prm"
-            return draw_lines_of(self.plan, trace_planner(name, problem, call))
-        return draw_growing_roadmap(self.plan)
+        plan = self.plan = call(problem)
+        drawing = draw_growing_roadmap(plan)
+        if not self.code.value:
+            return drawing
+        name = "prm_components" if self.controls.rule.value == "component" else "prm"
+        return drawing.completed_by(lambda: draw_lines_of(plan, trace_planner(name, problem, call)))
 
     def _changed(self, change: object) -> None:
         self.controls.dress()
@@ -142,13 +144,14 @@ def draw_growing_roadmap(plan: Plan) -> Drawing:
     roadmap = plan.roadmap
     n = len(roadmap.nodes)
     layers, unit = draw_nodes_and_edges(roadmap), get_message("roadmap_board.unit")
-    *texts, counts = describe_steps(roadmap)
+    counts = describe_counts(roadmap)
     if plan.path is None:
         text = get_message("roadmap_board.failed", reason=plan.reason, counts=counts)
     else:
         layers.append(path(plan.path, "path"))
         text = get_message("roadmap_board.found", length=f"{plan.cost:.4g}", counts=counts)
-    return Drawing(layers, text=text, total=2 * n, unit=unit, step_texts=texts)
+    last = Drawing(layers, text=text, total=2 * n, unit=unit)
+    return last.completed_by(lambda: replace(last, step_texts=describe_steps(roadmap)))
 
 
 def draw_nodes_and_edges(roadmap: Roadmap) -> list[Layer]:
@@ -163,7 +166,7 @@ def draw_nodes_and_edges(roadmap: Roadmap) -> list[Layer]:
 
 
 def describe_steps(roadmap: Roadmap) -> list[str]:
-    """The nodes, edges and components at each step, in words; at the last step the counts."""
+    """The nodes, edges and components at each step before the last, in words."""
     n = len(roadmap.nodes)
     # Each message is looked up once; its numbers are filled in afterwards.
     blanks = {name: f"{{{name}}}" for name in ("joined", "edges", "components")}
@@ -176,6 +179,12 @@ def describe_steps(roadmap: Roadmap) -> list[str]:
         joined.format(joined=f"{k:,}", edges=f"{m:,}", components=f"{c:,}")
         for k, (m, c) in enumerate(zip(so_far.tolist(), components.tolist(), strict=True), start=1)
     ]
-    counts = {"edges": f"{len(roadmap.edges):,}", "components": f"{components[-1]:,}"}
-    texts[-1] = get_message("roadmap_board.counts", n=f"{n:,}", **counts)
-    return texts
+    return texts[:-1]
+
+
+def describe_counts(roadmap: Roadmap) -> str:
+    """The nodes, edges and components of a roadmap, in words."""
+    n, edges = len(roadmap.nodes), len(roadmap.edges)
+    components = count_components(n, roadmap.edges)[-1]
+    counts = {"edges": f"{edges:,}", "components": f"{components:,}"}
+    return get_message("roadmap_board.counts", n=f"{n:,}", **counts)

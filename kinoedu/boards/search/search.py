@@ -91,7 +91,9 @@ class SearchBoard(Framed):
         drawing = draw_search(name, self.ground, graph, self.ends, here, guess)
         if not self.code.value:
             return drawing
-        return trace_search(name, graph, self.ends, guess).draw_over(drawing)
+        return drawing.completed_by(
+            lambda: trace_search(name, graph, (start, goal), guess).draw_over(drawing)
+        )
 
     @property
     def moments(self) -> list[Expansion]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from inspect import CO_GENERATOR
@@ -37,6 +38,7 @@ from .variables import (
 )
 
 Draw = Callable[[dict[str, Any]], Iterable[Layer]]
+SECONDS = 1.0  # of processor time for the lines of one of this library's functions
 FEW = 3  # questions of a line that are drawn thick
 COLOURS = ("tree", "path", "hit", "robot", "roadmap")  # of variables, in the order they appear
 
@@ -103,6 +105,7 @@ class CodeRun:
         self.progress = compile_expressions({"step": look.progress} if look.progress else {})
         self.log = FirstQuestions()
         self.trace = LineTrace(function, self.note, most=look.most, ends=ends)
+        self.over = time.thread_time() + SECONDS if ends else float("inf")
 
     def record(self, problem: ProblemRecord) -> Recorder:
         """A recorder of a problem, whose questions are drawn."""
@@ -111,7 +114,9 @@ class CodeRun:
         return recorder
 
     def note(self, local: dict[str, Any], names: dict[str, Any]) -> Note:
-        """What is kept after a line."""
+        """What is kept after a line; when the time is over, it is the last one."""
+        if time.thread_time() > self.over:
+            self.trace.most = len(self.trace.moments)
         names = {**names, **self.look.names}
         seen = {name: value for name, value in local.items() if name not in self.look.hidden}
         values = {**seen, **evaluate(self.points, local, names)}
@@ -178,7 +183,8 @@ class CodeRun:
     def describe(self) -> str:
         """What the run came to, in words."""
         if self.trace.is_cut:
-            return get_message("board.code.cut", name=self.name, most=f"{self.look.most:,}")
+            kept = f"{len(self.trace.moments):,}"
+            return get_message("board.code.cut", name=self.name, most=kept)
         last = self.trace.moments[-1] if self.trace.moments else None
         if last is None or last.ending in ("", RAISED):
             return get_message("board.code.raised", name=self.name)
@@ -194,6 +200,8 @@ def trace_lines(
     *callers: Callable[..., object],
 ) -> CodeRun:
     """The first lines of one of this library's functions in a call, which ends after them.
+
+    Those of the first SECONDS: without machine code a line may take long.
 
     Parameters
     ----------

@@ -1,5 +1,6 @@
 """The tree of RRT* at each step, drawn so that it can be scrubbed: one step is one node."""
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -130,16 +131,22 @@ def find_near_pairs(log: Rewirings) -> NDArray[np.int64]:
     return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
 
 
-def describe_steps(log: Rewirings, near: NDArray[np.int64], costs: list[float]) -> list[str]:
-    """What happens at each step, in words."""
+def describe_steps(
+    log: Rewirings, near: NDArray[np.int64], costs: list[float], steps: Iterable[int]
+) -> list[str]:
+    """What happens at some steps, in words."""
     n = len(log.radius)
     count = np.bincount(near[:, 0], minlength=n).tolist()
     rewired = np.bincount(log.created_at[log.node != log.created_at], minlength=n).tolist()
     new = log.node == log.created_at
     parent = dict(zip(log.node[new].tolist(), log.parent[new].tolist(), strict=True))
-    texts = ["", get_message("rewiring_board.root")]
-    for node in range(1, n):
-        cost, values = costs[node + 1], {"node": node, "parent": parent[node]}
+    texts = []
+    for step in steps:
+        node, cost = step - 1, costs[step]
+        if node < 1:
+            texts.append(get_message("rewiring_board.root") if node == 0 else "")
+            continue
+        values = {"node": node, "parent": parent[node]}
         way = get_message("rewiring_board.no_way")
         if np.isfinite(cost):
             way = get_message("rewiring_board.way", cost=f"{cost:.4g}")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from ...messages import get_message
 from ...planners.problem_input import world_size
-from ...planners.trees.rewiring import rrt_star_rewirings
+from ...planners.trees.rewiring import Rewirings, rrt_star_rewirings
 from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
 from ..core.drawing import Drawing
@@ -80,12 +81,24 @@ class RewiringBoard(Framed):
         problem = problem_in(scene, self._given)
         given: dict[str, Any] = {"max_nodes": self.nodes.value, "step_size": self.step_size.value}
         call: Any = partial(rrt_star_rewirings, **given, rng=self.seed.value)
-        self.plan, self.rewirings = call(problem)
-        if self.code.value:
-            return draw_lines_of(self.plan, trace_planner("rrt_star", problem, call))
-        log = self.rewirings
-        n, paths, near = len(log.nodes), find_paths_to_goal(log), find_near_pairs(log)
-        *texts, text = describe_steps(log, near, costs_at(paths, n))
-        layers = [draw_tree_history(log), *draw_paths(paths), *draw_moments(log, near)]
-        unit = get_message("rewiring_board.unit")
-        return Drawing(layers, text=text, total=n, unit=unit, step_texts=texts)
+        plan, self.rewirings = call(problem)
+        self.plan = plan
+        drawing = draw_rewirings(self.rewirings)
+        if not self.code.value:
+            return drawing
+        return drawing.completed_by(
+            lambda: draw_lines_of(plan, trace_planner("rrt_star", problem, call))
+        )
+
+
+def draw_rewirings(log: Rewirings) -> Drawing:
+    """The tree of RRT* at each step; at the last one also while something is dragged."""
+    n, paths, near = len(log.nodes), find_paths_to_goal(log), find_near_pairs(log)
+    costs = costs_at(paths, n)
+    layers = [draw_tree_history(log), *draw_paths(paths), *draw_moments(log, near)]
+    about: Any = {"total": n, "unit": get_message("rewiring_board.unit")}
+    (text,) = describe_steps(log, near, costs, [n])
+    last = Drawing(layers, text=text, **about)
+    return last.completed_by(
+        lambda: replace(last, step_texts=describe_steps(log, near, costs, range(n)))
+    )

@@ -1,0 +1,120 @@
+"""Boards answer briefly while something is dragged, and wholly when it rests."""
+
+import numpy as np
+import pytest
+from test_board import walled
+
+from kinoedu.boards import Canvas, Drawing, board, rewiring_board
+from kinoedu.boards.core.drawing import dots, edges, labels, nodes
+from kinoedu.boards.core.notes import note, with_notes
+from kinoedu.boards.core.scene import handle, make_scene
+from kinoedu.boards.tracing import code_run
+
+
+def hear(canvas):
+    """The messages that a canvas sends from now on, with their buffers."""
+    heard = []
+    canvas.send = lambda content, buffers=(): heard.append((content, buffers))
+    return heard
+
+
+def drag_goal(canvas, x, y):
+    """Move the second handle, as a page does."""
+    moved = [["handle", 1, [x, y]]]
+    canvas._received(None, {"kind": "scene", "from": "page", "seq": 1, "moved": moved}, [])
+
+
+def come_to_rest(canvas):
+    canvas._received(None, {"kind": "hello", "from": "page"}, [])
+
+
+def two_points():
+    """A scene of two handles."""
+    handles = [handle(name, (k, k), colour="start") for k, name in enumerate("qp")]
+    return make_scene((0, 0), (9, 9), handles=handles)
+
+
+def growing_layers():
+    """One that grows, one whose rows disappear, texts, and rows that only say something."""
+    rows = np.arange(8.0).reshape(4, 2)
+    tree = edges(rows.reshape(2, 2, 2), "tree", when=[1, 3])
+    return [
+        with_notes(tree, note("node", node=None), node=[1, 2], parent=[0, 1]),
+        dots(rows, "ink", when=[0, 1, 2, 3], until=[1, 2, 3, 4]),
+        labels(rows[:2], ["then", "now"], "ink", when=[0, 3], until=[3, 9]),
+        nodes(rows, when=[0, 1, 2, 3]),
+    ]
+
+
+def test_the_end_of_a_drawing_is_its_last_step():
+    """What has disappeared, notes and earlier texts are left out."""
+    drawing = Drawing(growing_layers(), total=3, step_texts=["a", "b", "c"], text="there")
+    end = drawing.at_end()
+    assert [layer.kind for layer in end.layers] == ["edges", "dots", "labels"]
+    assert [len(layer.rows) for layer in end.layers] == [2, 1, 1]
+    assert end.layers[2].texts == ("now",) and end.layers[0].says == ()
+    assert all(layer.when is None and layer.until is None for layer in end.layers)
+    assert (end.text, end.total, list(end.step_texts)) == ("there", 3, [])
+
+
+def test_a_drawing_without_steps_is_answered_once():
+    """There is nothing to ask for when it rests."""
+    canvas = Canvas(two_points(), lambda _: Drawing([dots([[1, 1]], "tree")]))
+    heard = hear(canvas)
+    drag_goal(canvas, 3.0, 3.0)
+    assert [content["brief"] for content, _ in heard] == [False]
+
+
+def test_a_drag_is_answered_briefly_and_a_rest_wholly():
+    made = rewiring_board(walled(), nodes=60, step_size=1.0)
+    heard = hear(made.canvas)
+    drag_goal(made.canvas, 9.0, 2.0)
+    come_to_rest(made.canvas)
+    (brief, few), (whole, many) = heard
+    assert brief["brief"] and not whole["brief"]
+    assert brief["text"] == whole["text"] and brief["total"] == whole["total"]
+    assert not brief["step_texts"] and len(whole["step_texts"]) == whole["total"]
+    assert 5 * sum(map(len, few)) < sum(map(len, many))
+    assert made.canvas.drawing.step_texts[-1] != made.canvas.drawing.text
+
+
+def test_lines_are_traced_only_at_rest(monkeypatch):
+    """While the goal is dragged machine code answers alone."""
+    made = board(walled(), step_size=0.5)
+    made.code.value = True
+    traced = []
+    monkeypatch.setattr(
+        code_run.CodeRun, "draw_over", lambda run, drawing: traced.append(run) or drawing
+    )
+    hear(made.canvas)
+    drag_goal(made.canvas, 9.0, 2.0)
+    drag_goal(made.canvas, 9.0, 3.0)
+    assert not traced
+    come_to_rest(made.canvas)
+    come_to_rest(made.canvas)
+    assert len(traced) == 1
+
+
+@pytest.mark.parametrize("seconds", [0.0, 1e9])
+def test_tracing_has_a_budget_of_time(monkeypatch, seconds):
+    """Without time one line is kept; the text says how many are."""
+    monkeypatch.setattr(code_run, "SECONDS", seconds)
+    made = board(walled(), step_size=0.5)
+    made.code.value = True
+    drawing = made.canvas.drawing
+    kept = len(drawing.listing.ran)
+    assert kept == 1 if seconds == 0.0 else kept > 100
+    assert ("the first 1 line" in drawing.text) == (seconds == 0.0)
+
+
+def test_what_fails_at_rest_is_shown():
+    """An exception of the part that makes the whole becomes a warning."""
+
+    def fail():
+        raise ZeroDivisionError("nothing is left")
+
+    canvas = Canvas(two_points(), lambda _: Drawing(total=2, text="quick").completed_by(fail))
+    heard = hear(canvas)
+    drag_goal(canvas, 3.0, 3.0)
+    come_to_rest(canvas)
+    assert heard[0][0]["warning"] == "" and "nothing is left" in heard[1][0]["warning"]
