@@ -5,6 +5,7 @@ judged.
 import atexit
 import time
 from collections.abc import Callable
+from ctypes import c_double, c_int64
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -12,6 +13,7 @@ import numpy as np
 import shapely
 from grading import HOUSE, NAME, SECRET, processor
 from grid import graph_of
+from ruler import compile_c, pointer
 from scipy.sparse.csgraph import dijkstra
 from timing import Missing
 from trapezoids import stars
@@ -74,6 +76,20 @@ def rrt(n: int) -> Task:
         assert free_motions(problem.robot, problem.world, a, b).all()
 
     return Task(n, lambda: ke.rrt(problem, step_size=STEP, max_nodes=n, rng=0), judge)
+
+
+def random_reads(n: int) -> Task:
+    """For each node four queries of two reads each in C: a bucket of 64 bytes, and its node."""
+    library = compile_c("random_reads")
+    library.read_at_random.restype = c_double
+    rng, nodes = np.random.default_rng(0), np.random.default_rng(1).random((n, 2))
+    buckets = np.repeat(rng.permutation(n), 8)  # each as long as a line of a cache
+    arrays, sizes = (pointer(buckets), pointer(nodes)), (c_int64(n), c_int64(4 * n))
+
+    def judge(total: float) -> None:
+        assert abs(total / (4 * n) - nodes[:, 0].mean()) < 0.05
+
+    return Task(n, lambda: library.read_at_random(*arrays, *sizes), judge)
 
 
 def prm(n: int) -> Task:
@@ -181,6 +197,7 @@ GROWTHS = {
     "nearest neighbours": Growth("points", 2**10, "1", neighbours),
     "RRT": Growth("nodes", 2**10, "1 to 1.5", rrt),
     "RRT, a million nodes": Growth("nodes", 2**17, "1 to 1.5", rrt),  # four sizes, up to 2**20
+    "random reads": Growth("nodes", 2**17, "1", random_reads),
     "PRM": Growth("nodes", 2**8, "1", prm),
     "visibility roadmap": Growth("corners", 6 * 2**3, "2, by log n", visibility),
     "trapezoidation": Growth("edges", 6 * 2**4, "1, by log n", trapezoids),

@@ -27,7 +27,7 @@ from kinoedu.graphs import (
 from kinoedu.graphs.bfs import search_breadth_first
 from kinoedu.graphs.components import label_components
 from kinoedu.graphs.dfs import search_depth_first
-from kinoedu.graphs.search import search
+from kinoedu.graphs.search import new_labels, search
 
 graphs = st.integers(1, 12).flatmap(
     lambda n: st.tuples(
@@ -108,11 +108,13 @@ def test_interpreted_search_is_the_same():
     rng = np.random.default_rng(0)
     for directed in (False, True):
         graph = Graph(60, rng.integers(0, 60, (150, 2)), rng.random(150), directed=directed).flat()
-        calls = [
-            (search, (graph, 0, -1, np.zeros(60))),
-            (search, (graph, 0, 7, rng.random(60))),
-            (label_components, (graph, 60)),
-        ]
+        for goal, heuristic in ((-1, np.zeros(60)), (7, rng.random(60))):
+            fast, slow = (
+                (*run(graph, 0, goal, heuristic, labels), *labels)
+                for run, labels in ((search, new_labels(60)), (search.py_func, new_labels(60)))
+            )
+            assert all(map(np.array_equal, fast, slow))
+        calls = [(label_components, (graph, 60))]
         for goal in (-1, 7):
             calls += [
                 (search_breadth_first, (graph, 60, 0, goal)),

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled
-from ..graphs.search import search
+from ..graphs.search import new_labels, search
 from ..planners.grids.grid import (
     Cells,
     Grid,
@@ -17,7 +17,7 @@ from ..planners.grids.grid import (
     parent_positions,
     path_through,
 )
-from ..planners.grids.jump_points import fill_in, fill_table, points_towards
+from ..planners.grids.jump_points import fill_in, fill_table, pack_bits, points_towards
 from ..problems import ProblemRecord
 from .plans import NOT_FOUND, ShownPlan, numbers_to, pose_problem, show_plan, tree_edges
 from .scenes import FOUND, SceneArrays, no_rows
@@ -48,9 +48,10 @@ def plan_by_motions(problem: ProblemRecord, settings: GridSettings) -> ShownPlan
     refused, first, last = join_ends(problem, grid)
     if first < 0 or last < 0:
         return refused
-    cost, parent, expanded, _ = search(grid, first, last, octile(grid, last))
-    nodes = numbers_to(parent, last) if cost[last] < np.inf else expanded[:0]
-    return show_search(problem, grid, expanded, parent, nodes)
+    labels = new_labels(grid.columns * grid.rows)
+    expanded, _ = search(grid, first, last, octile(grid, last), labels)
+    nodes = numbers_to(labels.parent, last) if labels.cost[last] < np.inf else expanded[:0]
+    return show_search(problem, grid, expanded, labels.parent, nodes)
 
 
 @compiled
@@ -66,11 +67,13 @@ def plan_by_cells(
     refused, first, last = join_ends(problem, grid)
     if first < 0 or last < 0:
         return refused
-    points = points_towards(last, fill_table(cells, columns), cells, grid.side, columns)
-    cost, parent, expanded, _ = search(points, first, last, octile(grid, last))
-    jumps = numbers_to(parent, last) if cost[last] < np.inf else expanded[:0]
+    table = fill_table(pack_bits(cells), len(cells), columns)
+    points = points_towards(last, table, cells, grid.side, columns)
+    labels = new_labels(len(cells))
+    expanded, _ = search(points, first, last, octile(grid, last), labels)
+    jumps = numbers_to(labels.parent, last) if labels.cost[last] < np.inf else expanded[:0]
     nodes = fill_in(jumps, columns) if len(jumps) > 0 else jumps
-    return show_search(problem, grid, expanded, parent, nodes)
+    return show_search(problem, grid, expanded, labels.parent, nodes)
 
 
 @compiled

@@ -23,6 +23,7 @@ from ..support.constructors import with_type_names
 from ..support.text import shortened
 
 Searchable = object  # a Graph, or a record with answers for `degree` and `edge`
+Heuristic = object  # an array (n,), or a record with an answer for `estimate`
 
 
 @generic(1)
@@ -48,6 +49,12 @@ def edges_after(graph: Searchable, before: int, u: int) -> Iterable[int]:
     of which it knows that another path is as short.
     """
     return range(degree(graph, u))
+
+
+@generic(1)
+def estimate(heuristic: Any, u: int) -> float:
+    """h(u), at most the cost from node u to the goal: of an array (n,) its entry."""
+    return heuristic[u]  # type: ignore[no-any-return]
 
 
 @with_type_names

@@ -31,7 +31,7 @@ from ..compiled import algorithm, callable_from_compiled, inlined
 from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.text import shortened
-from .flat import Searchable, degree, edge, edges_after
+from .flat import Heuristic, Searchable, degree, edge, edges_after, estimate
 from .paths import Expansion, Search, Steps, check_ends, path_or_none
 from .radix_heap import (
     NONE,
@@ -63,7 +63,7 @@ class Labels(NamedTuple):
 def expand(
     graph: Any,
     goal: int,
-    heuristic: Array,
+    heuristic: Heuristic,
     labels: Labels,
     queue: RadixHeap,
     expanded: NDArray[np.int64],
@@ -101,7 +101,7 @@ def expand(
             cost[v] = cost[u] + weight
             parent[v] = u
             settled[v] = False
-            insert(queue, v, cost[v] + heuristic[v])
+            insert(queue, v, cost[v] + estimate(heuristic, v))
 
 
 @callable_from_compiled
@@ -115,29 +115,32 @@ def first_unsettled(queue: RadixHeap, settled: NDArray[np.bool_]) -> int:
 
 
 @callable_from_compiled
-def begin_search(size: int, start: int, heuristic: Array) -> tuple[Labels, RadixHeap]:
-    """Lines 1 and 2."""
-    cost, parent = np.full(size, np.inf), np.full(size, -1, np.int64)
-    labels, queue = Labels(cost, parent, np.zeros(size, np.bool_)), empty_heap(64)
+def new_labels(size: int) -> Labels:
+    """Line 1. Python calls it, because numpy asks for large pages of memory and numba does not."""
+    return Labels(np.full(size, np.inf), np.full(size, -1, np.int64), np.zeros(size, np.bool_))
+
+
+@callable_from_compiled
+def begin_search(labels: Labels, start: int, heuristic: Heuristic) -> RadixHeap:
+    """Line 2."""
+    queue = empty_heap(64)
     labels.cost[start] = 0.0
-    insert(queue, start, heuristic[start])
-    return labels, queue
+    insert(queue, start, estimate(heuristic, start))
+    return queue
 
 
 @algorithm
 def search(
-    graph: Any, start: int, goal: int, heuristic: Array
-) -> tuple[Array, NDArray[np.int64], NDArray[np.int64], int]:
-    """Run a whole search; goal = -1 expands every node that can be reached.
+    graph: Any, start: int, goal: int, heuristic: Heuristic, labels: Labels
+) -> tuple[NDArray[np.int64], int]:
+    """Run a whole search on new labels; goal = -1 expands every node that can be reached.
 
     Returns
     -------
-    cost, parent : (n,) arrays.
     expanded : (k,), the nodes in the order of expansion.
     examined : how many edges were examined.
     """
-    labels, queue = begin_search(len(heuristic), start, heuristic)
-    expanded = np.empty(len(heuristic), np.int64)
+    queue, expanded = begin_search(labels, start, heuristic), np.empty(len(labels.cost), np.int64)
     n, done = expand(graph, goal, heuristic, labels, queue, expanded, 0)
     while not done:
         if n == len(expanded):
@@ -148,13 +151,14 @@ def search(
     examined = 0
     for u in expanded[:n]:
         examined += degree(graph, u) if u != goal else 0
-    return labels.cost, labels.parent, expanded[:n], examined
+    return expanded[:n], examined
 
 
-def run_search(flat: Any, start: int, goal: int, heuristic: Array) -> Search:
+def run_search(flat: Any, start: int, goal: int, heuristic: Heuristic) -> Search:
     """Run `search` and collect its result in a Search."""
-    cost, parent, expanded, examined = search(flat, start, goal, heuristic)
-    return Search(cost, parent, expanded, Steps(len(expanded), int(examined)))
+    labels = new_labels(flat.size)
+    expanded, examined = search(flat, start, goal, heuristic, labels)
+    return Search(labels.cost, labels.parent, expanded, Steps(len(expanded), int(examined)))
 
 
 def dijkstra(graph: Searchable, start: int) -> Search:
@@ -183,7 +187,7 @@ def dijkstra(graph: Searchable, start: int) -> Search:
 
 
 def astar(
-    graph: Searchable, start: int, goal: int, heuristic: ArrayLike | None = None
+    graph: Searchable, start: int, goal: int, heuristic: ArrayLike | Heuristic | None = None
 ) -> tuple[NDArray[np.int64] | None, Search]:
     """A shortest path between two nodes, by A*.
 
@@ -191,7 +195,7 @@ def astar(
     ----------
     heuristic : (n,), lower bounds on the cost from each node to the goal. Without
         it this is Dijkstra's algorithm, stopped at the goal. Where weights are distances,
-        `graph.distances(goal)` is such a heuristic.
+        `graph.distances(goal)` is such a heuristic. A record that answers `estimate` computes them.
 
     Returns
     -------
@@ -215,7 +219,7 @@ def astar(
 
 
 def astar_expansions(
-    graph: Searchable, start: int, goal: int, heuristic: ArrayLike | None = None
+    graph: Searchable, start: int, goal: int, heuristic: ArrayLike | Heuristic | None = None
 ) -> Iterator[Expansion]:
     """A* as an iterator over its expansions, with the priority queue at each of them.
 
@@ -259,9 +263,10 @@ def dijkstra_expansions(graph: Searchable, start: int) -> Iterator[Expansion]:
     return yield_expansions(flat, first, -1, np.zeros(flat.size))
 
 
-def yield_expansions(flat: Any, start: int, goal: int, heuristic: Array) -> Iterator[Expansion]:
+def yield_expansions(flat: Any, start: int, goal: int, heuristic: Heuristic) -> Iterator[Expansion]:
     """Yield the labels and the waiting nodes before each expansion."""
-    labels, queue = begin_search(flat.size, start, heuristic)
+    labels = new_labels(flat.size)
+    queue = begin_search(labels, start, heuristic)
     expanded, n, done = np.empty(flat.size, np.int64), 0, False
     while not done and (u := first_unsettled(queue, labels.settled)) != NONE:
         queued = dict.fromkeys(list_in_order(queue))
@@ -280,10 +285,15 @@ def yield_expansions(flat: Any, start: int, goal: int, heuristic: Array) -> Iter
         n, done = expand.py_func(flat, goal, heuristic, labels, queue, expanded[: n + 1], n)
 
 
-def as_heuristic(values: ArrayLike | None, size: int) -> Array:
-    """Lower bounds (n,), zeros for None; raises InvalidGraph unless all are zero or more."""
+def as_heuristic(values: ArrayLike | Heuristic | None, size: int) -> Heuristic:
+    """Lower bounds (n,), zeros for None; raises InvalidGraph unless all are zero or more.
+
+    A record is taken as it is.
+    """
     if values is None:
         return np.zeros(size)
+    if isinstance(values, tuple) and hasattr(values, "_fields"):
+        return values
     try:
         bounds = np.require(values, np.float64, ["C", "W", "E"])
     except (TypeError, ValueError):

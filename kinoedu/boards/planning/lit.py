@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array
+from ...graphs.flat import estimate
 from ...graphs.search import expand, search
 from ...planners.roadmaps.connecting import join_components, join_in_order
 from ...planners.trees.rrt import grow
@@ -54,8 +55,8 @@ CODE: dict[str, tuple[Callable[..., object], Look]] = {
                 "q_u": "middle(graph, u)",
                 "q_v": "middle(graph, v)",
                 "g": "cost[u]",
-                "h": "heuristic[u]",
-                "g + h": "cost[u] + heuristic[u]",
+                "h": "estimate(heuristic, u)",
+                "g + h": "cost[u] + estimate(heuristic, u)",
             },
             lines=(("q_u", "q_v"),),
             colours={"queue": "frontier", "q_u": "path", "q_v": "hit"},
@@ -77,7 +78,8 @@ def trace_planner(name: str, problem: ProblemRecord, call: Callable[[Any], objec
     """
     function, look = CODE[name]
     if name in WITHOUT_RECORDER:
-        look = replace(look, names={"middle": partial(find_middle, problem.space.lo)})
+        names = {"middle": partial(find_middle, problem.space.lo), "estimate": estimate}
+        look = replace(look, names=names)
         return trace_lines(function, look, lambda _: call(problem), search)
     return trace_lines(function, look, lambda run: call(run.record(problem)))
 

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiled import callable_from_compiled, generic, inlined
+from ...compiled import algorithm, callable_from_compiled, generic, inlined
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import astar
-from ...graphs.flat import degree, edge
+from ...graphs.flat import degree, edge, estimate
 from ...messages import get_message
 from ...problems import Plan, ProblemRecord, Tree
 from ...robots.round import RoundRobot
@@ -24,7 +24,7 @@ from ...worlds.terrain import TerrainRecord
 from ..answers import plan_along
 from ..problem_input import count_checks, world_size
 from ..tuning import positive
-from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT
+from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT, moves_between
 from .jump_points import JumpPoints, fill_in, jump_points
 
 
@@ -257,14 +257,16 @@ def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
     return places
 
 
-@callable_from_compiled
+@algorithm
 def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
     """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
-    order = np.empty(len(parent), np.int64)  # filled in for expanded nodes; parents are expanded
-    order[expanded] = np.arange(len(expanded))
-    above = parent[expanded]
-    positions = order[above]
-    positions[above < 0] = -1
+    order = np.empty(len(parent), np.int32)  # filled in for expanded nodes; parents are expanded
+    positions = np.empty(len(expanded), np.int64)
+    for i in range(len(expanded)):
+        order[expanded[i]] = i
+    for i in range(len(expanded)):
+        above = parent[expanded[i]]
+        positions[i] = order[above] if above >= 0 else -1
     return positions
 
 
@@ -285,13 +287,23 @@ def find_joined_node(problem: ProblemRecord, grid: Grid, q: Array) -> int:
     return -1
 
 
+class OctileDistance(NamedTuple):
+    """The octile distance from a node to the goal: the length without obstacles."""
+
+    goal: int
+    columns: int
+    side: float
+
+
 @callable_from_compiled
-def octile(grid: Grid, goal: int) -> Array:
-    """The octile distance from each node to the goal, (n,): the length without obstacles."""
-    across = np.abs(np.arange(grid.columns) - goal % grid.columns).astype(np.float64)
-    up = np.abs(np.arange(grid.rows) - goal // grid.columns).astype(np.float64)[:, None]
-    length, less = np.maximum(across, up), np.minimum(across, up)
-    less *= SQRT2 - 1.0  # in place: these arrays are large
-    length += less
-    length *= grid.side
-    return length.ravel()
+def octile(grid: Grid, goal: int) -> OctileDistance:
+    """The heuristic of A* on a grid."""
+    return OctileDistance(goal, grid.columns, grid.side)
+
+
+@estimate.register(OctileDistance)
+def octile_estimate(distance: OctileDistance, u: int) -> float:
+    """Computed for the few nodes that a search inserts into its queue."""
+    across, up = moves_between(u, distance.goal, distance.columns)
+    length, less = max(abs(across), abs(up)), min(abs(across), abs(up))
+    return (length + less * (SQRT2 - 1.0)) * distance.side

@@ -25,9 +25,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...compiled import algorithm, callable_from_compiled
+from ...compiled import algorithm, callable_from_compiled, compiled
 from ...graphs.flat import degree, edge, edges_after
-from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT
+from .directions import COLUMN_STEP, ROW_STEP, SQRT2, STRAIGHT, moves_between
 
 # the two sides to which a straight path may turn, and the two straight parts of a diagonal
 SIDES = ((2, 3), (2, 3), (0, 1), (0, 1))
@@ -36,7 +36,6 @@ ANY = 8  # at the start, which was reached in no direction
 
 Words = NDArray[np.uint64]
 WORD = 64  # bits
-GATHER = np.uint64(0x0102040810204080)  # times eight bytes 0 or 1: they are the bits from 56 on
 BYTES = np.arange(256, dtype=np.uint8).reshape(-1, 1)
 SPREAD = np.unpackbits(BYTES, axis=1, bitorder="little").view(np.uint64).ravel()  # bits as bytes
 
@@ -105,10 +104,7 @@ def arrival(points: JumpPoints, before: int, u: int) -> int:
     """The direction from `before` to u."""
     if before < 0:
         return ANY
-    # the halves keep a product from rounding below a whole row; a division takes ten times as long
-    per_row = 1.0 / points.columns
-    up = int((u + 0.5) * per_row) - int((before + 0.5) * per_row)
-    across = u - before - up * points.columns
+    across, up = moves_between(before, u, points.columns)
     if up == 0:
         return 1 if across > 0 else 0
     if across == 0:
@@ -142,79 +138,87 @@ def points_towards(
 @lru_cache(maxsize=2)
 def jump_table(bits: bytes, size: int, columns: int) -> NDArray[np.uint16]:
     """The table of a map, from its free cells as bits, lowest first; it is kept."""
-    packed = np.frombuffer(bits, np.uint8)
-    free = np.unpackbits(packed, count=size, bitorder="little").astype(np.bool_)
-    table = fill_table(free, columns)
+    words = np.zeros(-(-size // WORD), np.uint64)
+    words.view(np.uint8)[: len(bits)] = np.frombuffer(bits, np.uint8)
+    table = fill_table(words, size, columns)
     table.setflags(write=False)
     return table
 
 
 @algorithm
-def fill_table(free: NDArray[np.bool_], columns: int) -> NDArray[np.uint16]:
-    """The table of a map with a blocked border. O(size log(rows + columns)).
+def fill_table(free: Words, size: int, columns: int) -> NDArray[np.uint16]:
+    """The table of a map with a blocked border, from its free cells as bits, lowest first. O(size).
 
     All cells are looked at together: cell u is bit u of a long row of words. Moved by a step, it
-    holds at u whether the cell a step before u is free.
+    holds at u whether the cell a step from u is free.
     """
-    words = pack_bits(free)
-    halves = np.zeros((2, 8 * len(words)), np.uint64)  # of the table: a byte for each cell
+    planes = np.zeros((16, len(free)), np.uint64)  # the bits of the table, each of all cells
     for k in range(STRAIGHT):
-        step, ends = COLUMN_STEP[k] + ROW_STEP[k] * columns, np.zeros_like(words)
+        step, ends = COLUMN_STEP[k] + ROW_STEP[k] * columns, np.zeros_like(free)
         for i in range(2):
             aside = COLUMN_STEP[SIDES[k][i]] + ROW_STEP[SIDES[k][i]] * columns
-            turns = words & moved(words, -aside) & ~moved(words, step - aside)
-            mark(halves, TURNS[k] + i, turns)
-            ends |= turns
-        mark(halves, k, look_ahead(words, ends, step))
+            turns = planes[TURNS[k] + i]
+            for w in range(len(free)):
+                beside, behind = bits_from(free, w, aside), bits_from(free, w, aside - step)
+                turns[w] = free[w] & beside & ~behind
+                ends[w] |= turns[w]
+        look_ahead(free, ends, step, planes[k])
     for k in range(STRAIGHT, 8):
-        a, b = COLUMN_STEP[k], ROW_STEP[k] * columns
-        mark(halves, k, words & moved(words, -a) & moved(words, -b) & moved(words, -a - b))
-    low, high = halves[0].view(np.uint8)[: len(free)], halves[1].view(np.uint8)[: len(free)]
-    return low + (high.astype(np.uint16) << np.uint16(8))
+        a, b, ahead = COLUMN_STEP[k], ROW_STEP[k] * columns, planes[k]
+        for w in range(len(free)):
+            sides = bits_from(free, w, a) & bits_from(free, w, b)
+            ahead[w] = free[w] & sides & bits_from(free, w, a + b)
+    return cells_of(planes, size)
 
 
-@callable_from_compiled
+@compiled
 def pack_bits(cells: NDArray[np.bool_]) -> Words:
-    """Cells as bits of words, the first as the lowest."""
-    padded = np.zeros(-(-len(cells) // WORD) * WORD, np.uint8)
-    padded[: len(cells)] = cells
-    return (padded.view(np.uint64) * GATHER >> np.uint64(56)).astype(np.uint8).view(np.uint64)
+    """Cells as bits of words, the first as the lowest, for code without numpy's packbits."""
+    words = np.zeros(-(-len(cells) // WORD), np.uint64)
+    for u in range(len(cells)):
+        words[u // WORD] |= np.uint64(cells[u]) << np.uint64(u % WORD)
+    return words
 
 
-@callable_from_compiled
-def moved(words: Words, step: int) -> Words:
-    """All bits moved up by a step, or down."""
-    far, part, there = abs(step) // WORD, np.uint64(abs(step) % WORD), np.zeros_like(words)
-    rest, n = np.uint64(WORD - abs(step) % WORD), max(len(words) - far, 0)
-    if step > 0:
-        there[far:] = words[:n] << part
-        if part > 0:
-            there[far + 1 :] |= words[: max(n - 1, 0)] >> rest
-    else:
-        there[:n] = words[far:] >> part
-        if part > 0:
-            there[: max(n - 1, 0)] |= words[far + 1 :] << rest
-    return there
+@compiled
+def bits_from(words: Words, w: int, step: int) -> np.uint64:
+    """What the bits of word w find a step further on; nothing beyond the ends."""
+    at, part = w + (step >> 6), np.uint64(step & (WORD - 1))
+    low = words[at] if 0 <= at < len(words) else np.uint64(0)
+    if part == 0:
+        return low
+    high = words[at + 1] if 0 <= at + 1 < len(words) else np.uint64(0)
+    return low >> part | high << (np.uint64(WORD) - part)
 
 
-@callable_from_compiled
-def look_ahead(free: Words, ends: Words, step: int) -> Words:
-    """The free cells with one of `ends` ahead, by steps over free cells only.
+@compiled
+def look_ahead(free: Words, ends: Words, step: int, seen: Words) -> None:
+    """Fill in the free cells with one of `ends` ahead, by steps over free cells only.
 
-    Each round looks twice as far.
+    Words are visited from ahead backwards. Within a word each round looks twice as far.
     """
-    seen, through = free & moved(ends, -step), free
-    while through.any():
-        seen = seen | through & moved(seen, -step)
-        through = through & moved(through, -step)
-        step *= 2
-    return seen
+    for i in range(len(free)):
+        w = len(free) - 1 - i if step > 0 else i
+        bits = free[w] & (bits_from(ends, w, step) | bits_from(seen, w, step))
+        through, far = free[w], abs(step)
+        while far < WORD:
+            ahead = np.uint64(far)
+            bits |= through & (bits >> ahead if step > 0 else bits << ahead)
+            through &= through >> ahead if step > 0 else through << ahead
+            far *= 2
+        seen[w] = bits
 
 
-@callable_from_compiled
-def mark(halves: Words, bit: int, words: Words) -> None:
-    """Set one of 16 bits at some cells."""
-    halves[bit // 8] |= SPREAD[words.view(np.uint8)] << np.uint64(bit % 8)
+@compiled
+def cells_of(planes: Words, size: int) -> NDArray[np.uint16]:
+    """The 16 bits of each cell, (size,), from the planes of each bit, (16, words)."""
+    halves = np.zeros((2, 8 * planes.shape[1]), np.uint64)  # a byte for each cell
+    for bit in range(16):
+        half, plane = halves[bit // 8], planes[bit].view(np.uint8)
+        for i in range(len(half)):
+            half[i] |= SPREAD[plane[i]] << np.uint64(bit % 8)
+    low, high = halves[0].view(np.uint8)[:size], halves[1].view(np.uint8)[:size]
+    return low + (high.astype(np.uint16) << np.uint16(8))
 
 
 def worth_following() -> NDArray[np.int64]:
