@@ -54,7 +54,7 @@ def edges_after(graph: Searchable, before: int, u: int) -> Iterable[int]:
 @generic(1)
 def estimate(heuristic: Any, u: int) -> float:
     """h(u), at most the cost from node u to the goal: of an array (n,) its entry."""
-    return heuristic[u]  # type: ignore[no-any-return]
+    return heuristic[u]
 
 
 @with_type_names
