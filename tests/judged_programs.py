@@ -42,9 +42,9 @@ def take_few_cases(exercise) -> list:
     return cases
 
 
-def right_programs(house: Path):
+def right_programs(house: Path, lessons: str = "*"):
     """Yield the names of the exercises and of their variants, and the right programs."""
-    for notebook in sorted((house / "solutions").glob("*.ipynb")):
+    for notebook in sorted((house / "solutions").glob(f"{lessons}.ipynb")):
         defined = {}
         for cell in json.loads(notebook.read_text(encoding="utf-8"))["cells"]:
             source = "".join(cell["source"])
