@@ -73,25 +73,40 @@ def test_the_picture_of_the_house_shows_its_rooms_and_imports():
     assert PICTURE.read_text(encoding="utf-8") == drawn()
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
-def test_every_file_and_public_function_says_what_it_is(source):
-    """Modules, public classes and public functions have docstrings; parameters of public functions
-    have types.
-    """
-    tree = ast.parse(source.read_text(encoding="utf-8"))
-    assert ast.get_docstring(tree), "the module has no docstring"
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_"):
-            assert ast.get_docstring(node), f"{node.name} has no docstring"
+@pytest.fixture(scope="module")
+def trees():
+    """The syntax tree of every source, by its path within the project."""
+    return {
+        source.relative_to(HOUSE): ast.parse(source.read_text(encoding="utf-8"))
+        for source in SOURCES
+    }
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
-def test_rooms_are_small(source):
+def test_every_file_and_public_function_says_what_it_is(trees):
+    """Modules, public classes and public functions have docstrings."""
+    assert [str(path) for path, tree in trees.items() if not ast.get_docstring(tree)] == []
+    assert [
+        f"{path}: {node.name}"
+        for path, tree in trees.items()
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef | ast.ClassDef)
+        and not (node.name.startswith("_") or ast.get_docstring(node))
+    ] == []
+
+
+def test_rooms_are_small(trees):
     """A file has one purpose: at most 400 lines, and no function over 60 below its docstring."""
-    text = source.read_text(encoding="utf-8")
-    assert len(text.splitlines()) <= 400
-    functions = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
-    assert [f.name for f in functions if f.end_lineno - first_line_of_code(f) >= 60] == []
+    assert [
+        str(source)
+        for source in SOURCES
+        if len(source.read_text(encoding="utf-8").splitlines()) > 400
+    ] == []
+    assert [
+        f"{path}: {node.name}"
+        for path, tree in trees.items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef) and node.end_lineno - first_line_of_code(node) >= 60
+    ] == []
 
 
 def first_line_of_code(function):
@@ -107,19 +122,17 @@ def test_scripts_and_styles_of_pages_have_at_most_100_columns(page):
     assert [number for number, line in lines if len(line) > 100] == []
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=lambda p: p.relative_to(HOUSE).as_posix())
-def test_only_the_command_line_prints(source):
+def test_only_the_command_line_prints(trees):
     """print stands in cli, lab.py and progress.py alone."""
-    calls = [
-        node.func.id
-        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8")))
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
-    ]
-    assert (
-        "print" not in calls
-        or source.parent.name == "cli"
-        or source.name in ("lab.py", "progress.py")
-    )
+    assert [
+        str(path)
+        for path, tree in trees.items()
+        if path.parent.name != "cli" and path.name not in ("lab.py", "progress.py")
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id == "print"
+    ] == []
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda p: p.relative_to(HOUSE).as_posix())
