@@ -226,9 +226,13 @@ class Canvas(anywidget.AnyWidget):
 
     def _show(self, page: str | None, seq: int | None, message: Message) -> None:
         """Send a drawing to one page or to all."""
+        content, buffers = self._with_challenges(message)
+        self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=buffers)
+
+    def _with_challenges(self, message: Message) -> Message:
+        """A message that also says how far the challenges are met."""
         posed = [] if self.challenges is None else self.challenges.answers
-        content = {**message.content, "challenges": posed}
-        self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=message.buffers)
+        return Message({**message.content, "challenges": posed}, message.buffers)
 
     @property
     def drawing(self) -> Drawing:
@@ -247,7 +251,7 @@ class Canvas(anywidget.AnyWidget):
     def record(self) -> list[JsonObject]:
         """The board as it is now, for pages without a kernel."""
         bitmap = base64.b64encode(pack_bitmap(self._free)).decode("ascii")
-        drawing = record_drawing(*self._reply.whole)
+        drawing = record_drawing(*self._with_challenges(self._reply.whole))
         live = {} if self.live is None else {"live": self.live}
         return [{"scene": self._shown, "bitmap": bitmap, "team": 0, **drawing, **live}]
 
