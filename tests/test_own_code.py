@@ -155,7 +155,7 @@ def test_the_cost_is_the_paths_and_not_what_a_planner_says():
 @pytest.mark.parametrize("answer", [5, [], [[1, 2, 3]], [[np.nan, 1]], "path", {"a": 1}])
 def test_an_answer_that_is_no_path_is_named(answer):
     """With the shape that a path has, and what was returned."""
-    with pytest.raises(KinoeduError, match=r"of shape \(n, 2\), a Plan or None; it returned"):
+    with pytest.raises(KinoeduError, match=r"shape \(n, 2\), a Plan or None; it returned"):
         as_plan(answer, PROBLEM)
 
 

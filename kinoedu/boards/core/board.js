@@ -392,7 +392,8 @@ class Board {
     const layers = message.layers.map((layer, i) => ({ ...layer, data: floats(buffers[i]) }));
     const { seq, text, warning, total, unit, step_texts: stepTexts, places, took } = message;
     const { listing, first, challenges = [], brief = false } = message, before = this.drawing;
-    const scrubbed = before.listing && this.step < before.total;
+    const completed = before.brief && !brief;   // the same answer, now whole
+    const scrubbed = (before.listing || completed) && this.step < before.total;
     const refused = Boolean(warning) && layers.length === 0;   // the last good picture stays
     this.drawing = refused ? { ...before, warning, places, refused }
       : { text, warning, layers, total, unit, stepTexts, places, listing, refused, brief };
