@@ -145,6 +145,8 @@ def test_a_robot_slides_by_dragging_and_by_its_slider(page):
     sliding.drag("handle-0", 150, 60)
     sliding.until("text !== first && text.includes('contact')", first=first)
     keep(page, "slide")
+    follows = "document.querySelector('.widget-slider .widget-readout').textContent !== '0%'"
+    sliding.until(follows)  # once q is let go; before that Home would change nothing
     slider = page.locator(".widget-slider [role=slider]")
     slider.focus()
     slider.press("Home")
