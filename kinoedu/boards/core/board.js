@@ -109,6 +109,9 @@ function make(tag, className, parent, attributes = {}) {
   return element;
 }
 
+// Write a text into an element, unless it is there: a page lays out anew what is written.
+function write(element, text) { if (element.textContent !== text) element.textContent = text; }
+
 // Let Tab reach the words of the page that name things, which may have come a moment ago.
 function offerWords({ key }) {
   if (key !== "Tab") return;
@@ -1232,16 +1235,15 @@ class View {
   showState(late) {
     const { board } = this, { drawing, words, step } = board, { total, unit, warning } = drawing;
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.text.textContent = board.text();
+    write(this.text, board.text());
     this.text.classList.toggle("kinoedu-warning", Boolean(warning) && !late);
     this.growth.classList.toggle("kinoedu-nothing", total === 0);
-    this.slider.max = total;
-    this.slider.value = step;
+    if (Number(this.slider.max) !== total) this.slider.max = total;
+    if (this.slider.valueAsNumber !== step) this.slider.value = step;
     const growth = fill(words.growth, { shown: step, total, unit });
-    this.slider.setAttribute("aria-valuetext", growth);
-    this.button.textContent = board.playing ? words.pause : still ? words.next : words.play;
-    const how = drawing.brief ? this.how.textContent : this.hint();
-    if (this.how.textContent !== how) this.how.textContent = how;
+    if (this.slider.ariaValueText !== growth) this.slider.ariaValueText = growth;
+    write(this.button, board.playing ? words.pause : still ? words.next : words.play);
+    if (!drawing.brief) write(this.how, this.hint());
     this.storeState();
     const won = this.showGoals();
     this.speakLater([this.text.textContent, ...won].join(" "));
