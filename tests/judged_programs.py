@@ -7,8 +7,6 @@ import json
 import sys
 from pathlib import Path
 
-import numpy as np
-
 from kinoedu.course import EXERCISES, check
 from kinoedu.course.bank import read_bank, read_variants
 from kinoedu.course.withheld import NotInTheKit
@@ -34,7 +32,7 @@ ENDLESS = {
 def take_few_cases(exercise) -> list:
     """The first cases of an exercise, at least three of each kind."""
     missing, cases = dict.fromkeys(exercise.kinds, 3), []
-    for case in exercise.cases(np.random.default_rng(0)):
+    for case in exercise.fixed_cases:
         cases.append(case)
         missing[case.kind] -= 1
         if max(missing.values()) <= 0:

@@ -69,7 +69,7 @@ def check(
         raise InvalidParameter(get_message("check.no_function", what=describe_value(function)))
     name = exercise or getattr(function, "__name__", "")
     judged_exercise = find(name if isinstance(name, str) else "", variant)
-    cases = list(judged_exercise.cases(np.random.default_rng(0)))
+    cases = judged_exercise.fixed_cases
     printed: list[OutputBuffer] = []
 
     def run(case: Case) -> Outcome:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -161,6 +162,11 @@ class Exercise(ABC):
     @abstractmethod
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield cases from small to large, some of each kind; the same for the same rng."""
+
+    @cached_property
+    def fixed_cases(self) -> tuple[Case, ...]:
+        """The cases of `check`, which are the same for everybody. They are drawn once."""
+        return tuple(self.cases(np.random.default_rng(0)))
 
     def call(self, function: Callable[..., object], given: Given) -> Value:
         """Call the student's function with a case's arguments, in the declared order."""

@@ -6,6 +6,7 @@ the variant.
 """
 
 from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import Any, ClassVar, cast
 
 import numpy as np
@@ -84,6 +85,11 @@ class Outer(OtherForm):
         """The usual cases with the variant's arguments."""
         for case in self.inner.cases(rng):
             yield rename(case, self.form.given)
+
+    @cached_property
+    def fixed_cases(self) -> tuple[Case, ...]:
+        """Those of the usual form, with the variant's arguments."""
+        return tuple(rename(case, self.form.given) for case in self.usual.fixed_cases)
 
     def usual_case(self, case: Case) -> Case:
         """The usual case that corresponds to one of the variant."""
@@ -177,12 +183,12 @@ def rename(case: Case, change: Callable[..., tuple[Any, ...]] | None) -> Case:
     return case._replace(given=given)
 
 
-def restate(kind: type[Exercise], form: Restated) -> Exercise:
-    """The variant of an exercise in another form.
+def restate(kind: type[Exercise], usual: Exercise, form: Restated) -> Exercise:
+    """The variant of an exercise in another form than the usual one.
 
     A program that is right for the usual form earns nothing here.
     """
-    usual, name = kind(), f"{kind.__name__}.{form.key}"
+    name = f"{kind.__name__}.{form.key}"
     parts: dict[str, Any] = {
         "__module__": kind.__module__,
         "form": form,

@@ -16,6 +16,11 @@ Program = Callable[..., Any]
 class Varied(OtherForm, ValueExercise):
     """A variant that has another right answer. Cases and laws are those of the usual form."""
 
+    @functools.cached_property
+    def fixed_cases(self) -> tuple[Case, ...]:
+        """Those of the usual form."""
+        return tuple(self.usual.fixed_cases)
+
     def right_answer(self, *given: Value) -> Value:
         """The right answer, which the library does not have."""
         return self.reference(*given)
@@ -27,12 +32,12 @@ class Varied(OtherForm, ValueExercise):
 
 @functools.cache
 def make_variant(kind: type[Exercise], variant: str) -> Exercise:
-    """The variant of an exercise, made once: results are cached with the object."""
+    """The variant of an exercise, or its usual form by ""; made once, because it keeps results."""
     change = next((one for one in kind.changes if one.key == variant), None)
     if change is None:
         return kind(variant)
     if isinstance(change, Restated):
-        return restate(kind, change)
+        return restate(kind, make_variant(kind, ""), change)
     return vary(cast("type[ValueExercise]", kind), change)
 
 
@@ -45,7 +50,7 @@ def vary(kind: type[ValueExercise], change: Change) -> Exercise:
     reference = withhold(change_program(change, kind.reference), f"{name}.reference")
     parts = {
         "__module__": kind.__module__,
-        "usual": kind(),
+        "usual": make_variant(kind, ""),
         "reference": staticmethod(reference),
         "slips": tuple(
             slip._replace(answer=change_program(change, slip.answer)) for slip in kind.slips

@@ -20,7 +20,9 @@ def all_exercises() -> dict[str, Exercise]:
     """All exercises by name, in the order of the lessons."""
     rooms = [import_module(f"{__name__}.{room}").EXERCISES for room in ROOMS]
     rooms.sort(key=lambda exercises: exercises[0].lesson)
-    return {exercise.name: exercise() for exercises in rooms for exercise in exercises}
+    return {
+        exercise.name: make_variant(exercise, "") for exercises in rooms for exercise in exercises
+    }
 
 
 EXERCISES = all_exercises()

@@ -13,7 +13,7 @@ from ...shapes import Record, Value
 from ...whole_shapes import Integers
 from ...withheld import withheld
 from ..shared.random_shapes import sizes
-from ..shared.random_worlds import has_room
+from ..shared.random_worlds import room_in
 from .cells import CELLS, cells_of
 from .pictures import draw_pairs, set_title
 from .slips import (
@@ -175,10 +175,11 @@ def box_world(rng: np.random.Generator, size: float) -> Array:
     """Cells of a hall with triangles and boxes on a lattice, many of which share an x."""
     unit, holes = size / 8, list[Array]()
     hall = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
+    room = room_in(hall)
     while len(holes) < 4:
         at, wide, high = rng.integers(1, 12, 2), int(rng.integers(1, 4)), int(rng.integers(1, 4))
         hole = np.array([(0, 0), (wide, 0), (wide, high), (0, high)], float)[
             : int(rng.integers(3, 5))
         ] + at.astype(float)
-        holes += [hole] if has_room(hole, hall, holes) else []
+        holes += [hole] if room.fits(hole, holes) else []
     return cells_of(unit * hall, [unit * hole for hole in holes])

@@ -14,7 +14,7 @@ from ....worlds import PolygonWorld
 from ...shapes import Value
 from ...tasks import StudentProblem
 from ..shared.random_shapes import star_polygon
-from ..shared.random_worlds import has_room, round_polygon
+from ..shared.random_worlds import room_in, round_polygon
 
 FULL = 2.0 * np.pi
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
@@ -53,12 +53,12 @@ def draw_obstacles(rng: np.random.Generator, n: int, *, convex: bool = True) -> 
 
     They are counter-clockwise, do not touch each other, and have coordinates with two decimals.
     """
-    rings: list[Array] = []
+    room, rings = room_in(HALL), list[Array]()
     while len(rings) < n:
         corners, middle = int(rng.integers(3, 7)), rng.uniform((3.5, 2.5), (12.5, 7.5))
         shape = round_polygon(rng, corners, 2.2) if convex else star_polygon(rng, corners + 2, 2.6)
         ring = np.round(0.6 * shape + middle, 2)
-        if has_room(ring, HALL, rings) and is_clear(ring):
+        if room.fits(ring, rings) and is_clear(ring):
             rings.append(ring)
     return rings
 

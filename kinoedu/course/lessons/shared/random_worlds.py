@@ -3,11 +3,16 @@
 No two vertices have the same x, and no two polygons touch.
 """
 
+from typing import TYPE_CHECKING, NamedTuple
+
 import numpy as np
 
 from ....geometry.checks import Array
 from ...exercise import Given
 from .random_shapes import star_polygon
+
+if TYPE_CHECKING:
+    from shapely import Polygon
 
 
 def general_world(
@@ -17,12 +22,12 @@ def general_world(
     while True:
         n = int(rng.integers(4, 9))
         boundary = round_polygon(rng, n, size) if convex else star_polygon(rng, n, size)
-        holes: list[Array] = []
+        room, holes = room_in(boundary), list[Array]()
         for _ in range(60 * obstacles):
             if len(holes) < obstacles:
                 star = star_polygon(rng, int(rng.integers(3, 6)), 0.28 * size)
                 obstacle = np.round(star + np.round(rng.uniform(-0.6, 0.6, 2) * size, 2), 2)
-                holes += [obstacle] if has_room(obstacle, boundary, holes) else []
+                holes += [obstacle] if room.fits(obstacle, holes) else []
         if len(holes) == obstacles and is_general([boundary, *holes]):
             return {"boundary": boundary, "obstacles": holes}
 
@@ -36,16 +41,36 @@ def round_polygon(rng: np.random.Generator, n: int, size: float) -> Array:
     return drawn.round(2) + 0.0
 
 
-def has_room(polygon: Array, boundary: Array, others: list[Array]) -> bool:
-    """Whether a simple polygon is inside the boundary, with room around it."""
+class Room(NamedTuple):
+    """What is inside a boundary, but for a gap along it; obstacles keep the same gap."""
+
+    inside: "Polygon"
+    gap: float
+
+    def fits(self, polygon: Array, others: list[Array]) -> bool:
+        """Whether a simple polygon is inside, and apart from others."""
+        import shapely
+
+        left, below, right, above = self.inside.bounds
+        (x0, y0), (x1, y1) = polygon.min(axis=0), polygon.max(axis=0)
+        if x0 < left or y0 < below or x1 > right or y1 > above:
+            return False
+        shape = shapely.Polygon(polygon)
+        return bool(
+            shape.is_valid
+            and self.inside.contains(shape)
+            and all(shapely.Polygon(other).distance(shape) > self.gap for other in others)
+        )
+
+
+def room_in(boundary: Array) -> Room:
+    """The room for obstacles inside a boundary (n, 2)."""
     import shapely
 
-    room, shape = 0.02 * float(np.ptp(boundary[:, 0])), shapely.Polygon(polygon)
-    return bool(
-        shape.is_valid
-        and shapely.Polygon(boundary).buffer(-room).contains(shape)
-        and all(shapely.Polygon(other).distance(shape) > room for other in others)
-    )
+    gap = 0.02 * float(np.ptp(boundary[:, 0]))
+    inside = shapely.Polygon(boundary).buffer(-gap)
+    shapely.prepare(inside)
+    return Room(inside, gap)
 
 
 def is_general(rings: list[Array]) -> bool:
