@@ -1233,25 +1233,30 @@ class View {
   // the text below the picture
 
   showState(late) {
-    const { board } = this, { drawing, words, step } = board, { total, unit, warning } = drawing;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const { board } = this, { warning, brief } = board.drawing;
     write(this.text, board.text());
     this.text.classList.toggle("kinoedu-warning", Boolean(warning) && !late);
-    this.growth.classList.toggle("kinoedu-nothing", total === 0);
-    if (Number(this.slider.max) !== total) this.slider.max = total;
-    if (this.slider.valueAsNumber !== step) this.slider.value = step;
-    const growth = fill(words.growth, { shown: step, total, unit });
-    if (this.slider.ariaValueText !== growth) this.slider.ariaValueText = growth;
-    write(this.button, board.playing ? words.pause : still ? words.next : words.play);
-    if (!drawing.brief) write(this.how, this.hint());
+    if (!brief) {                        // a brief drawing cannot be scrubbed
+      this.showGrowth();
+      write(this.how, this.hint());
+    }
     this.storeState();
     const won = this.showGoals();
     this.speakLater([this.text.textContent, ...won].join(" "));
   }
 
+  showGrowth() {
+    const { board, slider } = this, { drawing, words, step } = board, { total, unit } = drawing;
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.growth.classList.toggle("kinoedu-nothing", total === 0);
+    Object.assign(slider, { max: total, value: step });
+    slider.ariaValueText = fill(words.growth, { shown: step, total, unit });
+    write(this.button, board.playing ? words.pause : still ? words.next : words.play);
+  }
+
   showGoals() {                          // the challenges; returns the answers to those reached now
     const { board, goals } = this, { words, drawing } = board, { challenges = [] } = drawing;
-    if (challenges === this.shownGoals) return this.won;
+    if (same(challenges, this.shownGoals ?? null)) return this.won;
     this.shownGoals = challenges;
     const recorded = board.model.get("recorded");
     goals.replaceChildren(...challenges.map(({ sentence, now, done, text }) => {
@@ -1270,8 +1275,11 @@ class View {
     const { drawing, shown: seq, seq: newest, answers, stale, step, bitmaps } = this.board;
     const layers = drawing.layers.map((layer) => layer.kind).join(" ");
     const { total, warning, refused } = drawing, { paints } = this, word = this.word ?? "";
-    Object.assign(this.root.dataset, { seq, newest, answers, stale, step, layers, bitmaps });
-    Object.assign(this.root.dataset, { total, paints, warning, refused, word });
+    const state = { seq, newest, answers, stale, step, layers, bitmaps };
+    Object.assign(state, { total, paints, warning, refused, word });
+    for (const [name, value] of Object.entries(state)) {
+      if (this.root.dataset[name] !== String(value)) this.root.dataset[name] = value;
+    }
   }
 
   speakLater(text) {                     // read a text out once it has not changed for a while
