@@ -16,6 +16,7 @@ from .planners import (
     Radius,
     bug2,
     cells_with_headings,
+    kinodynamic_rrt,
     plan_by_decomposition,
     plan_in_time,
     plan_on_grid,
@@ -153,6 +154,7 @@ def later_jobs() -> Iterator[Job]:
         tasks[TURNING],
     )
     yield "obstacles that move", plan_among_movers
+    yield "a car's ride", ride, tasks[CAR]
     for curve in (dubins_path, reeds_shepp_path):
         yield curve.__name__, curve, (0, 0, 0), (3, 2, 1), 1.0
 
@@ -186,6 +188,13 @@ def plan_among_movers() -> None:
 def shorten(problem: ProblemRecord) -> None:
     """Make a path shorter."""
     shortcut(rrt_connect(problem, rng=0, max_nodes=500), tries=5, rng=0)
+
+
+def ride(problem: ProblemRecord) -> None:
+    """Find where a car is at some times of a drive, as the pictures of drives do."""
+    plan = kinodynamic_rrt(problem, max_iterations=5, rng=0)
+    assert plan.trajectory is not None
+    plan.trajectory.at([0.0, 1.0])
 
 
 def room(robot: Robot, start: tuple[float, ...], goal: tuple[float, ...]) -> ProblemRecord:

@@ -24,6 +24,7 @@ from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.own import draw_questions, try_planner
 from kinoedu.boards.planning.plans import make_problem_scene, problem_in
 from kinoedu.errors import InvalidParameter, KinoeduError
+from kinoedu.figures import palette
 from kinoedu.planners.registry import PLANNERS
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -457,29 +458,40 @@ def flat(record):
 
 
 def test_a_notebook_keeps_text_and_a_small_picture():
-    """Without JavaScript: always the same text, and a PNG of 50 KB at most."""
+    """Without JavaScript: always the same text, and a PNG of 100 KB at most."""
     made = board(walled(), planner="prm", samples=2000)
     for widget in (made, made.canvas, distance_board(WALL, q=(1, 9))):
         data, _ = widget._repr_mimebundle_()
         assert data["text/plain"] == repr(widget) and "0x" not in repr(widget)
-        assert len(base64.b64decode(data["image/png"])) < 50_000
+        assert len(base64.b64decode(data["image/png"])) < 100_000
         assert Image.open(io.BytesIO(base64.b64decode(data["image/png"]))).size[0] > 300
         assert "application/vnd.jupyter.widget-view+json" in data
     assert repr(board(walled())) == repr(board(walled()))
 
 
 def test_a_stored_picture_has_twice_the_dots_of_its_page():
-    """What notebooks store says how large it is shown; one with too many bytes is coarser."""
+    """What notebooks store says how large it is shown; one with far too many bytes is coarser."""
     data, about = board(walled())._repr_mimebundle_()
     stored = Image.open(io.BytesIO(base64.b64decode(data["image/png"])))
     shown = about["image/png"]
     assert stored.size == (2 * shown["width"], 2 * shown["height"])
-    noise = np.random.default_rng(0).integers(0, 256, (800, 800, 3), np.uint8)
-    stream = io.BytesIO()
-    Image.fromarray(noise).save(stream, "png")
-    picture, size = fit_page(stream.getvalue())
-    assert size == {"width": 400, "height": 400}
-    assert Image.open(io.BytesIO(picture)).size == (300, 300)
+    picture, size = fit_page(noise_of(200))
+    assert size == {"width": 100, "height": 100}
+    assert Image.open(io.BytesIO(picture)).size == (200, 200)
+    assert len(few_colours(picture)) <= 2 * len(set(palette.NAMED.values())) + 3
+    picture, size = fit_page(noise_of(600))
+    assert Image.open(io.BytesIO(picture)).size == (size["width"], size["height"]) == (300, 300)
+
+
+def noise_of(side):
+    """A square picture of random colours, as a PNG."""
+    noise, stream = np.random.default_rng(0).integers(0, 256, (side, side, 3)), io.BytesIO()
+    Image.fromarray(noise.astype(np.uint8)).save(stream, "png")
+    return stream.getvalue()
+
+
+def few_colours(picture):
+    return Image.open(io.BytesIO(picture)).convert("RGB").getcolors()
 
 
 def test_distance_board_tells_distance_nearest_point_and_inside():

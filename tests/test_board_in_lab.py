@@ -231,6 +231,27 @@ def test_everything_is_reached_by_keyboard(yard):
     assert yard.page.evaluate("jupyterapp.shell.currentWidget.content.mode") is not None
 
 
+def test_the_controls_are_used_by_keys(yard):
+    """Arrow keys are theirs, not the notebook's; sliders have names, and all show their focus."""
+    controls = yard.page.locator(".kinoedu-framed").first
+    menu, slider = controls.locator("select"), controls.locator(".noUi-handle").first
+    assert [one.get_attribute("aria-label") for one in controls.locator(".noUi-handle").all()] == [
+        one.inner_text() for one in controls.locator(".widget-hslider .widget-label").all()
+    ]
+    menu.focus()
+    yard.page.keyboard.press("ArrowDown")
+    yard.until("text.startsWith('RRT-Connect')")
+    yard.page.keyboard.press("ArrowUp")
+    yard.until("text.startsWith('RRT:')")
+    yard.page.keyboard.press("Tab")
+    yard.page.keyboard.press("ArrowRight")
+    yard.page.wait_for_function("() => document.activeElement.ariaValueNow === '1.0'")
+    assert slider.evaluate("e => e === document.activeElement")
+    assert slider.evaluate("e => getComputedStyle(e).outline").endswith("solid 3px")
+    yard.page.keyboard.press("ArrowLeft")
+    yard.settled()
+
+
 def test_a_hanging_planner_ends_with_a_message(page):
     """It is run again when the goal is released or rests, and works once the planner does."""
     hangs = Seen(page, 2)

@@ -10,7 +10,8 @@ from test_board import Page
 from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
-from kinoedu.boards import car_board
+from kinoedu.boards import Challenge, car_board, challenge
+from kinoedu.boards.car.car import DRAGGED
 from kinoedu.boards.car.car_drawn import STEPS, make_ride, place_shapes
 from kinoedu.boards.car.car_poses import tip_of
 from kinoedu.boards.car.driving import MOMENT, NOTCHES, continue_drive, start_drive
@@ -100,6 +101,37 @@ def test_without_a_path_the_board_says_why():
     assert "no path, " in made.canvas.drawing.text and made.canvas.drawing.total > 100
     made.planner.value = "rrt"
     assert "no path, " in repr(made) and made.canvas.drawing.total <= 100
+
+
+@pytest.mark.parametrize("planner", DRAGGED)
+def test_while_dragged_a_tree_of_drives_has_its_first_iterations(planner):
+    """It says so; at rest the same tree has grown on, and challenges are judged by it."""
+    made = car_board(problem_of(goal=(20.0, 14.0, 0.0)), planner, rng=3)
+    nodes = Challenge("Grow.", lambda board, _: (board.plan is not None, str(count(board.plan))))
+    challenge(made, nodes)
+    page = Page(made.canvas)
+    brief = page.moves(("handle", 2, [20.0, 13.0]))
+    first = nodes_of(made.plan)
+    assert f"the first {DRAGGED[planner]} of" in brief["text"] and brief["brief"]
+    (whole,) = page.says({"kind": "hello", "from": "page"})
+    grown = nodes_of(made.plan)
+    assert len(grown) > len(first) and np.array_equal(grown[: len(first)], first)
+    assert "the first" not in whole["text"] and not whole["brief"]
+    assert [brief["challenges"][0]["text"], whole["challenges"][0]["text"]] == [
+        str(len(first)),
+        str(len(grown)),
+    ]
+    same = getattr(ke.planners, planner)(made.problem, rng=3)
+    assert np.array_equal(grown, nodes_of(same))
+
+
+def nodes_of(plan):
+    """The nodes of a plan's tree or roadmap."""
+    return (plan.tree or plan.roadmap).nodes
+
+
+def count(plan):
+    return len(nodes_of(plan))
 
 
 # ---- start and goal poses

@@ -317,8 +317,10 @@ def challenge_called(name):
 
 
 def state(made):
-    """The one answer of a board."""
-    (answer,) = canvas_of(made).challenges.answers
+    """The one answer of a board that has come to rest."""
+    canvas = canvas_of(made)
+    assert canvas.drawing
+    (answer,) = canvas.challenges.answers
     return answer
 
 

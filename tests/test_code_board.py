@@ -452,6 +452,55 @@ def test_every_growing_board_shows_the_code_that_ran(name):
     assert made.canvas.drawing.text == before.text
 
 
+@pytest.mark.parametrize(
+    ("leader", "head", "counted"),
+    [(0, "def grow(", "nodes in tree"), (1, "def extend(", ""), (2, "def grow_shortest(", "")],
+)
+def test_a_race_shows_the_lines_of_the_planner_that_is_chosen(leader, head, counted):
+    """The other trees have at each line as many nodes as the leader's; one slider scrubs all."""
+    made = ke.boards.race_board(walled(), nodes=40, step_size=1.0)
+    plain = [canvas.drawing for canvas in made.canvases]
+    assert [drawing.listing for drawing in plain] == [None] * 3
+    made.code.value = str(leader)
+    lit = [canvas.drawing for canvas in made.canvases]
+    assert lit[leader].listing.lines[0].startswith(head)
+    assert {drawing.total for drawing in lit} == {len(lit[leader].listing.ran)}
+    for number in {0, 1, 2} - {leader}:
+        assert lit[number].listing is None and len(lit[number].step_texts) == lit[number].total
+    if counted:
+        values = lit[leader].listing.values
+        for line, seen in enumerate(values, start=1):
+            nodes = int(seen[counted])
+            for before, now in zip(plain[1].layers, lit[1].layers, strict=True):
+                assert len(shown(now, line)) == len(shown(before, nodes))
+    made.code.value = ""
+    assert [canvas.drawing.text for canvas in made.canvases] == [one.text for one in plain]
+
+
+def test_a_race_shows_the_lines_of_a_planner_of_the_reader():
+    """The other planner of the reader has made as many queries at each line."""
+
+    def theirs(problem):
+        half = [0.5, 0.5]
+        problem.is_free(half)
+        problem.is_free_path(problem.start, problem.goal)
+        return [problem.start, problem.goal]
+
+    def other(problem):
+        for _ in range(5):
+            problem.is_free_path(problem.goal, problem.start)
+
+    made = ke.boards.race_board(walled(), [theirs, other])
+    made.code.value = "0"
+    first, second = (canvas.drawing for canvas in made.canvases)
+    assert [line.split("(")[0].strip() for line in first.listing.lines][:2] == [
+        "def theirs",
+        "half = [0.5, 0.5]",
+    ]
+    (asked,) = (one for one in second.layers if one.kind == "edges" and len(one.rows))
+    assert [len(shown(asked, line)) for line in range(5)] == [0, 0, 1, 2, 2]
+
+
 @pytest.mark.parametrize("search", ["bfs", "dfs", "astar"])
 def test_a_search_expands_its_nodes_with_its_lines(search):
     """After the last line all that the search expanded is shown, before the first line nothing."""

@@ -65,6 +65,30 @@ def test_a_page_moves_the_plane_and_the_point_and_nothing_else():
     assert board.theta == np.pi and board.place == [2, 3]
 
 
+def test_each_question_of_a_page_is_answered_once(caplog):
+    """Also where plane and point have both moved, or the reader's section fails: a page waits."""
+    asked = []
+
+    def section(theta, place):
+        asked.append(theta)
+        if theta == 1.0:
+            raise ZeroDivisionError("no section here")
+        return {"text": f"{theta:g} {place[0]:g}", "shapes": []}
+
+    board = solid_board(turning_obstacle(ROBOT, OBSTACLE), section=section, place=(1, 1))
+    board.set_state({"theta": 0.5, "place": [2, 3]})
+    assert asked == [0.0, 0.5] and board.section["text"] == "0.5 2"
+    board.set_state({"theta": 1.0})
+    assert "no section here" in board.section["text"] and board.section["theta"] == 1.0
+    assert "could not answer" in caplog.text
+    board.set_state({"theta": 1.5})
+    assert board.section["text"] == "1.5 2" and asked == [0.0, 0.5, 1.0, 1.5]
+    cut = np.array(board.cut).reshape(-1, 2)
+    board.set_state({"place": [4, 4]})
+    assert np.array_equal(cut, np.array(board.cut).reshape(-1, 2))
+    assert np.array_equal(cut, cut_mesh(board._mesh, 1.5)[:, :, :2].reshape(-1, 2))
+
+
 def test_a_board_shows_any_mesh():
     """Its cut by default, its colours, or a given section; the picture is a PNG."""
     torus = torus_mesh(np.eye(12, dtype=int))

@@ -189,6 +189,18 @@ def test_pictures_are_sharp_small_and_keep_their_colours():
     assert palette.GOAL.lower() in colours and "#ffffff" in colours
 
 
+@pytest.mark.parametrize("book", BOOKS, ids=lambda book: book.stem)
+def test_stored_pictures_have_twice_the_pixels_of_their_page(book):
+    """Figures and boards, in notebooks of less than a megabyte."""
+    assert book.stat().st_size < 1_000_000
+    for cell in json.loads(book.read_text(encoding="utf-8"))["cells"]:
+        for output in cell.get("outputs", []):
+            if "image/png" in output.get("data", {}):
+                picture = Image.open(io.BytesIO(base64.b64decode(output["data"]["image/png"])))
+                size = output["metadata"]["image/png"]
+                assert picture.width >= 2 * size["width"], cell["id"]
+
+
 def test_a_picture_with_many_colours_keeps_them():
     levels = np.random.default_rng(0).integers(0, 255, (300, 300, 3), np.uint8)
     assert style.keep_few_colours(Image.fromarray(levels)).mode == "RGB"

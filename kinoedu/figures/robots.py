@@ -138,12 +138,14 @@ def _(robot: CarRobot, a: Array, b: Array) -> Array:
     return np.array(lines).reshape(-1, CURVED + 1, 2)
 
 
-def driven_tracks(car: CarRobot, begins: Array, controls: Array, durations: Array) -> Array:
-    """The paths (m, k, 2) of drives from poses (m, 3) by controls (m, 2) for durations (m,)."""
-    times = durations[:, None] * np.linspace(0.0, 1.0, BENDS + 1)
-    which = np.repeat(np.arange(len(begins)), BENDS + 1)
+def driven_tracks(
+    car: CarRobot, begins: Array, controls: Array, durations: Array, bends: int = BENDS
+) -> Array:
+    """The paths (m, bends + 1, 2) of drives from poses (m, 3) by controls (m, 2), as polylines."""
+    times = durations[:, None] * np.linspace(0.0, 1.0, bends + 1)
+    which = np.repeat(np.arange(len(begins)), bends + 1)
     poses = poses_between(begins, controls, car.wheelbase, which, times.ravel())
-    return poses[:, :2].reshape(-1, BENDS + 1, 2)
+    return poses[:, :2].reshape(-1, bends + 1, 2)
 
 
 def even_times(trajectory: TrajectoryRecord) -> Array:

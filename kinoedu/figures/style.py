@@ -13,10 +13,12 @@ import matplotlib as mpl
 import numpy as np
 from cycler import cycler
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 from PIL import Image
 
 from . import palette
 
+Levels = NDArray[np.int64]  # (n, 3): red, green and blue, from 0 to 255
 INLINE = ("inline", "module://matplotlib_inline.backend_inline")
 SHARP = 2  # pixels of a picture for one of the page
 COLOURS = 256  # of a stored picture; one of more than MANY keeps all of them
@@ -95,16 +97,29 @@ def keep_few_colours(picture: Image.Image) -> Image.Image:
 
     The frequent colours are kept exactly; those of rims become the nearest of them.
     """
-    red, green, blue = np.moveaxis(np.asarray(picture, np.int64), 2, 0)
-    numbers = (red << 16) | (green << 8) | blue
-    found, which, counts = np.unique(numbers, return_inverse=True, return_counts=True)
-    if len(found) > MANY:
+    levels, counts = count_colours(picture)[::2]
+    if len(levels) > MANY:
         return picture
-    levels = np.column_stack([found >> 16, (found >> 8) & 255, found & 255])
-    kept = levels[np.argsort(-counts, kind="stable")[:COLOURS]]
+    return use_colours(picture, levels[np.argsort(-counts, kind="stable")[:COLOURS]])
+
+
+def use_colours(picture: Image.Image, colours: Levels) -> Image.Image:
+    """A picture with each colour replaced by the nearest of at most 256, levels (n, 3)."""
+    levels, which, _ = count_colours(picture)
     parts = np.split(levels, range(TOGETHER, len(levels), TOGETHER))
-    found_near = [((part[:, None] - kept) ** 2).sum(axis=2).argmin(axis=1) for part in parts]
-    nearest = np.concatenate(found_near)
-    small = Image.fromarray(nearest[which].reshape(numbers.shape).astype(np.uint8))
-    small.putpalette(kept.ravel().tolist())
+    found_near = [((part[:, None] - colours) ** 2).sum(axis=2).argmin(axis=1) for part in parts]
+    nearest = np.concatenate(found_near)[which].reshape(picture.height, picture.width)
+    small = Image.fromarray(nearest.astype(np.uint8))
+    small.putpalette(colours.ravel().tolist())
     return small
+
+
+def count_colours(picture: Image.Image) -> tuple[Levels, NDArray[np.int64], NDArray[np.int64]]:
+    """The colours of a picture, levels (n, 3); of each pixel the number of its colour; and counts.
+
+    The pixels come row by row.
+    """
+    red, green, blue = np.moveaxis(np.asarray(picture, np.int64), 2, 0)
+    numbers = ((red << 16) | (green << 8) | blue).ravel()
+    found, which, counts = np.unique(numbers, return_inverse=True, return_counts=True)
+    return np.column_stack([found >> 16, (found >> 8) & 255, found & 255]), which, counts

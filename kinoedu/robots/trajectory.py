@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import compiled
+from ..compiled import algorithm, compiled
 from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter
@@ -184,7 +184,7 @@ def replay_controls(start: Array, controls: Array, durations: Array, wheelbase: 
     return poses
 
 
-@compiled
+@algorithm
 def poses_between(
     begins: Array, controls: Array, wheelbase: float, which: NDArray[np.int64], times: Array
 ) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -37,12 +38,16 @@ from .car_drawn import (
     draw_ride,
     follow_car,
     make_ride,
+    note_tree,
 )
 from .car_poses import CAR, handle_places, make_car_scene, poses_in
 from .driving import continue_drive, is_at_goal, start_drive, steering_angle
 from .lit import trace_car_planner
 
 YOU = "you"
+# The iterations of a planner that a page waits for while something is dragged. The first ones are
+# the same however many follow.
+DRAGGED = {"kinodynamic_rrt": 250, "kinodynamic_prm": 90}
 VIEWS = ("above", "followed")
 
 
@@ -58,6 +63,9 @@ def car_board(
     rng: int = 0,
 ) -> CarBoard:
     """Set a car's start and goal pose, and see its motion planned and driven; or drive yourself.
+
+    While something is dragged, a planner of drives does its first iterations only, and the text
+    says so; the others follow when everything rests.
 
     Press on the ground to set the goal, with Shift the start, and pull its heading; or drag places,
     tips and obstacles. A pose that is not free is refused, with the reason, and returns to where it
@@ -135,8 +143,7 @@ class CarBoard(Framed):
             self._take(scene)
         except KinoeduError as error:
             return self._refusal(scene, str(error))
-        self.plan = None if self.planner.value == YOU else self._plan(self.problem)
-        drawing = self._by_you() if self.plan is None else self._by_planner(self.plan)
+        drawing = self._by_you() if self.planner.value == YOU else self._by_planner()
         self._good, self._drawing = move_parts(scene, drawing.places), drawing
         return drawing
 
@@ -177,57 +184,87 @@ class CarBoard(Framed):
         whole = valid.whole
         return warn(valid) if whole is None else warn(valid).completed_by(lambda: warn(whole()))
 
-    def _plan(self, problem: Any) -> Plan:
-        """The plan of the chosen planner for the problem, or for a recorder of it."""
-        planner, most = ON_BOARD[self.planner.value], self.iterations.value
-        return planner.plan(problem, seed=self.seed.value, iterations=most)
+    def _by_planner(self) -> Drawing:
+        """Draw the plan of the first iterations, completed by the plan of all."""
+        most = self.iterations.value
+        few = min(most, DRAGGED.get(self.planner.value, most))
+        self.plan = plan = self._plan(self.problem, few)
+        if few == most or (plan.tree is not None and plan.path is not None):  # it has stopped
+            return self._draw_plan(plan)
 
-    def _by_planner(self, plan: Plan) -> Drawing:
+        def finish() -> Drawing:
+            self.plan = self._plan(problem, most)
+            return self._draw_plan(self.plan).completed
+
+        problem, drawing = self.problem, self._draw_plan(plan)
+        found = drawing.text if plan.path is not None else get_message("car_board.none_yet")
+        first = get_message("car_board.first", few=f"{few:,}", most=f"{most:,}")
+        return replace(drawing, text=f"{found}\n{first}", whole=finish, unfinished=True)
+
+    def _plan(self, problem: Any, iterations: int) -> Plan:
+        """The plan of the chosen planner for the problem, or for a recorder of it."""
+        planner = ON_BOARD[self.planner.value]
+        return planner.plan(problem, seed=self.seed.value, iterations=iterations)
+
+    def _draw_plan(self, plan: Plan) -> Drawing:
         """Draw a plan: its growth, then the ride along its trajectory.
 
         Without a path the ride leads to the pose nearest to the goal.
         """
-        layers, begin = draw_growth(self.problem.robot, plan)
+        grown, begin = draw_growth(self.problem.robot, plan)
         total, unit = growth_of(plan)
         problem, name, ride = self.problem, self.planner.value, make_ride(trajectory_of(plan))
-        drawing = self._ridden(ride, begin, layers, summary(plan, total), problem.start)
+        text = summary(plan, total)
 
-        def describe_all() -> Drawing:
+        def ride_along() -> Drawing:
+            layer = grown if plan.tree is None else note_tree(grown, plan.tree)
             counts = {"planner": plan.planner, "total": f"{total:,}", "unit": unit}
             shown = (f"{k * total // begin:,}" for k in range(begin))
             texts = [get_message("figure.growing", shown=count, **counts) for count in shown]
+            cars = draw_ride(problem.robot, ride, begin)
+            drawing = self._ridden(ride, begin, [layer], cars, text, problem.start)
             return replace(drawing, step_texts=[*texts, *describe_ride(ride)[:-1]])
 
         def show_lines() -> Drawing:
-            run = trace_car_planner(name, problem, self._plan, begin / max(total, 1))
+            call = partial(self._plan, iterations=self.iterations.value)
+            run = trace_car_planner(name, problem, call, begin / max(total, 1))
             ends = draw_ends(problem.robot, (problem.start, problem.goal))
-            return run.draw_over(Drawing([*layers, *ends], text=summary(plan, total)))
+            return run.draw_over(Drawing([grown, *ends], text=text))
 
-        return drawing.completed_by(show_lines if self.code.value else describe_all)
+        parked = draw_ride(problem.robot, ride.last, begin + len(ride.times) - 1)
+        drawing = self._ridden(ride, begin, [grown], parked, text, problem.start)
+        return drawing.completed_by(show_lines if self.code.value else ride_along)
 
     def _by_you(self) -> Drawing:
         """Draw what you have driven."""
+        self.plan = None
         ride, phi = make_ride(self.driven), steering_angle(self.problem.robot, self._drive.notch)
         ride.controls[-1, 1] = phi
-        here = ride.poses[-1]
+        here, car = ride.poses[-1], self.problem.robot
         values = {"length": f"{self.driven.length:.4g}", "phi": f"{np.degrees(phi):.0f}"}
         lines = [get_message("car_board.driven", **values)]
         lines += [get_message("car_board.contact")] if self._drive.stopped else []
         lines += [get_message("car_board.arrived")] if is_at_goal(self.problem, here) else []
-        drawing = self._ridden(ride, 0, [], "\n".join(lines), here)
+        cars = draw_ride(car, ride, 0, hit=self._drive.stopped)
+        drawing = self._ridden(ride, 0, [], cars, "\n".join(lines), here)
         return drawing.completed_by(lambda: replace(drawing, step_texts=describe_ride(ride)[:-1]))
 
     def _ridden(
-        self, ride: Ride, begin: int, grown: list[Layer], text: str, here: Array
+        self,
+        ride: Ride,
+        begin: int,
+        grown: list[Layer],
+        cars: list[Layer],
+        text: str,
+        here: Array,
     ) -> Drawing:
         """Draw what has grown until step `begin`, and the ride that follows.
 
+        cars : the car at the moments of the ride.
         here : the pose of the car that can be driven.
         """
         car, ends = self.problem.robot, (self.problem.start, self.problem.goal)
-        layers = [*grown, *draw_ends(car, ends), *draw_rear_axle_path(ride, begin)]
-        hit = self.planner.value == YOU and self._drive.stopped
-        layers += draw_ride(car, ride, begin, hit=hit)
+        layers = [*grown, *draw_ends(car, ends), *draw_rear_axle_path(ride, begin), *cars]
         layers += [follow_car(car, ride, begin)] if self.view.value == "followed" else []
         places = [("handle", k, place) for k, place in enumerate(handle_places(car, *ends, here))]
         total, unit = begin + len(ride.times) - 1, get_message("car_board.unit")

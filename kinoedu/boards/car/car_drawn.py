@@ -20,6 +20,7 @@ from .car_poses import body_middles, tip_of
 
 STEPS = 200  # of a ride
 GROWTH = 100  # the most steps of a tree's growth: half as long as the ride
+PIECES = 4  # of an edge
 EYE = 7.0  # the width of the view that follows the car, in wheelbases
 
 
@@ -29,6 +30,11 @@ class Ride(NamedTuple):
     times: Array
     poses: Array
     controls: Array
+
+    @property
+    def last(self) -> "Ride":
+        """The last moment alone."""
+        return Ride(self.times[-1:], self.poses[-1:], self.controls[-1:])
 
 
 def make_ride(trajectory: TrajectoryRecord) -> Ride:
@@ -47,7 +53,7 @@ def draw_ride(car: CarRobot, ride: Ride, begin: int, *, hit: bool = False) -> li
     n = len(ride.times)
     when = np.append(0, begin + 1 + np.arange(n - 1)) if n > 1 else np.array([0])
     until = np.append(when[1:], begin + n)
-    outlines = np.array([outline_at(car, q) for q in ride.poses])
+    outlines = place_shapes(car.outline[None, None], ride.poses)[:, 0]
     rolling = dict.fromkeys(ride.controls[:, 1].tolist())
     straight = {phi: np.array(steered_wheels(car, np.zeros(3), phi)) for phi in rolling}
     wheels = place_shapes(
@@ -77,25 +83,25 @@ def draw_rear_axle_path(ride: Ride, begin: int) -> list[Layer]:
     return path_edges(some, when=np.full(len(some), begin))
 
 
-def draw_growth(car: CarRobot, plan: Plan) -> tuple[list[Layer], int]:
+def draw_growth(car: CarRobot, plan: Plan) -> tuple[Layer, int]:
     """Draw the tree or roadmap of a plan as it grew; also returns the number of steps."""
     if plan.roadmap is not None:
         roadmap, colour = plan.roadmap, "roadmap"
         begins = roadmap.nodes[roadmap.edges[:, 0]]
-        lines = driven_tracks(car, begins, roadmap.controls, roadmap.durations)
+        lines = driven_tracks(car, begins, roadmap.controls, roadmap.durations, PIECES)
     else:
         tree: Any = plan.tree
         begins, colour = tree.nodes[tree.parent[1:]], "tree"
         if hasattr(tree, "controls"):
-            lines = driven_tracks(car, begins, tree.controls[1:], tree.durations[1:])
+            lines = driven_tracks(car, begins, tree.controls[1:], tree.durations[1:], PIECES)
         else:
             lines = tracks(car, begins, tree.nodes[1:])
-    n, thinned = len(lines), lines[:, :: max(1, (lines.shape[1] - 1) // 4)]
+            lines = lines[:, :: max(1, (lines.shape[1] - 1) // PIECES)]
+    n = len(lines)
     total = min(n, GROWTH)
     when = np.ceil((np.arange(n) + 1) * total / max(n, 1))
-    pieces = np.stack([thinned[:, :-1], thinned[:, 1:]], axis=2)
-    layer = edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1]))
-    return [layer if plan.roadmap is not None else note_tree(layer, plan.tree)], total
+    pieces = np.stack([lines[:, :-1], lines[:, 1:]], axis=2)
+    return edges(pieces, colour, width=line_width(n), when=np.repeat(when, pieces.shape[1])), total
 
 
 def note_tree(layer: Layer, tree: Any) -> Layer:
@@ -111,11 +117,11 @@ def note_tree(layer: Layer, tree: Any) -> Layer:
     number = np.repeat(np.arange(1, n), k)
     if not hasattr(tree, "durations"):
         return with_notes(layer, note("car_length", number=None), number=number, **branch)
-    time = np.zeros(n)
-    for node in range(1, n):
-        time[node] = time[tree.parent[node]] + tree.durations[node].sum()
+    time = [0.0] * n
+    for node, (parent, duration) in enumerate(zip(tree.parent.tolist(), tree.durations.tolist())):
+        time[node] = time[parent] + duration
     says = note("car_node", number=None, time=None)
-    return with_notes(layer, says, number=number, time=time[number], **branch)
+    return with_notes(layer, says, number=number, time=np.array(time)[number], **branch)
 
 
 def draw_ends(car: CarRobot, ends: Sequence[Array]) -> list[Layer]:

@@ -509,6 +509,10 @@ class Board {
   }
 }
 
+function keepKeys(event) {               // the notebook must not handle the keys that a board uses
+  if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
+}
+
 // ---- one picture of a board
 
 class View {
@@ -650,10 +654,7 @@ class View {
     canvas.addEventListener("pointerup", (e) => this.letGo(e));
     canvas.addEventListener("pointercancel", (e) => this.letGo(e));
     canvas.addEventListener("pointerleave", (e) => this.pointer.leave(e));
-    // The notebook must not handle the keys that the board uses.
-    this.root.addEventListener("keydown", (e) => {
-      if (!e.ctrlKey && !e.metaKey) e.stopPropagation();
-    });
+    this.root.addEventListener("keydown", keepKeys);
     this.button.addEventListener("click", () => board.play());
     this.back.addEventListener("click", () => board.reset());
     this.copying.addEventListener("click", () => {
@@ -665,9 +666,23 @@ class View {
     });
   }
 
+  // The controls above: the notebook must leave them their keys, and their sliders get the names of
+  // their labels, since ipywidgets gives them none.
+  prepareControls() {
+    const frame = this.root.closest(".kinoedu-framed");
+    if (!frame) return;
+    frame.addEventListener("keydown", keepKeys);
+    for (const slider of frame.querySelectorAll(".widget-hslider")) {
+      const name = slider.querySelector(".widget-label").textContent;
+      const parts = slider.querySelectorAll(".noUi-handle, .widget-readout");
+      parts.forEach((part) => part.setAttribute("aria-label", name));
+    }
+  }
+
   // coordinates: the world's (x, y) with y up, and the picture's pixels with y down
 
   resize() {
+    this.prepareControls();
     const { lo, hi } = this.board.scene;
     const [wide, high] = [hi[0] - lo[0], hi[1] - lo[1]];
     const room = Math.max(Math.min(this.column.clientWidth || WIDEST, WIDEST), 160) - 2 * PAD;

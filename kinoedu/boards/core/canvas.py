@@ -145,7 +145,7 @@ class Canvas(anywidget.AnyWidget):
         """Answer the same scene again, after something else changed, and show it on every page."""
         with _answering:
             self._draw()
-            self._show(None, None, self._reply.whole)
+            self._show(None, None, self._complete())
 
     def arrange(self, scene: Scene) -> None:
         """Move all parts to their places in another scene, answer it, and show it on every page.
@@ -193,7 +193,7 @@ class Canvas(anywidget.AnyWidget):
         page, seq = message["from"], message.get("seq")
         with _answering:
             if message.get("kind") == "hello":
-                self._show(page, None, self._reply.whole)
+                self._show(page, None, self._complete())
             elif message.get("kind") == "code" and self._code is not None:
                 self.send({"kind": "code", "to": page, "text": self._code()})
             elif message.get("kind") == "scene" and isinstance(seq, int):
@@ -221,6 +221,16 @@ class Canvas(anywidget.AnyWidget):
         """Answer the scene, or show what is wrong with it."""
         self._reply = Reply(lambda: self._answer(self._shown), self._shown)
         self._shown = move_parts(self._shown, self._reply.brief.content["places"])
+        self._judge()
+
+    def _complete(self) -> Message:
+        """The whole answer; challenges are judged again where it has a further result."""
+        unfinished, whole = self._reply.unfinished, self._reply.whole
+        if unfinished:
+            self._judge()
+        return whole
+
+    def _judge(self) -> None:
         if self.challenges is not None:
             self.challenges.judge()
 
@@ -237,6 +247,7 @@ class Canvas(anywidget.AnyWidget):
     @property
     def drawing(self) -> Drawing:
         """The answer shown now."""
+        self._complete()
         return self._reply.drawing
 
     @property
@@ -251,7 +262,7 @@ class Canvas(anywidget.AnyWidget):
     def record(self) -> list[JsonObject]:
         """The board as it is now, for pages without a kernel."""
         bitmap = base64.b64encode(pack_bitmap(self._free)).decode("ascii")
-        drawing = record_drawing(*self._with_challenges(self._reply.whole))
+        drawing = record_drawing(*self._with_challenges(self._complete()))
         live = {} if self.live is None else {"live": self.live}
         return [{"scene": self._shown, "bitmap": bitmap, "team": 0, **drawing, **live}]
 

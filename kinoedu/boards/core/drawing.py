@@ -91,6 +91,7 @@ class Drawing:
         things that are being dragged are not moved.
     whole : makes the same drawing with all that only scrubbing and pointing need, where that takes
         long. It is called when nothing is dragged any more.
+    unfinished : whether `whole` has a further result, which challenges are judged by too.
     """
 
     layers: Sequence[Layer] = ()
@@ -103,6 +104,7 @@ class Drawing:
     first: int | None = None
     places: Sequence[tuple[str, int, Any]] = ()
     whole: Callable[[], Drawing] | None = None
+    unfinished: bool = False
 
     def at_end(self) -> Drawing:
         """The drawing as it is seen at its last step; itself where that is all, or has code."""
@@ -115,6 +117,11 @@ class Drawing:
     def completed_by(self, whole: Callable[[], Drawing]) -> Drawing:
         """This drawing while something is dragged, and another one when nothing is."""
         return replace(self, whole=whole)
+
+    @property
+    def completed(self) -> Drawing:
+        """The drawing when nothing is dragged; itself where that is all."""
+        return self if self.whole is None else self.whole()
 
     @property
     def message(self) -> str:

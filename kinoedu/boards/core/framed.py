@@ -20,6 +20,10 @@ class Pictured(widgets.Box):
 
     canvas: Canvas
 
+    def __init__(self, children: Sequence[widgets.Widget], **style: Any) -> None:
+        super().__init__(children, **style)
+        self.add_class("kinoedu-framed")  # board.js makes the controls in it usable by keys
+
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""
         return self.canvas.picture()

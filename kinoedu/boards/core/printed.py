@@ -1,6 +1,7 @@
 """A board as a picture, for readers without JavaScript: matplotlib draws the same layers."""
 
 import io
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from PIL import Image, ImageColor
 
 from ...figures import palette
 from ...figures.drawing import HALO, compound
+from ...figures.style import Levels, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
 from .listing import Listing
@@ -26,7 +28,10 @@ DPI = 72 * SHARP
 ACROSS = 2  # pictures in a row: with more the texts would be too small on a page
 LINE_HEIGHT = 0.2  # inches, of a line of code
 TITLE_HEIGHT = 0.4  # inches
-ENOUGH = 44_000  # bytes, so that a notebook with a dozen boards stays small
+ENOUGH = 80_000  # bytes, so that a notebook with a dozen boards stays below a megabyte
+MOST = 100_000
+MIXTURES = (1.0, 0.75, 0.5, 0.25, 0.1)  # shares of a colour mixed with white
+FEWER = ((1.0, 0.5), (1.0,))  # the same for pictures with too many bytes
 
 
 def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> bytes:
@@ -105,29 +110,29 @@ def save_with_few_colours(figure: Figure) -> bytes:
     return keep_own_colours(Image.open(stream))
 
 
-def keep_own_colours(picture: Image.Image) -> bytes:
+def keep_own_colours(picture: Image.Image, shares: Sequence[float] = MIXTURES) -> bytes:
     """A picture as a PNG with only the course's colours and their mixtures.
 
     The file is about a quarter of the size, and every colour of the course is kept exactly.
+
+    shares : of a colour in its mixtures with white.
     """
-    own, stream = Image.new("P", (1, 1)), io.BytesIO()
-    own.putpalette(mix_colours())
-    few = picture.convert("RGB").quantize(palette=own, dither=Image.Dither.NONE)
-    few.save(stream, "png", optimize=True)
+    stream = io.BytesIO()
+    use_colours(picture.convert("RGB"), mix_colours(shares)).save(stream, "png", optimize=True)
     return stream.getvalue()
 
 
-def mix_colours() -> list[int]:
-    """The levels red, green, blue of the named colours and of the mixtures that figures need.
+def mix_colours(shares: Sequence[float]) -> Levels:
+    """The named colours and the mixtures that figures need, levels (n, 3).
 
     Each colour is mixed with white; those of lines are mixed with that of obstacles too.
     """
     named = np.array([list(ImageColor.getrgb(colour)) for colour in palette.NAMED.values()])
     lines = (palette.TREE, palette.ROADMAP, palette.PATH)
     solid = np.array(ImageColor.getrgb(palette.OBSTACLE))
-    mixed = [weight * named + (1.0 - weight) * 255.0 for weight in (1.0, 0.75, 0.5, 0.25, 0.1)]
+    mixed = [share * named + (1.0 - share) * 255.0 for share in shares]
     mixed += [0.5 * np.array(ImageColor.getrgb(line)) + 0.5 * solid for line in lines]
-    return [int(level) for level in np.unique(np.vstack(mixed).round(), axis=0).ravel()]
+    return np.unique(np.vstack(mixed).round().astype(np.int64), axis=0)
 
 
 def print_world(scene: Scene, free: Bitmap | None, ax: Axes) -> None:
@@ -270,20 +275,22 @@ def join_pictures(*pictures: bytes) -> bytes:
         for one in row:
             joined.paste(one, (left, top + (heights[number] - one.height) // 2))
             left += one.width
-    stream = io.BytesIO()
-    joined.quantize(64, dither=Image.Dither.NONE).save(stream, "png", optimize=True)
-    return stream.getvalue()
+    return keep_own_colours(joined)
 
 
 def fit_page(picture: bytes) -> tuple[bytes, dict[str, int]]:
-    """A sharp picture, coarser if it has more than ENOUGH bytes, and its size on a page."""
+    """A sharp picture and its size on a page.
+
+    With more than ENOUGH bytes its lines get harder rims; with more than MOST it becomes coarser.
+    """
     sharp = Image.open(io.BytesIO(picture))
     width, height = sharp.width // SHARP, sharp.height // SHARP
-    for share in (0.75, 0.5, 0.375):
+    for shares in FEWER:
         if len(picture) > ENOUGH:
-            size = int(share * sharp.width), int(share * sharp.height)
-            smaller = sharp.convert("RGB").resize(size, Image.Resampling.LANCZOS)
-            picture = keep_own_colours(smaller)
+            picture = keep_own_colours(sharp, shares)
+    if len(picture) > MOST:
+        coarse = sharp.convert("RGB").resize((width, height), Image.Resampling.LANCZOS)
+        picture = keep_own_colours(coarse)
     return picture, {"width": width, "height": height}
 
 

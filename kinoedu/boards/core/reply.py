@@ -54,9 +54,14 @@ class Reply:
         """The message when everything is at rest."""
         if self._whole is None:
             drawing = self._drawing
-            self._drawing, took = draw_in_time(drawing.whole or (lambda: drawing))
+            self._drawing, took = draw_in_time(lambda: drawing.completed)
             self._whole = self._encode(self._drawing, took, is_brief=False)
         return self._whole
+
+    @property
+    def unfinished(self) -> bool:
+        """Whether `whole`, which has not been made yet, has a further result."""
+        return self._drawing.unfinished
 
     @property
     def drawing(self) -> Drawing:

@@ -2,12 +2,12 @@
 //
 // On the left is a mesh, painted from the farthest triangle to the nearest; above the plane it is
 // transparent, so that the cut is visible. On the right is the section that Python computes. One
-// question to Python is open at a time; the next one is about the newest scene.
+// question to Python is open at a time, and Python answers each; the next one is about the newest
+// scene.
 
 const STEP = Math.PI / 36;    // radians that an arrow key turns the mesh
 const NEAREST = 4, FARTHEST = 0.4;
 const GLASS = 0.2;            // the opacity of what is above the plane
-const WAIT = 2000;            // ms after which an unanswered question is forgotten
 
 const make = (tag, className, parent, attributes = {}) => {
   const element = document.createElement(tag);
@@ -40,7 +40,7 @@ class Solid {
     this.box = model.get("box");
     this.theta = model.get("theta");
     this.place = model.get("place");
-    this.sent = null;                    // when the open question was sent; null without one
+    this.open = false;                   // whether a question is open
     this.asked = 0;                      // questions so far
     Object.assign(this, { azimuth: -1.05, height: 0.42, zoom: 1, paints: 0, queued: false });
     this.points = array(Float32Array, model.get("vertices"));
@@ -67,14 +67,14 @@ class Solid {
   }
 
   receive() {                            // the answer to the open question has come
-    this.sent = null;
+    this.open = false;
     this.emit("answered", this.asked);
     this.ask();
     this.request();
   }
 
   replace() {                            // Python has moved the plane or the point
-    if (this.sent !== null) return;
+    if (this.open) return;
     this.theta = this.model.get("theta");
     this.place = this.model.get("place");
     this.request();
@@ -93,8 +93,10 @@ class Solid {
     const { words } = this;
     this.root = make("div", "kinoedu-solid", el, { "data-lm-suppress-shortcuts": "true" });
     const panels = make("div", "kinoedu-solid-panels", this.root);
-    this.solid = make("canvas", "kinoedu-solid-mesh", panels, { tabindex: 0, role: "img" });
-    this.slice = make("canvas", "kinoedu-solid-slice", panels, { tabindex: 0, role: "img" });
+    // not images: with that role screen readers keep the arrow keys for themselves
+    const moved = { tabindex: 0, role: "application" };
+    this.solid = make("canvas", "kinoedu-solid-mesh", panels, moved);
+    this.slice = make("canvas", "kinoedu-solid-slice", panels, moved);
     const row = make("label", "kinoedu-solid-plane", this.root);
     make("span", "", row).textContent = words.theta;
     const [lo, hi] = this.box;
@@ -176,9 +178,8 @@ class Solid {
   ask() {                                // ask for the section, unless a question is open
     const { model, theta, place } = this, section = model.get("section");
     if (section.theta === theta && same(section.place, place)) return;
-    if (this.sent !== null && performance.now() - this.sent < WAIT) return;
-    if (model.get("theta") === theta && same(model.get("place"), place)) return;
-    this.sent = performance.now();
+    if (this.open || (model.get("theta") === theta && same(model.get("place"), place))) return;
+    this.open = true;
     this.emit("sent", this.asked += 1);
     model.set({ theta, place });
     model.save_changes();
@@ -217,6 +218,7 @@ class Solid {
   paint() {
     this.slider.value = this.theta;
     this.reading.textContent = `${degrees(this.theta)}°`;
+    this.slider.ariaValueText = this.reading.textContent;
     this.paintSolid();
     this.paintSlice();
     const { azimuth, height, theta: level, zoom } = this;

@@ -2,7 +2,7 @@
 
 The browser turns the mesh, moves the plane and drags the point; Python answers with the trait
 `section`: {theta, place, text, shapes}, each shape a list of points with colours. Only one
-question is open at a time.
+question is open at a time, and each is answered, also where the answer fails.
 """
 
 from __future__ import annotations
@@ -18,11 +18,13 @@ import anywidget
 import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
+from PIL import Image
 
 from ...c_space import translating_obstacles, turned, turning_obstacle
 from ...errors import InvalidParameter, KinoeduError
 from ...figures import palette
 from ...figures.solid import cut_mesh, draw_mesh, shade_faces
+from ...figures.style import keep_few_colours
 from ...geometry import convex_polygons_intersect
 from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
@@ -201,7 +203,12 @@ class SolidBoard(anywidget.AnyWidget):
                 checked["place"] = as_point(sync_data["place"], "place").tolist()
         except (KinoeduError, ValueError) as error:
             log.warning("a board was sent a place that it cannot show: %s", error)
-        super().set_state(checked)
+        try:
+            super().set_state(checked)
+        except Exception as error:  # of a reader's section: the page waits for an answer
+            log.exception("a board could not answer")
+            fault = get_message("board.failed", error=f"{type(error).__name__}: {error}")
+            self.section = {**self._asked(), "text": fault, "shapes": []}
 
     def _nearest(self, theta: float) -> float:
         """The height of the solid that is nearest to an angle."""
@@ -216,13 +223,19 @@ class SolidBoard(anywidget.AnyWidget):
         value = proposal["value"]
         return value if value is None else as_point(value, "place").tolist()
 
+    def _asked(self) -> JsonObject:
+        """The plane and the point that an answer is about."""
+        return {"theta": self.theta, "place": self.place}
+
     def _answer(self) -> None:
-        """Compute what the plane shows now."""
+        """Compute what the plane shows now; once where plane and point have both moved."""
+        if {**self.section, **self._asked()} == self.section:
+            return
         place = np.array((0.0, 0.0) if self.place is None else self.place)
-        shown = self._section(self.theta, place)
         with self.hold_sync():
-            self.cut = cut_mesh(self._mesh, self.theta)[:, :, :2].tolist()
-            self.section = {**shown, "theta": self.theta, "place": self.place}
+            if self.section.get("theta") != self.theta:
+                self.cut = cut_mesh(self._mesh, self.theta)[:, :, :2].tolist()
+            self.section = {**self._section(self.theta, place), **self._asked()}
 
     def _outline(self, theta: float, _: Array) -> JsonObject:
         """The cut itself, as a section."""
@@ -259,9 +272,10 @@ class SolidBoard(anywidget.AnyWidget):
         ax.autoscale_view()
         ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
         ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)
-        stream = io.BytesIO()
+        stream, small = io.BytesIO(), io.BytesIO()
         figure.savefig(stream, format="png")
-        return stream.getvalue()
+        keep_few_colours(Image.open(stream).convert("RGB")).save(small, "png", optimize=True)
+        return small.getvalue()
 
     def record(self) -> list[JsonObject]:
         """Nothing: pages without a kernel show the picture."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
+from functools import cache, partial
 
 from ...errors import InvalidParameter, KinoeduError
 from ...messages import get_message
@@ -14,13 +14,15 @@ from ...problems import Plan, ProblemRecord
 from ...support.text import shortened
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing
-from ..core.framed import Framed, make_counter, make_length_slider
+from ..core.framed import Framed, make_counter, make_length_slider, make_menu
 from ..core.scene import Scene
 from .own import Attempt
 from .plans import Settings, check_in_plane, make_problem_canvas, problem_in
 from .racing import Runner, run_planner, stretch_growth
+from .racing_lit import follow_lines, has_lines
 
 MOST = 4  # the most planners side by side
+NO_CODE = ""
 
 
 def race_board(
@@ -33,7 +35,8 @@ def race_board(
 ) -> RaceBoard:
     """Planners side by side: each scene follows the others, and one slider scrubs through all.
 
-    A step is one node of each tree.
+    A step is one node of each tree. The menu "code of" shows the lines of one of the planners as
+    they run; then a step is a line, and the other trees have as many nodes as this one.
 
     Parameters
     ----------
@@ -82,9 +85,11 @@ class RaceBoard(Framed):
         self.nodes = make_counter("rewiring_board.n", integer(nodes, "nodes", least=2), 50, 3000)
         self.step_size = make_length_slider("board.step_size", world_size(problem), step_size)
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
+        self.code = make_menu("race_board.code", list_lines(self._planners), NO_CODE)
         self._scene: Scene = {}
         self._runners: list[Runner] = []
         self._fault: KinoeduError | None = None
+        self._lines: Callable[[], list[Drawing]] | None = None
         self.canvases: list[Canvas] = []
         canvases = [
             make_problem_canvas(problem, partial(self.answer, number))
@@ -92,7 +97,7 @@ class RaceBoard(Framed):
         ]
         for canvas in canvases[1:]:
             canvas.add_class("kinoedu-led")
-        super().__init__([self.nodes, self.step_size, self.seed], canvases)
+        super().__init__([self.nodes, self.step_size, self.seed, self.code], canvases)
 
     @property
     def plans(self) -> list[Plan | Attempt]:
@@ -112,11 +117,14 @@ class RaceBoard(Framed):
         if self._fault is not None:
             raise self._fault
         drawings = [runner.drawing for runner in self._runners]
-        return stretch_growth(drawings[number], max(drawing.total for drawing in drawings))
+        drawing = stretch_growth(drawings[number], max(drawing.total for drawing in drawings))
+        lines = self._lines
+        return drawing if lines is None else drawing.completed_by(lambda: lines()[number])
 
     def _run(self, scene: Scene) -> None:
         """Run all planners, except a reader's planner that could not be stopped before."""
         self._scene, self._fault, before, self._runners = scene, None, self._runners, []
+        self._lines = None
         try:
             problem = problem_in(scene, self._given)
         except KinoeduError as error:
@@ -127,10 +135,30 @@ class RaceBoard(Framed):
             old = before[number] if before else None
             stuck = old is not None and getattr(old.plan, "still_running", False)
             self._runners.append(old if old and stuck else run_planner(planner, problem, given))
+        self._lines = self._choose_lines(problem, given)
+
+    def _choose_lines(
+        self, problem: ProblemRecord, given: Settings
+    ) -> Callable[[], list[Drawing]] | None:
+        """A function that makes all drawings follow the lines of the chosen planner, once."""
+        if self.code.value == NO_CODE:
+            return None
+        leader, runners = int(self.code.value), self._runners
+        if getattr(runners[leader].plan, "still_running", False):
+            return None
+        return cache(partial(follow_lines, self._planners[leader], runners, leader, problem, given))
 
     def _changed(self, _: object) -> None:
         self._scene = {}
         self.canvas.refresh()
+
+
+def list_lines(planners: Sequence[Callable[..., object]]) -> list[tuple[str, str]]:
+    """The options of the menu of lines: pairs (name, number of the planner)."""
+    names = [getattr(planner, "__name__", "?") for planner in planners]
+    shown = [number for number, planner in enumerate(planners) if has_lines(planner)]
+    none = get_message("race_board.no_code"), NO_CODE
+    return [none, *((names[number], str(number)) for number in shown)]
 
 
 def check_planners(planners: Sequence[Callable[..., object]] | None) -> list[Callable[..., object]]:

@@ -30,7 +30,7 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
 
     The tree of an RRT* is drawn as it was at each step; a reader's own planner is stopped in time.
     """
-    tuning: Any = {"step_size": given.step_size, "max_nodes": given.samples}
+    tuning = tuning_of(given)
     if planner is rrt_star:
         plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
         paths, n = find_paths_to_goal(log), len(log.nodes)
@@ -48,6 +48,11 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
     drawing = draw_plan(plan)
     costs = [np.inf] * drawing.total + [plan.cost]
     return Runner(plan, replace(drawing, step_texts=describe_steps(plan.planner, costs)))
+
+
+def tuning_of(given: Settings) -> dict[str, Any]:
+    """The keywords of the planners of trees for the settings of a race."""
+    return {"step_size": given.step_size, "max_nodes": given.samples}
 
 
 def describe_steps(name: str, costs: list[float]) -> list[str]:

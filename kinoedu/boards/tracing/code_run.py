@@ -51,6 +51,7 @@ class Look:
     expressions may use, and `colours` those of some variables; the others get one by their order.
     The variables in `hidden` are neither listed nor drawn.
     `progress` is an expression too: the step of the board's own drawing that a line belongs to.
+    Without it that is the number of questions asked so far.
     """
 
     points: Mapping[str, str] = field(default_factory=dict)
@@ -120,13 +121,21 @@ class CodeRun:
         names = {**names, **self.look.names}
         seen = {name: value for name, value in local.items() if name not in self.look.hidden}
         values = {**seen, **evaluate(self.points, local, names)}
+        progress = compute_radii(self.progress, local, names).get("step", 0.0)
         return Note(
             note_variables(values),
             compute_radii(self.circles, values, names),
             [] if self.look.draw is None else list(self.look.draw(dict(local))),
             len(self.log),
-            compute_radii(self.progress, local, names).get("step", 0.0),
+            progress if self.progress else len(self.log),
         )
+
+    @property
+    def steps(self) -> Array:
+        """For each line that is shown, the step of the board's own drawing that it belongs to."""
+        code = read_code(self.trace.source)
+        notes = [moment.note for moment in self.trace.moments if moment.line in code]
+        return np.maximum.accumulate([0.0 if note is None else note.progress for note in notes])
 
     def draw(self, *, fault: str = "", dragged: Collection[str] = ()) -> Drawing:
         """The code, the variables and the questions, step by step.
@@ -172,9 +181,7 @@ class CodeRun:
 
     def draw_over(self, drawing: Drawing) -> Drawing:
         """The lines over another drawing of the same run, which grows as they run."""
-        own, code = self.draw(), read_code(self.trace.source)
-        notes = [moment.note for moment in self.trace.moments if moment.line in code]
-        steps = np.maximum.accumulate([0.0 if note is None else note.progress for note in notes])
+        own, steps = self.draw(), self.steps
         beneath = [retime(layer, steps) for layer in drawing.layers if not layer.last]
         layers = [*beneath, *own.layers, *(layer for layer in drawing.layers if layer.last)]
         text = get_message("board.code.planned", lines=own.text, plan=drawing.text)
