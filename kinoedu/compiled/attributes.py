@@ -1,7 +1,7 @@
 """Methods and properties of records in compiled code.
 
-Those that numba's `overload_method` and `overload_attribute` add to all named tuples hide the fields
-of other records that have the same name. These do not.
+Those that numba's `overload_method` and `overload_attribute` add to all named tuples hide fields of
+the same name in other records. These do not.
 """
 
 from typing import Any
