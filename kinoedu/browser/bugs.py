@@ -36,22 +36,22 @@ class BugSettings(NamedTuple):
 @algorithm
 def show_bug_base(scene: SceneArrays, settings: BugSettings, rng: np.random.Generator) -> ShownWalk:
     """A walk of BugBase."""
-    fault, robot = pose_bug(scene, settings)
-    return fault if fault.facts[0] < 0.0 else show(scene, settings, robot, bug_base_walk(robot))
+    refused, robot = pose_bug(scene, settings)
+    return show(refused, robot, bug_base_walk(robot), settings.step)
 
 
 @algorithm
 def show_bug0(scene: SceneArrays, settings: BugSettings, rng: np.random.Generator) -> ShownWalk:
     """A walk of Bug 0."""
-    fault, robot = pose_bug(scene, settings)
-    return fault if fault.facts[0] < 0.0 else show(scene, settings, robot, bug0_walk(robot))
+    refused, robot = pose_bug(scene, settings)
+    return show(refused, robot, bug0_walk(robot), settings.step)
 
 
 @algorithm
 def show_bug1(scene: SceneArrays, settings: BugSettings, rng: np.random.Generator) -> ShownWalk:
     """A walk of Bug 1, which takes the shorter way back."""
-    fault, robot = pose_bug(scene, settings)
-    return fault if fault.facts[0] < 0.0 else show(scene, settings, robot, bug1_walk(robot, True))
+    refused, robot = pose_bug(scene, settings)
+    return show(refused, robot, bug1_walk(robot, True), settings.step)
 
 
 @algorithm
@@ -59,22 +59,22 @@ def show_bug2_prelim(
     scene: SceneArrays, settings: BugSettings, rng: np.random.Generator
 ) -> ShownWalk:
     """A walk of Bug 2.prelim."""
-    fault, robot = pose_bug(scene, settings)
-    return fault if fault.facts[0] < 0.0 else show(scene, settings, robot, bug2_prelim_walk(robot))
+    refused, robot = pose_bug(scene, settings)
+    return show(refused, robot, bug2_prelim_walk(robot), settings.step)
 
 
 @algorithm
 def show_bug2(scene: SceneArrays, settings: BugSettings, rng: np.random.Generator) -> ShownWalk:
     """A walk of Bug 2."""
-    fault, robot = pose_bug(scene, settings)
-    return fault if fault.facts[0] < 0.0 else show(scene, settings, robot, bug2_walk(robot))
+    refused, robot = pose_bug(scene, settings)
+    return show(refused, robot, bug2_walk(robot), settings.step)
 
 
 @compiled
-def pose_bug(scene: SceneArrays, settings: BugSettings) -> tuple[ShownWalk, BugRobot]:
-    """A robot in a scene, and what is shown instead where there can be none.
+def pose_bug(scene: SceneArrays, settings: BugSettings) -> tuple[Array, BugRobot]:
+    """The facts of an answer that refuses a scene, zeros where a bug can walk, and its robot.
 
-    Where the status of the latter is 0 the robot can walk.
+    In a scene that is refused the robot has no walls.
     """
     start, goal = scene.handles[0, :2].copy(), scene.handles[1, :2].copy()
     ring, fault = find_fault(scene)
@@ -89,7 +89,9 @@ def pose_bug(scene: SceneArrays, settings: BugSettings) -> tuple[ShownWalk, BugR
             facts = np.array([START_IN_WALL, start[0], start[1]])
         elif contact(walls, goal) == 0:
             facts = np.array([GOAL_ON_WALL, goal[0], goal[1]])
-    return show_nothing(facts), new_robot(walls, start, goal, int(settings.turn))
+        if facts[0] < 0.0:
+            walls = walls_of_rings(np.empty((0, 2)), np.zeros(1, np.int64))
+    return facts, new_robot(walls, start, goal, int(settings.turn))
 
 
 @compiled
@@ -104,17 +106,19 @@ def any_touch(scene: SceneArrays) -> bool:
 
 
 @compiled
-def show(scene: SceneArrays, settings: BugSettings, robot: BugRobot, outcome: int) -> ShownWalk:
-    """What is shown of a walk that has ended."""
+def show(refused: Array, robot: BugRobot, outcome: int, step: float) -> ShownWalk:
+    """What is shown of a walk that has ended, unless its scene is refused."""
+    if refused[0] < 0.0:
+        return show_nothing(refused)
     corners, trail = corners_of(robot), robot.trail
     following = trail.following[: trail.counts[SIZE]]
-    lengths, pieces = measure_moves(corners, settings.step)
+    lengths, pieces = measure_moves(corners, step)
     points, along, travelled, number = divide_moves(corners, following, lengths, pieces)
     hits, leaves = trail.hits[: trail.counts[HITS]], trail.leaves[: trail.counts[LEAVES]]
     course = Course(points, along, travelled, number[hits], number[leaves])
     ends = np.empty((2, 2))
     ends[0], ends[1] = robot.start, robot.goal
-    return show_walk(outcome, course, ends, sides_of_walls(robot.walls), settings.step)
+    return show_walk(outcome, course, ends, sides_of_walls(robot.walls), step)
 
 
 @compiled
