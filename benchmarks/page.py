@@ -53,6 +53,8 @@ THINGS = (
     ("arm, its tip", 7, "handle-1"),
     ("arm, a disc", 7, "disc-0"),
     ("arm, q in the square", 8, "handle-0"),
+    ("Bug 1, goal", 9, "handle-1"),
+    ("Bug 1, a triangle", 9, "polygon-1"),
 )
 
 

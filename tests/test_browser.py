@@ -11,22 +11,30 @@ from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 from test_board import Page
 
 import kinoedu as ke
-from kinoedu.boards import arm_board, curves_board, distance_board, search_board, sweep_board
+from kinoedu.boards import (
+    arm_board,
+    bug_board,
+    curves_board,
+    distance_board,
+    search_board,
+    sweep_board,
+)
 from kinoedu.boards.car.curves import pose_in
 from kinoedu.boards.core.drawing import as_rows
 from kinoedu.boards.core.page_script import BROWSER, CORE, page_script
 from kinoedu.boards.core.recorded import pack_records
 from kinoedu.boards.core.scene import move_parts
-from kinoedu.boards.core.shown import answer_by, draw_shown
+from kinoedu.boards.core.shown import answer_by, draw_beside, draw_shown
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.live import describe_live, list_settings
 from kinoedu.boards.planning.plans import draw_plan, make_problem_scene
 from kinoedu.browser.bodies import BODIES, ON_TERRAIN, PLANNED, SEARCHED, describe_bodies
+from kinoedu.browser.bug_looks import WALKED
 from kinoedu.browser.scenes import pack_scene
 from kinoedu.browser.wasm import write_scripts
 from kinoedu.compiled import INTERPRETED, running
 from kinoedu.curves import dubins_path, reeds_shepp_path
-from kinoedu.errors import InvalidPolygon, KinoeduError
+from kinoedu.errors import InvalidPolygon, InvalidStart, KinoeduError
 from kinoedu.geometry.rings import as_ring, find_ring_fault
 from kinoedu.graphs import Graph
 from kinoedu.messages import get_message
@@ -262,6 +270,31 @@ def arm_case(seed):
     return record
 
 
+def bug_case(seed, bug):
+    """Stars, which touch in some cases, and start and goal, in some of them or on a wall."""
+    rng = np.random.default_rng(seed)
+    stars = [star(rng).round(1 if seed % 3 else 9) for _ in range(seed % 4)]
+    stars = [ring for ring in stars if not find_ring_fault(ring).kind]
+    ends = rng.uniform(0.0, 10.0, (2, 2)).round(1)
+    if seed % 5 == 4 and stars:
+        ends[seed % 2] = stars[0][0]
+    made = bug_board(*ends, stars, bug=bug, turn=("left", "right")[seed % 2])
+    record = made.record()[0]
+    live = {"body": bug, "seed": 0, "settings": {bug: [2.0 * (seed % 2) - 1.0, made.step]}}
+    return {**record, "live": live}
+
+
+def broken_bug_case(seed, bug):
+    """An obstacle whose vertex was moved across an edge."""
+    record = bug_board((-1, 1), (5, 1), [SQUARE], bug=bug).record()[0]
+    record["scene"]["polygons"][0]["rings"][0][2] = [1.0 + 0.1 * seed, -2.0 - seed]
+    return record
+
+
+def walked_case(make, bug):
+    return lambda seed: make(seed, bug)
+
+
 def searched_case(search):
     return lambda seed: graph_case(seed, search.removeprefix("search_")).record()[0]
 
@@ -272,7 +305,9 @@ CASES = {
     "sweep": [sweep_case, broken_sweep_case],
     "arm": [arm_case],
     **{name: [searched_case(name)] for name in SEARCHED},
+    **{name: [walked_case(bug_case, name)] for name in WALKED},
 }
+CASES["bug2"].append(walked_case(broken_bug_case, "bug2"))
 
 
 def shown_natively(record):
@@ -289,6 +324,31 @@ def given_to(live):
     """The settings of a live board's body, possibly those of another body."""
     given = live["settings"][live["body"]]
     return live["settings"][given] if isinstance(given, str) else given
+
+
+@pytest.mark.parametrize("name", WALKED)
+def test_a_bugs_body_walks_as_the_planner_does(name):
+    """The same layers of both pictures, words and texts of steps, among separate obstacles."""
+    compared = 0
+    for seed in range(PROBLEMS // 2):
+        made = bug_board((0, 0), (1, 0), [], bug=name)
+        record = bug_case(seed, name)
+        scene, live = record["scene"], record["live"]["settings"][name]
+        rings = [item["rings"][0] for item in scene["polygons"]]
+        ends = [item["at"] for item in scene["handles"]]
+        made = bug_board(*ends, rings, bug=name, turn="left" if live[0] < 0.0 else "right")
+        shown = shown_natively(record)
+        status, *facts = shown.facts
+        if status < 0:
+            continue
+        mine = draw_shown(WALKED[name], int(status), facts, shown)
+        plot = draw_beside(WALKED[name], int(status), facts, shown)
+        for own, theirs in ((mine, made.canvas.drawing), (plot, made.plot.drawing)):
+            for drawn, wanted in zip(own.layers, theirs.layers, strict=True):
+                assert same_layer(drawn, wanted)
+            assert (own.text, own.step_texts) == (theirs.text, theirs.step_texts)
+        compared += 1
+    assert compared > 5
 
 
 @pytest.mark.parametrize("name", SEARCHED)
@@ -368,7 +428,7 @@ def write_page(place):
     boards += [distance_board(SQUARE, (8, 8)), curves_board((0, 0, 0), (0, 4, 0), 2.0)]
     boards.append(search_board(GRID, search="bfs"))
     boards.append(ke.board(ke.Problem(ke.Point(), ke.Terrain(GRID), (1, 1), (8, 2)), "rrt"))
-    boards += [sweep_board(SWEPT, x=4.0), arm_board(*ARMED)]
+    boards += [sweep_board(SWEPT, x=4.0), arm_board(*ARMED), bug_board(*WALKED_ROUND)]
     records = [json.dumps(pack_records(board.record())) for board in boards]
     text = "".join(
         '<div class="kinoedu-record"><p class="still"></p>'
@@ -402,7 +462,7 @@ def page(chromium, folder):
     opened.on("request", lambda request: asked.append(request.url))
     opened.goto((folder / "index.html").as_uri())
     opened.wait_for_function(
-        "document.querySelectorAll('.kinoedu-board[data-paints]').length === 9"
+        "document.querySelectorAll('.kinoedu-board[data-paints]').length === 11"
     )
     yield opened
     assert faults == []
@@ -533,6 +593,7 @@ SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 GRID = np.ones((10, 10), bool)
 GRID[:8, 4] = False
 ARMED = ke.TwoLinkArm(1.5, 1.2, 0.2), ROUND, (0.6, 0.3)
+WALKED_ROUND = (0, 4), (10, 4), [[(2, 2), (4, 2), (4, 6), (2, 6)], [(6, 3), (8, 3), (7, 7)]]
 SWEPT = ke.PolygonWorld(ROOM, [[(2, 2), (5, 3), (3, 5)], [(6, 6), (8, 6), (7, 8)]])
 
 
@@ -620,7 +681,7 @@ def test_planners_on_a_bitmap_are_dragged_in_the_page(page):
     drag(page, 5, (8, 2), (6.5, 4.5))
     problem = ke.Problem(ke.Point(), ke.Terrain(GRID), (1, 1), (6.5, 4.5))
     page.wait_for_function(SAYS, arg=[5, draw_plan(ke.rrt(problem, rng=0)).text])
-    page.locator(".kinoedu-live select").last.select_option("terrain_rrt_connect")
+    page.locator(".kinoedu-live select").nth(3).select_option("terrain_rrt_connect")
     page.wait_for_function(SAYS, arg=[5, draw_plan(ke.rrt_connect(problem, rng=0)).text])
     drag(page, 5, (1, 1), (4.5, 3.5))
     with pytest.raises(KinoeduError) as told:
@@ -679,6 +740,42 @@ def test_an_arm_is_dragged_in_both_pictures(page):
         arg=[says.nth(7).element_handle(), says.nth(8).element_handle()],
     )
     keep(page, "live_arm")
+
+
+def test_a_bug_is_dragged_in_the_page(page):
+    """The goal, another bug, a step of its walk in both pictures, and what a bug cannot have."""
+    made = bug_board(*WALKED_ROUND)
+    box = made.canvas.scene["lo"], made.canvas.scene["hi"]
+    drag(page, 9, (10, 4), (9, 7), *box)
+    made.canvas.arrange(moved(made.canvas.shown, "handle", 1, [9, 7]))
+    page.wait_for_function(SAYS, arg=[9, made.canvas.drawing.text])
+    record = page.locator(".kinoedu-record").last
+    record.locator("select").select_option("bug2")
+    made.bug.value = "bug2"
+    page.wait_for_function(SAYS, arg=[9, made.canvas.drawing.text])
+    boards = [page.locator(".kinoedu-board").nth(number) for number in (9, 10)]
+    for board, canvas in zip(boards, (made.canvas, made.plot), strict=True):
+        layers = " ".join(one.kind for one in canvas.drawing.layers)
+        page.wait_for_function(
+            "([e, kinds]) => e.dataset.layers === kinds", arg=[board.element_handle(), layers]
+        )
+    slider = boards[0].locator(".kinoedu-slider")
+    slider.press("Home")
+    for _ in range(30):
+        slider.press("ArrowRight")
+    for number, canvas in ((9, made.canvas), (10, made.plot)):
+        page.wait_for_function(SAYS, arg=[number, canvas.drawing.step_texts[30]])
+    keep(page, "live_bug")
+    slider.press("End")
+    drag(page, 9, (0, 4), (3, 4), *box)
+    with pytest.raises(InvalidStart) as told:
+        ke.bug2((3, 4), (9, 7), WALKED_ROUND[2], 1.0)
+    page.wait_for_function(SAYS, arg=[9, str(told.value)])
+    drag(page, 9, (3, 4), (0, 4), *box)
+    drag(page, 9, (4, 6), (7, 4), *box)
+    page.wait_for_function(SAYS, arg=[9, get_message("bug_board.united")])
+    assert boards[0].get_attribute("data-refused") == "true"
+    assert boards[0].get_attribute("data-layers").startswith("edges")
 
 
 def test_a_link_brings_the_same_world(page, folder):

@@ -269,6 +269,11 @@ class Cat(NamedTuple):
         """A method that compiled code can call."""
         return self.weight + by
 
+    @property
+    def paws(self) -> float:
+        """A property that compiled code can read."""
+        return 4.0 * self.weight
+
 
 @record
 class Dog(NamedTuple):
@@ -279,6 +284,13 @@ class Dog(NamedTuple):
     def heavier(self, by: float) -> float:
         """Another answer."""
         return self.weight + 2.0 * by
+
+
+class Fly(NamedTuple):
+    """A record whose fields have the names of a method and a property of others."""
+
+    paws: float
+    heavier: float
 
 
 @generic(2)
@@ -309,6 +321,18 @@ def heavier_of(animal: Any, by: float) -> float:
     return animal.heavier(by)
 
 
+@compiled
+def paws_of(animal: Any) -> float:
+    """A compiled reader of a property or a field."""
+    return animal.paws
+
+
+@compiled
+def heaviness_of(animal: Any) -> float:
+    """A compiled reader of a field."""
+    return animal.heavier
+
+
 def test_each_pair_of_kinds_has_its_own_implementation() -> None:
     """The order of the pair counts, and pairs without an implementation use the default."""
     cat, dog = Cat(3.0), Dog(7.0)
@@ -336,6 +360,18 @@ def test_methods_of_one_name_belong_to_their_records() -> None:
             == heavier_of.py_func(animal, 1.0)
             == expected
         )
+
+
+def test_properties_are_read_and_hide_no_fields() -> None:
+    """Compiled code reads a property, and other records' fields of that name or of a method's."""
+    cat, fly = Cat(3.0), Fly(6.0, 0.5)
+    with running(COMPILED_FIRST):
+        assert (paws_of(cat), paws_of(fly), heaviness_of(fly)) == (12.0, 6.0, 0.5)
+        assert heavier_of(cat, 1.0) == 4.0
+    if HAS_COMPILER:
+        ran = [*paws_of.specializations.values(), *heaviness_of.specializations.values()]
+        assert all(one.is_loaded for one in ran)
+    assert (paws_of.py_func(cat), paws_of.py_func(fly)) == (12.0, 6.0)
 
 
 def test_a_pair_is_implemented_once() -> None:

@@ -282,9 +282,11 @@ def test_the_site_begins_with_a_board_that_answers(browser_page):
     keep(page, "site_front")
 
 
-@pytest.mark.parametrize("lesson", ["03_decomposition", "05_configuration_spaces"])
+@pytest.mark.parametrize(
+    "lesson", ["02_bug_algorithms", "03_decomposition", "05_configuration_spaces"]
+)
 def test_boards_of_lessons_answer(browser_page, lesson):
-    """The sweep line, and an arm, in whose second picture q moves too, are moved by keys."""
+    """A bug, whose plot follows, the sweep line, and an arm, whose second picture follows too."""
     page, address = browser_page
     page.goto(f"{address}/notebooks/{lesson}.html", wait_until="load")
     for place in page.locator(".kinoedu-record").all():

@@ -15,6 +15,8 @@ The boards of a distance, of curves and of searches call the body's own function
 | `curves.py` | the body of the curves' board |
 | `searches.py`, `search_runs.py`, `search_layers.py` | the bodies of the search board |
 | `sweeps.py` | the body of the sweep's board |
+| `arms.py`, `regions.py` | the body of the arm's board |
+| `bugs.py`, `walks.py`, `bug_looks.py` | the bodies of the bugs' board, and their looks |
 | `looks.py` | what a body says, and how its layers look |
 | `bodies.py` | the table of all bodies, with their words and looks |
 | `wasm.py` | from a body to a WebAssembly module |

@@ -20,7 +20,7 @@ from ..robots.arm import ArmRobot, joints_at
 from ..robots.pulling import compare_reach, pull_elbow, pull_elbow_and_tip, pull_tip
 from ..spaces.angles import wrap_angle
 from .regions import name_regions
-from .scenes import RING_FAULT, SceneArrays, find_fault, no_rows, world_of_scene
+from .scenes import SceneArrays, find_fault, no_rows, refuse_ring, world_of_scene
 
 CELLS = 360  # of the image, in each direction
 ELBOW, TIP, Q, Q_BEFORE = range(4)  # the handles: two of the arm, q in the square, q as it was
@@ -74,9 +74,8 @@ def show_arm(scene: SceneArrays, settings: ArmSettings, rng: np.random.Generator
     """The arm after a pull on its elbow or tip, or at q where that was moved."""
     ring, fault = find_fault(scene)
     if fault.kind != SIMPLE:
-        facts = np.array([RING_FAULT - fault.kind, ring, fault.i, fault.j], np.float64)
         return ShownArm(
-            facts,
+            refuse_ring(ring, fault),
             no_rows(),
             no_rows(),
             no_rows(),

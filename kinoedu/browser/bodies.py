@@ -9,6 +9,7 @@ from ..messages import get_template
 from ..robots.arm import TOO_FAR, TOO_NEAR
 from ..support.json_fields import JsonObject
 from .arms import ArmSettings, ShownArm, show_arm
+from .bug_looks import WALKED
 from .curves import LETTERS, CurveSettings, ShownCurves, show_curves
 from .grids import GridSettings, show_grid
 from .looks import DOT, HANDLES, IMAGE, LINE, LIST, TEXTS, Body, Look, Picture, Say, describe_body
@@ -302,6 +303,7 @@ BODIES = {
     **PLANNED,
     **ON_TERRAIN,
     **SEARCHED,
+    **WALKED,
     "nearest": NEAREST,
     "curves": CURVES,
     "sweep": SWEPT,

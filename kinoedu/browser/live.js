@@ -117,7 +117,7 @@ class Answers {
 
   showBeside({ message, buffers, image }, [to, seq]) {
     const { own, beside: { under, tell, lay } } = this, count = message.places.length;
-    lay(Uint8Array.from(image));
+    if (image) lay(Uint8Array.from(image));
     for (const [kind, i, at] of message.places) {
       move(this.scene, [[kind, own + i, at], [kind, own + count + i, at]]);
     }
@@ -231,7 +231,7 @@ function button(text, press) {
 // ---- drawings, as kinoedu/boards/core/shown.py makes and drawing.py encodes them
 
 function drawn(body, scene, settings, { facts: [status, ...facts], layers, took }) {
-  if (status <= REFUSED) return warned(body.warns[REFUSED - status]);
+  if (status <= REFUSED) return warned(fill(body.warns[REFUSED - status], { q: pair(facts) }));
   if (status < 0) return warned(faultOf(body, scene, settings, [status, ...facts]));
   const values = Object.fromEntries(body.facts.map(([name], k) => [name, facts[k]]));
   const spoken = body.facts.filter(([, form]) => form);
@@ -283,10 +283,12 @@ function encoded(look, rows, values) {
 }
 
 // Rows with their points as parts of the world's size from its corner.
-function bufferOf({ kind }, rows, { lo, hi }) {
+function bufferOf({ kind, grows }, rows, { lo, hi }) {
   const size = Math.max(hi[0] - lo[0], hi[1] - lo[1]);
   const points = 2 * POINTS_OF[kind], columns = COLUMNS_OF[kind];
-  const scaled = rows.flatMap((row) => (kind === "labels" ? row.slice(0, columns) : row).map(
+  const kept = (row) => (kind !== "labels" ? row
+    : [...row.slice(0, columns), ...(grows ? row.slice(-1) : [])]);
+  const scaled = rows.flatMap((row) => kept(row).map(
     (value, k) => (k < points ? (value - lo[k % 2]) / size : k < columns ? value / size : value)));
   return new DataView(Float32Array.from(scaled).buffer);
 }
@@ -334,6 +336,7 @@ function inForm(value, form) {
   if (form === ",") return value.toLocaleString("en");
   if (form === "d") return String(value);
   if (form.endsWith("f")) return value.toFixed(parseInt(form.slice(1), 10));
+  if (form.includes("|")) return `${form[value > 0 ? 0 : 2]}${Math.abs(value)}`;
   if (/^[A-Z]+$/.test(form)) {
     return [...String(value)].map((digit) => form[digit - 1] ?? "").join("") || "-";
   }

@@ -62,12 +62,12 @@ class Look(NamedTuple):
 class Picture(NamedTuple):
     """A second picture beside that of a body.
 
-    says : what it says, chosen by the fact `chosen`.
+    says : what it says, chosen by the fact `chosen`, or by the status.
     """
 
     says: tuple[Say, ...]
     layers: tuple[Look, ...]
-    chosen: str
+    chosen: str = ""
 
 
 class Body(NamedTuple):
@@ -76,9 +76,10 @@ class Body(NamedTuple):
     settings, shows : the NamedTuples that it takes and returns.
     facts : the names of the facts after the status, each with the form in which it is written, such
         as "length:.4g". The form of a word is its alphabet: each digit d of the number stands for
-        letter d, and 0 for "-".
+        letter d, and 0 for "-". In the form "H|L" the number 3 is written H3, and -3 is L3.
     says : what is said at each status.
-    warns : what is said where nothing can be shown, at the statuses REFUSED, REFUSED - 1, ...
+    warns : what is said where nothing can be shown, at the statuses REFUSED, REFUSED - 1, ... The
+        facts after the status are a point, for the blank {q}.
     beside : a second picture, with handles of its own. The scene has each of them twice, after
         those of the first picture: where it is, and where it was at the last answer.
     title : its name in a menu; menu : the key of the menu's name.
@@ -120,7 +121,11 @@ def in_form(value: float, form: str) -> str:
 
     >>> in_form(2.0 / 3.0, ".4g"), in_form(1762.0, ","), in_form(323.0, "RSL"), in_form(0, "RSL")
     ('0.6667', '1,762', 'LSL', '-')
+    >>> in_form(3.0, "H|L"), in_form(-3.0, "H|L")
+    ('H3', 'L3')
     """
+    if "|" in form:
+        return f"{form[0] if value > 0.0 else form[2]}{abs(int(value))}"
     if form.isalpha() and form.isupper():
         return "".join(form[int(digit) - 1] for digit in str(int(value)) if digit != "0") or "-"
     return format(int(value) if form in (",", "d") else float(value), form)

@@ -8,7 +8,7 @@ from ..compiled import algorithm
 from ..geometry.checks import Array
 from ..geometry.polygons import distances_to_ring, nearest_on_ring, tangent_to_ring
 from ..geometry.rings import SIMPLE, counter_clockwise, find_ring_fault
-from .scenes import RING_FAULT, SceneArrays, no_rows
+from .scenes import SceneArrays, no_rows, refuse_ring
 
 INSIDE, EDGE, VERTEX = 0, 1, 2  # the status
 
@@ -44,7 +44,7 @@ def show_nearest(
     ring = scene.points[scene.first[1] : scene.first[2]]
     fault = find_ring_fault(ring)
     if fault.kind != SIMPLE:
-        facts = np.array([RING_FAULT - fault.kind, 1.0, fault.i, fault.j])
+        facts = refuse_ring(1, fault)
         return ShownNearest(facts, no_rows(), no_rows(), no_rows(), no_rows(), no_rows())
     ring, x, y = counter_clockwise(ring), scene.handles[0, 0], scene.handles[0, 1]
     vertices = np.empty((len(ring), 3))

@@ -23,7 +23,8 @@ REFUSED = -20  # from here on down the reasons of a body's own, `Body.warns`
 class SceneArrays(NamedTuple):
     """A scene of polygons without rooms, discs and handles; or of a bitmap and handles.
 
-    points, first : ring k is points[first[k]:first[k + 1]], in any order; ring 0 is the boundary.
+    points, first : ring k is points[first[k]:first[k + 1]], in any order; ring 0 is the boundary,
+        empty in the open plane.
     discs : (k, 3), rows x, y, radius.
     handles : (n, 3), rows x, y, radius of the body.
     free : (rows, columns), the bitmap, lowest row first.
@@ -63,11 +64,17 @@ EMPTY_SCENE = pack_scene(
 @compiled
 def find_fault(scene: SceneArrays) -> tuple[int, RingFault]:
     """The first ring that is not a simple polygon and its fault; -1 where there is none."""
-    for k in range(len(scene.first) - 1):
+    for k in range(0 if scene.first[1] > 0 else 1, len(scene.first) - 1):
         fault = find_ring_fault(scene.points[scene.first[k] : scene.first[k + 1]])
         if fault.kind != SIMPLE:
             return k, fault
     return -1, RingFault(SIMPLE, -1, -1)
+
+
+@compiled
+def refuse_ring(ring: int, fault: RingFault) -> Array:
+    """The facts of an answer where a ring has a fault."""
+    return np.array([RING_FAULT - fault.kind, ring, fault.i, fault.j], np.float64)
 
 
 @compiled
@@ -92,7 +99,7 @@ def world_of_scene(scene: SceneArrays) -> PolygonWorldRecord:
 def rings_of_scene(scene: SceneArrays) -> Rings:
     """The rings of a scene without a fault: the boundary clockwise, obstacles counter-clockwise."""
     points = np.empty_like(scene.points)
-    for k in range(len(scene.first) - 1):
+    for k in range(0 if scene.first[1] > 0 else 1, len(scene.first) - 1):
         begin, end = scene.first[k], scene.first[k + 1]
         ring = counter_clockwise(scene.points[begin:end])
         points[begin:end] = ring if k > 0 else ring[::-1]

@@ -15,7 +15,7 @@ from ..geometry.checks import Array
 from ..geometry.rings import SIMPLE
 from ..worlds.polygon_world import edges_of_rings
 from .nearest import NoSettings
-from .scenes import REFUSED, RING_FAULT, SceneArrays, find_fault, no_rows, rings_of_scene
+from .scenes import REFUSED, SceneArrays, find_fault, no_rows, refuse_ring, rings_of_scene
 
 BEFORE, NOW, ENDED = 0, 1, 2  # the status
 OVERLAP = REFUSED  # the first reason for which nothing is shown
@@ -65,8 +65,7 @@ def show_sweep(scene: SceneArrays, settings: NoSettings, rng: np.random.Generato
     """The sweep up to the first handle, in a scene of polygons."""
     ring, fault = find_fault(scene)
     if fault.kind != SIMPLE:
-        facts = np.array([RING_FAULT - fault.kind, ring, fault.i, fault.j], np.float64)
-        return show_line(facts, np.empty((0, 4)))
+        return show_line(refuse_ring(ring, fault), no_rows())
     edges = edges_of_rings(rings_of_scene(scene))
     return show_cut(edges, scene.handles[0, 0], scene.lo, scene.hi)
 

@@ -16,13 +16,14 @@ code on the disk.
 | machine.py | loads machine code with numba |
 | compiler.py, worker.py | make machine code with numba, in a separate process |
 | intermediate.py | compiles functions for other processors, as far as LLVM |
-| choices.py | generic functions, and methods of records |
+| choices.py | generic functions, methods and properties of records |
+| attributes.py | the same methods and properties for numba |
 | modes.py | the modes in which calls run |
 
 Decorators: `compiled` is for kernels, `inlined` for short kernels that take records, `algorithm`
 for whole algorithms that Python starts. `generic` makes a function with an implementation for each
-kind of record, and `record` lets compiled code call a record's methods. A *record* is a NamedTuple
-of arrays, numbers and records, the only objects that Python and machine code share.
+kind of record, and `record` lets compiled code use a record's methods and properties. A *record* is
+a NamedTuple of arrays, numbers and records, the only objects that Python and machine code share.
 
 Without numba, or under NUMBA_DISABLE_JIT=1, the decorators leave functions unchanged.
 """

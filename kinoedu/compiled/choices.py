@@ -19,6 +19,7 @@ GENERICS: list[
     tuple[Function, Function]
 ] = []  # generic functions, each with the function that selects its implementation
 METHODS: dict[str, dict[type, Function]] = {}  # methods by name, then by class
+PROPERTIES: dict[str, dict[type, Function]] = {}  # the same of properties
 CALLABLE: list[Function] = []  # plain functions that compiled code may call
 
 
@@ -78,7 +79,7 @@ def generic(records: int) -> Callable[[Function], Any]:
 
 
 def record(record_class: C) -> C:
-    """Let compiled code call the methods of a NamedTuple class, as Python can.
+    """Let compiled code use the methods and properties of a NamedTuple class, as Python can.
 
     Examples
     --------
@@ -94,6 +95,8 @@ def record(record_class: C) -> C:
     for name, method in vars(record_class).items():
         if callable(method) and not name.startswith("_"):
             METHODS.setdefault(name, {})[record_class] = method
+        if isinstance(method, property) and method.fget is not None:
+            PROPERTIES.setdefault(name, {})[record_class] = method.fget
     return record_class
 
 
@@ -106,4 +109,14 @@ def method_chooser(name: str) -> Function:
 
     signature = inspect.signature(next(iter(methods.values())))
     choose.__signature__ = signature  # type: ignore[attr-defined]  # numba binds arguments by it
+    return choose
+
+
+def property_chooser(name: str) -> Function:
+    """The same for the property of a name."""
+    properties = PROPERTIES[name]
+
+    def choose(self: Any) -> Function | None:
+        return properties.get(getattr(self, "instance_class", type(None)))
+
     return choose

@@ -22,13 +22,12 @@ from numba.core.lowering import Lower
 from numba.extending import (
     intrinsic,
     overload,
-    overload_method,
     register_jitable,
     typeof_impl,
 )
 from numba.np.arrayobj import raise_with_shape_context
 
-from . import boxing, choices
+from . import attributes, boxing, choices
 from .choices import Function
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
@@ -41,6 +40,7 @@ INLINED = {"forceinline": True, "error_model": "numpy"}
 FunctionIdentity._unique_ids = itertools.count(secrets.randbits(48))
 registered = {"generics": 0, "callable": 0}
 methods_known: set[str] = set()
+properties_known: set[str] = set()
 
 
 def compile_entry(function: TieredFunction, kinds: tuple[Kind, ...]) -> CompileResult:
@@ -73,7 +73,7 @@ def compile_as(
 
 
 def register_choices() -> None:
-    """Register with numba the functions and methods defined since the last call."""
+    """Register with numba the functions, methods and properties defined since the last call."""
     for generic, choose in choices.GENERICS[registered["generics"] :]:
         overload(generic, strict=False, jit_options=INLINED)(choose)
     registered["generics"] = len(choices.GENERICS)
@@ -81,9 +81,11 @@ def register_choices() -> None:
         register_jitable(function)
     registered["callable"] = len(choices.CALLABLE)
     for name in set(choices.METHODS) - methods_known:
-        choose = choices.method_chooser(name)
-        overload_method(types.BaseNamedTuple, name, strict=False, jit_options=INLINED)(choose)
+        attributes.add_method(name, choices.method_chooser(name), INLINED)
         methods_known.add(name)
+    for name in set(choices.PROPERTIES) - properties_known:
+        attributes.add_property(name, choices.property_chooser(name), INLINED)
+        properties_known.add(name)
 
 
 @typeof_impl.register(TieredFunction)

@@ -152,7 +152,8 @@ class ArmBoard(Pictured, widgets.VBox):
             self._plan_anew()
             self.canvas.refresh()
         shown = self._posed(self.arm.joints(self.q)[1])
-        drawing = draw_beside(ARM, shown.facts.tolist()[1:], shown)
+        status, *facts = shown.facts.tolist()
+        drawing = draw_beside(ARM, int(status), facts, shown)
         layers = [*draw_frame(), *drawing.layers]
         layers += draw_ride_in_square(self._ride) if self._ride else []
         self._spotted = [q.tolist() for q in (self.q, self.goal) if q is not None]

@@ -10,28 +10,25 @@ import ipywidgets as widgets
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...geometry.checks import as_point
+from ...browser.bug_looks import REASONS, WALKED
+from ...browser.walks import show_walk
+from ...geometry.checks import Array, as_point
 from ...messages import get_message
 from ...planners import bug0, bug1, bug2, bug2_prelim, bug_base
-from ...planners.bugs.walls import check_obstacles
+from ...planners.bugs.walls import any_meet, check_obstacles
 from ...planners.tuning import one_of
 from ...problems import Plan, Walk
+from ...support.json_fields import JsonObject
 from ..core.canvas import Canvas
-from ..core.drawing import Drawing
+from ..core.drawing import Drawing, encode_drawing, sides_of
 from ..core.framed import Pictured, make_code_box, make_menu
 from ..core.printed import join_pictures
-from ..core.scene import Scene, handle, make_scene, place_of, polygon
+from ..core.recorded import record_drawing
+from ..core.scene import Scene, frame_of, handle, make_scene, place_of, polygon
+from ..core.shown import draw_beside, draw_shown
 from ..planning.plans import GOAL, START
 from .lit import trace_bug
-from .walks import (
-    Clock,
-    describe_steps,
-    draw_plot,
-    draw_race,
-    draw_walk,
-    make_clock,
-    make_plot_scene,
-)
+from .walks import Clock, course_of, draw_plots, draw_race, make_clock, make_plot_scene
 
 BUGS: dict[str, tuple[str, Any]] = {
     "bug_base": ("BugBase", bug_base),
@@ -95,7 +92,8 @@ class BugBoard(Pictured, widgets.VBox):
         scene = make_bug_scene(start, goal, obstacles)
         chosen, heading = one_of(bug, "bug", (*BUGS, ALL)), one_of(turn, "turn", ("left", "right"))
         self.plans: list[tuple[Plan, Walk]] = []
-        self._clock, self._texts = Clock(1.0, 0), list[str]()  # of both pictures
+        self._clock = Clock(1.0, 0)  # of both pictures
+        self._plot = Drawing(text=get_message("bug_board.nothing"))
         self.step = max(b - a for a, b in zip(scene["lo"], scene["hi"], strict=True)) / FINENESS
         bugs = [(name, key) for key, (name, _) in BUGS.items()]
         self.bug = make_menu("bug_board.bug", [*bugs, (get_message("bug_board.all"), ALL)], chosen)
@@ -141,11 +139,11 @@ class BugBoard(Pictured, widgets.VBox):
             plans.append((plan, plan.walk))
         self.plans = plans
         self._clock = make_clock([walk for _, walk in plans], self.step)
-        self._texts = describe_steps(plans, self._clock)
-        self.plot.refresh()
         if len(plans) > 1:
-            return draw_race(plans, self._clock, self._texts)
-        drawing = draw_walk(*plans[0], self._clock, self._texts, check_obstacles(obstacles))
+            drawing, self._plot = draw_race(plans, self._clock), draw_plots(plans, self._clock)
+        else:
+            drawing, self._plot = draw_walk(name, plan, check_obstacles(obstacles), self.step)
+        self.plot.refresh()
         if not self.shows_code:
             return drawing
         walk = partial(BUGS[name][1], start, goal, obstacles, self.step, turn=self.turn.value)
@@ -156,13 +154,36 @@ class BugBoard(Pictured, widgets.VBox):
         """The plot of the walks shown."""
         if not self.plans or self.shows_code:
             return Drawing(text=get_message("bug_board.nothing"))
-        return draw_plot(self.plans, self._clock, self._texts)
+        return self._plot
+
+    def record(self) -> list[JsonObject]:
+        """Both pictures as they are now; a page answers for one bug among separate obstacles."""
+        name, rings = self.bug.value, [item["rings"][0] for item in self.canvas.shown["polygons"]]
+        self.canvas.live = self.plot.live = None
+        if name != ALL and not self.shows_code and not any_meet([*map(np.array, rings)]):
+            numbers = [-1.0 if self.turn.value == "left" else 1.0, float(self.step)]
+            given = {bug: numbers if bug == name else name for bug in WALKED}
+            self.canvas.live = {"body": name, "seed": 0, "settings": given}
+            under = encode_drawing(Drawing(), *frame_of(self.plot.shown))
+            self.plot.live = {"body": name, "under": record_drawing(*under)}
+        return super().record()
 
     def picture(self) -> bytes:
         """World and plot side by side, as a PNG; with code the world alone."""
         if self.shows_code:
             return self.canvas.picture()
         return join_pictures(self.canvas.picture(), self.plot.picture())
+
+
+def draw_walk(name: str, plan: Plan, rings: list[Array], step: float) -> tuple[Drawing, Drawing]:
+    """Draw one walk, and the plot of it."""
+    body, outcome, walk = WALKED[name], REASONS[name].index(plan.reason), plan.walk
+    assert walk is not None
+    walls = np.concatenate([np.empty((0, 4)), *(sides_of(ring).reshape(-1, 4) for ring in rings)])
+    ends = np.array([plan.problem.start, plan.problem.goal])
+    shown = show_walk(outcome, course_of(walk), ends, walls, step)
+    facts = shown.facts.tolist()[1:]
+    return draw_shown(body, outcome, facts, shown), draw_beside(body, outcome, facts, shown)
 
 
 def make_bug_scene(start: ArrayLike, goal: ArrayLike, obstacles: Iterable[ArrayLike]) -> Scene:

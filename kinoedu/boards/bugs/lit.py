@@ -9,7 +9,7 @@ from ...planners.bugs.bug2_prelim import bug2_prelim_walk
 from ...planners.bugs.bug_base import bug_base_walk
 from ..tracing.code_run import CodeRun, Look, trace_lines
 
-CODE: dict[str, Callable[..., str]] = {
+CODE: dict[str, Callable[..., int]] = {
     "bug_base": bug_base_walk,
     "bug0": bug0_walk,
     "bug1": bug1_walk,

@@ -91,11 +91,11 @@ def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> D
     return Drawing(layers, text=text, total=total, unit=unit, step_texts=steps, places=places)
 
 
-def draw_beside(body: Body, facts: Sequence[float], shown: Any) -> Drawing:
+def draw_beside(body: Body, status: int, facts: Sequence[float], shown: Any) -> Drawing:
     """The drawing of a body's second picture."""
     assert body.beside is not None
     names = [split_form(fact)[0] for fact in body.facts]
-    chosen = facts[names.index(body.beside.chosen)]
+    chosen = facts[names.index(body.beside.chosen)] if body.beside.chosen else status
     second = body._replace(says=body.beside.says, layers=body.beside.layers)
     return draw_shown(second, int(chosen), facts, shown)
 
@@ -106,14 +106,14 @@ def make_layer(look: Look, rows: Array, values: dict[str, float]) -> Layer:
     width = width_of(look.width, values, len(rows))
     layer = Layer(look.kind, rows[:, :columns], look.colour, width, look.dash)
     layer = layer._replace(last=is_path, casing=is_path, hatched=look.hatched)
-    if look.kind == "labels" and look.says:
-        return layer._replace(texts=tuple(fill_texts(look, rows[:, columns:])))
-    if look.kind == "labels":
-        return layer._replace(texts=tuple(in_form(row[columns], look.form) for row in rows))
     if look.ends:
         layer, rows = layer._replace(until=rows[:, -1]), rows[:, :-1]
     if look.grows:
         layer = layer._replace(when=rows[:, -1])
+    if look.kind == "labels" and look.says:
+        return layer._replace(texts=tuple(fill_texts(look, rows[:, columns:])))
+    if look.kind == "labels":
+        return layer._replace(texts=tuple(in_form(row[columns], look.form) for row in rows))
     if not look.says:
         return layer
     numbers = dict(zip(look.names, rows[:, columns:].T))

@@ -14,26 +14,31 @@ from collections.abc import Iterable
 
 from numpy.typing import ArrayLike
 
+from ...compiled import algorithm
 from ...problems import Plan
 from . import BugRobot
 from .walk import plan_walk
 
+REASONS = (
+    "",
+    "Bug 0 walks in a circle for ever: it hit the same wall at the same point again",
+    "Bug 0 walked round the obstacle and could not move towards the goal anywhere",
+)
+REACHED, IN_A_CIRCLE, SHUT_IN = range(3)
 
-def bug0_walk(robot: BugRobot) -> str:
-    """Walk by Bug 0; returns why it failed, or an empty string."""
-    hits = set()
+
+@algorithm
+def bug0_walk(robot: BugRobot) -> int:
+    """Walk by Bug 0; returns the number of the reason why it failed, 0 at the goal."""
     while not robot.move_to_goal():
+        if robot.was_hit_before():  # the rest of the walk depends on the hit point alone
+            return IN_A_CIRCLE
         hit = robot.place
-        if hit in hits:  # the rest of the walk depends on the hit point alone
-            return "Bug 0 walks in a circle for ever: it hit the same wall at the same point again"
-        hits.add(hit)
         while not robot.can_move_to_goal():
             robot.follow_wall()
             if robot.place == hit:
-                return (
-                    "Bug 0 walked round the obstacle and could not move towards the goal anywhere"
-                )
-    return ""
+                return SHUT_IN
+    return REACHED
 
 
 def bug0(
@@ -85,4 +90,4 @@ def bug0(
     >>> plan.path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [4.0, 0.0]]
     """
-    return plan_walk("Bug 0", bug0_walk, start, goal, obstacles, step, turn, clearance)
+    return plan_walk("Bug 0", bug0_walk, REASONS, start, goal, obstacles, step, turn, clearance)

@@ -17,14 +17,19 @@ from collections.abc import Iterable
 
 from numpy.typing import ArrayLike
 
+from ...compiled import algorithm
 from ...problems import Plan
 from ..tuning import one_of
 from . import BugRobot
 from .walk import plan_walk
 
+REASONS = ("", "no path reaches the goal: the wall blocks it even at its nearest point")
+REACHED, NO_PATH = range(2)
 
-def bug1_walk(robot: BugRobot, way_back: str) -> str:
-    """Walk by Bug 1; returns why it failed, or an empty string."""
+
+@algorithm
+def bug1_walk(robot: BugRobot, takes_shorter: bool) -> int:
+    """Walk by Bug 1; returns the number of the reason why it failed, 0 at the goal."""
     while not robot.move_to_goal():
         hit = nearest = robot.place
         begin = at_nearest = robot.travelled
@@ -33,13 +38,13 @@ def bug1_walk(robot: BugRobot, way_back: str) -> str:
             if robot.place.is_nearer_than(nearest):
                 nearest, at_nearest = robot.place, robot.travelled
             robot.follow_wall()
-        if way_back == "shorter" and robot.travelled - at_nearest < at_nearest - begin:
+        if takes_shorter and robot.travelled - at_nearest < at_nearest - begin:
             robot.turn_round()
         while robot.place != nearest:
             robot.follow_wall()
         if not robot.can_move_to_goal():
-            return "no path reaches the goal: the wall blocks it even at its nearest point"
-    return ""
+            return NO_PATH
+    return REACHED
 
 
 def bug1(
@@ -73,7 +78,15 @@ def bug1(
     >>> bug1((0, 0), (4, 0), [box], step=0.1, way_back="same").cost
     16.0
     """
-    back = one_of(way_back, "way_back", ("shorter", "same"))
+    shorter = one_of(way_back, "way_back", ("shorter", "same")) == "shorter"
     return plan_walk(
-        "Bug 1", lambda robot: bug1_walk(robot, back), start, goal, obstacles, step, turn, clearance
+        "Bug 1",
+        lambda robot: bug1_walk(robot, shorter),
+        REASONS,
+        start,
+        goal,
+        obstacles,
+        step,
+        turn,
+        clearance,
     )

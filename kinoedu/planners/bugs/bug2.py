@@ -17,13 +17,22 @@ from collections.abc import Iterable
 
 from numpy.typing import ArrayLike
 
+from ...compiled import algorithm
 from ...problems import Plan
 from . import BugRobot
 from .walk import plan_walk
 
+REASONS = (
+    "",
+    "no path reaches the goal: nowhere round the obstacle can the robot leave it on the start-goal "
+    "line closer to the goal",
+)
+REACHED, NO_PATH = range(2)
 
-def bug2_walk(robot: BugRobot) -> str:
-    """Walk by Bug 2; returns why it failed, or an empty string."""
+
+@algorithm
+def bug2_walk(robot: BugRobot) -> int:
+    """Walk by Bug 2; returns the number of the reason why it failed, 0 at the goal."""
     while not robot.move_to_goal():
         hit = robot.place
         robot.follow_wall()
@@ -31,12 +40,9 @@ def bug2_walk(robot: BugRobot) -> str:
             robot.place.on_line and robot.place.is_nearer_than(hit) and robot.can_move_to_goal()
         ):
             if robot.place == hit:
-                return (
-                    "no path reaches the goal: nowhere round the obstacle can the robot leave it "
-                    "on the start-goal line closer to the goal"
-                )
+                return NO_PATH
             robot.follow_wall()
-    return ""
+    return REACHED
 
 
 def bug2(
@@ -63,4 +69,4 @@ def bug2(
     >>> plan.path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [2.0, 0.0], [4.0, 0.0]]
     """
-    return plan_walk("Bug 2", bug2_walk, start, goal, obstacles, step, turn, clearance)
+    return plan_walk("Bug 2", bug2_walk, REASONS, start, goal, obstacles, step, turn, clearance)

@@ -10,31 +10,32 @@ from collections.abc import Iterable
 
 from numpy.typing import ArrayLike
 
+from ...compiled import algorithm
 from ...problems import Plan
 from . import BugRobot
 from .walk import plan_walk
 
+REASONS = (
+    "",
+    "Bug 2.prelim walks in a circle for ever: it hit the same wall at the same point again",
+    "Bug 2.prelim walked round the obstacle and could not leave along the start-goal line anywhere",
+)
+REACHED, IN_A_CIRCLE, SHUT_IN = range(3)
 
-def bug2_prelim_walk(robot: BugRobot) -> str:
-    """Walk by Bug 2.prelim; returns why it failed, or an empty string."""
-    hits = set()
+
+@algorithm
+def bug2_prelim_walk(robot: BugRobot) -> int:
+    """Walk by Bug 2.prelim; returns the number of the reason why it failed, 0 at the goal."""
     while not robot.move_to_goal():
+        if robot.was_hit_before():  # the rest of the walk depends on the hit point alone
+            return IN_A_CIRCLE
         hit = robot.place
-        if hit in hits:  # the rest of the walk depends on the hit point alone
-            return (
-                "Bug 2.prelim walks in a circle for ever: it hit the same wall at the same point "
-                "again"
-            )
-        hits.add(hit)
         robot.follow_wall()
         while not (robot.place.on_line and robot.can_move_to_goal()):
             if robot.place == hit:
-                return (
-                    "Bug 2.prelim walked round the obstacle and could not leave along the "
-                    "start-goal line anywhere"
-                )
+                return SHUT_IN
             robot.follow_wall()
-    return ""
+    return REACHED
 
 
 def bug2_prelim(
@@ -58,5 +59,5 @@ def bug2_prelim(
     8.0
     """
     return plan_walk(
-        "Bug 2.prelim", bug2_prelim_walk, start, goal, obstacles, step, turn, clearance
+        "Bug 2.prelim", bug2_prelim_walk, REASONS, start, goal, obstacles, step, turn, clearance
     )

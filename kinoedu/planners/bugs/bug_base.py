@@ -6,16 +6,21 @@ from collections.abc import Iterable
 
 from numpy.typing import ArrayLike
 
+from ...compiled import algorithm
 from ...problems import Plan
 from . import BugRobot
 from .walk import plan_walk
 
+REASONS = ("", "there is an obstacle between the start and the goal")
+REACHED, OBSTACLE = range(2)
 
-def bug_base_walk(robot: BugRobot) -> str:
-    """Walk by BugBase; returns why it failed, or an empty string."""
+
+@algorithm
+def bug_base_walk(robot: BugRobot) -> int:
+    """Walk by BugBase; returns the number of the reason why it failed, 0 at the goal."""
     if not robot.move_to_goal():
-        return "there is an obstacle between the start and the goal"
-    return ""
+        return OBSTACLE
+    return REACHED
 
 
 def bug_base(
@@ -37,4 +42,6 @@ def bug_base(
     >>> plan.reason, plan.walk.hits
     ('there is an obstacle between the start and the goal', array([[1., 0.]]))
     """
-    return plan_walk("BugBase", bug_base_walk, start, goal, obstacles, step, turn, clearance)
+    return plan_walk(
+        "BugBase", bug_base_walk, REASONS, start, goal, obstacles, step, turn, clearance
+    )

@@ -1,21 +1,24 @@
 """Build the plan that a Bug algorithm returns from the walk of its robot."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from ...compiled import compiled
 from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_point
+from ...messages import get_message
 from ...problems import Plan, Walk
 from ...robots import Disk, Point
 from ...robots.kinds import Robot
 from ...worlds.open_world import OpenWorld
 from ..tuning import nonnegative, one_of, positive
-from .robot import BugRobot, Trail
-from .walls import check_obstacles, contact, make_walls
+from .robot import BugRobot, corners_of, new_robot
+from .trail import HITS, LEAVES, SIZE
+from .walls import check_obstacles, contact, make_walls, rings_of
 
 MOST_POINTS = 10_000_000  # that memory can hold
 
@@ -32,7 +35,8 @@ class BugProblem(NamedTuple):
 
 def plan_walk(
     planner: str,
-    algorithm: Callable[[BugRobot], str],
+    algorithm: Callable[[BugRobot], int],
+    reasons: Sequence[str],
     start: ArrayLike,
     goal: ArrayLike,
     obstacles: Iterable[ArrayLike],
@@ -42,65 +46,97 @@ def plan_walk(
 ) -> Plan:
     """Check the arguments, run a Bug algorithm on a robot, and make a plan of its walk.
 
-    The algorithm returns why it failed, or an empty string. The other parameters and the errors are
-    those of `bug0`.
+    The algorithm returns the number of the reason why it failed, of which the first is empty. The
+    other parameters and the errors are those of `bug0`.
     """
     q_start, q_goal = as_point(start, "start"), as_point(goal, "goal")
     longest, margin = positive(step, "step"), nonnegative(clearance, "clearance")
     heading = -1 if one_of(turn, "turn", ("left", "right")) == "left" else 1
     rings = check_obstacles(obstacles)
     walls = make_walls(rings, margin)
-    near = f" or closer than {margin:g} to one" if margin else ""
     if contact(walls, q_start) >= 0:
-        raise InvalidStart(
-            f"the start {tuple(q_start.tolist())} lies in or on an obstacle{near}; move it into "
-            "the open"
-        )
+        near = get_message("bug.near", clearance=f"{margin:g}") if margin else ""
+        raise InvalidStart(get_message("bug.start", q=tuple(q_start.tolist()), near=near))
     if contact(walls, q_goal) == 0:
-        raise InvalidGoal(f"the goal {tuple(q_goal.tolist())} lies on a wall; move it off")
-    robot = BugRobot(walls, q_start, q_goal, heading)
-    reason = algorithm(robot)
-    walk = walk_of(robot.trail, q_goal, longest)
-    world = open_world(rings, walls.rings, walk.points, q_goal, margin)
+        raise InvalidGoal(get_message("bug.goal", q=tuple(q_goal.tolist())))
+    robot = new_robot(walls, q_start, q_goal, heading)
+    reason = reasons[algorithm(robot)]
+    walk = walk_of(robot, longest)
+    world = open_world(rings, rings_of(walls), walk.points, q_goal, margin)
     problem = BugProblem(Disk(margin) if margin else Point(), world, q_start, q_goal, margin)
     path, cost = (None, math.inf) if reason else (walk.points, float(walk.travelled[-1]))
     stats = {"hits": len(walk.hit), "points": len(walk.points)}
     return Plan(path, cost, walk=walk, stats=stats, reason=reason, problem=problem, planner=planner)
 
 
-def walk_of(trail: Trail, goal: Array, step: float) -> Walk:
-    """The walk along a trail, with points inserted so that no two are more than `step` apart."""
-    corners = np.array([(place.x, place.y) for place in trail.places])
-    moves = np.diff(corners, axis=0)
-    size = np.abs(moves).max(axis=1, initial=0.0)
-    unit = np.where(size > 0.0, size, 1.0)
-    # scaled, because squares of huge and tiny numbers overflow and underflow
-    lengths = size * np.sqrt((moves[:, 0] / unit) ** 2 + (moves[:, 1] / unit) ** 2)
+def walk_of(robot: BugRobot, step: float) -> Walk:
+    """The walk of a robot, with points inserted so that no two are more than `step` apart."""
+    trail, goal = robot.trail, robot.goal
+    corners, following = corners_of(robot), trail.following[: trail.counts[SIZE]]
     with np.errstate(over="ignore"):  # refused below
-        pieces = np.maximum(np.ceil(lengths / step * (1.0 - 1e-15)), 1.0)
+        lengths, pieces = measure_moves(corners, step)
     if not pieces.sum() < MOST_POINTS:
         needed = f"{pieces.sum():g} points for a walk of length {lengths.sum():g}"
         raise InvalidParameter(
             f"a step of {step:g} is too short: it takes {needed}; choose a longer one"
         )
-    count = pieces.astype(np.int64)
-    move = np.repeat(np.arange(len(moves)), count)
-    part = (np.arange(len(move)) - np.repeat(np.cumsum(count) - count, count) + 1.0) / count[move]
-    points = np.where(
-        (part < 1.0)[:, None], corners[move] + part[:, None] * moves[move], corners[move + 1]
-    )
-    begun = np.concatenate([[0.0], np.cumsum(lengths)])
-    travelled = np.where(part < 1.0, begun[move] + part * lengths[move], begun[move + 1])
-    points = np.concatenate([corners[:1], points])
-    number = np.concatenate([[0], np.cumsum(count)])  # of the point that each corner became
+    points, along, travelled, number = divide_moves(corners, following, lengths, pieces)
     return Walk(
         points,
-        np.concatenate([[False], np.array(trail.following, dtype=bool)[move + 1]]),
-        np.concatenate([[0.0], travelled]),
+        along,
+        travelled,
         np.hypot(points[:, 0] - goal[0], points[:, 1] - goal[1]),
-        number[trail.hits],
-        number[trail.leaves],
+        number[trail.hits[: trail.counts[HITS]]],
+        number[trail.leaves[: trail.counts[LEAVES]]],
     )
+
+
+@compiled
+def measure_moves(corners: Array, step: float) -> tuple[Array, Array]:
+    """The length of each move between corners, and into how many pieces it is to be divided."""
+    lengths, pieces = np.empty(len(corners) - 1), np.empty(len(corners) - 1)
+    for i in range(len(lengths)):
+        dx, dy = corners[i + 1, 0] - corners[i, 0], corners[i + 1, 1] - corners[i, 1]
+        size = max(abs(dx), abs(dy))
+        # scaled, because squares of huge and tiny numbers overflow and underflow
+        unit = size if size > 0.0 else 1.0
+        x, y = dx / unit, dy / unit
+        lengths[i] = size * math.sqrt(x * x + y * y)
+        pieces[i] = max(np.ceil(lengths[i] / step * (1.0 - 1e-15)), 1.0)
+    return lengths, pieces
+
+
+@compiled
+def divide_moves(
+    corners: Array, following: NDArray[np.bool_], lengths: Array, pieces: Array
+) -> tuple[Array, NDArray[np.bool_], Array, NDArray[np.int64]]:
+    """The points of a walk whose moves are divided into pieces.
+
+    Returns
+    -------
+    points, following, travelled
+        As in `Walk`.
+    number
+        The number of the point that each corner became.
+    """
+    size = 1
+    for i in range(len(pieces)):
+        size += int(pieces[i])
+    points, travelled, along = np.empty((size, 2)), np.zeros(size), np.zeros(size, np.bool_)
+    number, begun, k = np.zeros(len(corners), np.int64), 0.0, 1
+    points[0] = corners[0]
+    for i in range(len(pieces)):
+        ended = begun + lengths[i]
+        for piece in range(1, int(pieces[i])):
+            part = piece / pieces[i]
+            for axis in range(2):
+                move = corners[i + 1, axis] - corners[i, axis]
+                points[k, axis] = corners[i, axis] + part * move
+            travelled[k], along[k] = begun + part * lengths[i], following[i + 1]
+            k += 1
+        points[k], travelled[k], along[k] = corners[i + 1], ended, following[i + 1]
+        number[i + 1], begun, k = k, ended, k + 1
+    return points, along, travelled, number
 
 
 def open_world(

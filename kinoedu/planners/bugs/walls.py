@@ -34,13 +34,13 @@ class Walls(NamedTuple):
 
     Edge i leads from points[i] to points[after[i]]; `before` is the inverse of `after`. Where two
     loops touch at a corner, each has a point of its own there, and the passage between them is
-    closed. `rings` are the same loops as obstacles and holes, for point location.
+    closed. Ring k, an obstacle or a hole, is points[first[k]:first[k + 1]].
     """
 
     points: Array
     before: NDArray[np.int64]
     after: NDArray[np.int64]
-    rings: list[Array]
+    first: NDArray[np.int64]
 
 
 def check_obstacles(obstacles: Iterable[ArrayLike]) -> list[Array]:
@@ -73,11 +73,17 @@ def make_walls(rings: list[Array], clearance: float) -> Walls:
     return link_rings(unite_rings(rings) if any_meet(rings) else rings)
 
 
+def rings_of(walls: Walls) -> list[Array]:
+    """The obstacles and holes as rings."""
+    return np.split(walls.points, walls.first[1:-1]) if len(walls.points) else []
+
+
+@compiled
 def contact(walls: Walls, q: Array) -> int:
     """Where a point is: 1 inside an obstacle, 0 on a wall, -1 in free space; exact."""
     inside = -1
-    for ring in walls.rings:
-        side = locate_point(q[0], q[1], ring)
+    for k in range(len(walls.first) - 1):
+        side = locate_point(q[0], q[1], walls.points[walls.first[k] : walls.first[k + 1]])
         if side == 0:
             return 0
         if side > 0:  # inside an obstacle, or in a hole of it, and so on
@@ -152,15 +158,22 @@ def unite_rings(rings: list[Array]) -> list[Array]:
 
 def link_rings(rings: list[Array]) -> Walls:
     """The walls of rings; where several touch at a corner, each loop borders one free region."""
-    sizes = [len(ring) for ring in rings]
-    first = np.repeat(np.cumsum([0, *sizes])[:-1], sizes)
-    size = np.repeat(sizes, sizes).astype(np.int64)
     points = np.concatenate([np.empty((0, 2)), *rings])
-    number = np.arange(len(points))
-    after, before = first + (number - first + 1) % size, first + (number - first - 1) % size
+    walls = walls_of_rings(points, np.cumsum([0, *map(len, rings)], dtype=np.int64))
     if len(np.unique(points, axis=0)) < len(points):
-        join_at_touching_corners(points, before, after)
-    return Walls(points, before, after, rings)
+        join_at_touching_corners(points, walls.before, walls.after)
+    return walls
+
+
+@compiled
+def walls_of_rings(points: Array, first: NDArray[np.int64]) -> Walls:
+    """The walls of rings that do not touch; ring k is points[first[k]:first[k + 1]]."""
+    before, after = np.empty(len(points), np.int64), np.empty(len(points), np.int64)
+    for k in range(len(first) - 1):
+        for i in range(first[k], first[k + 1]):
+            after[i] = i + 1 if i + 1 < first[k + 1] else first[k]
+            before[after[i]] = i
+    return Walls(points, before, after, first)
 
 
 def join_at_touching_corners(

@@ -63,7 +63,7 @@ class Bug1(BugExercise):
 
     def mixed_walk(self, given: Given, choices: list[Choice]) -> tuple[Array, int]:
         """The walk of Bug 1 with these choices."""
-        return walk_with_choices(lambda robot: bug1_walk(robot, "shorter"), given, choices)
+        return walk_with_choices(lambda robot: bug1_walk(robot, True), given, choices)
 
     def leaves_no_doubt(self, given: Given, plan: Plan) -> bool:
         """Whether the walk is clear, and it is also clear which way back is shorter."""

@@ -92,22 +92,29 @@ def world_fault(start: Value, goal: Value, obstacles: list[Value]) -> str:
         return "valid"
 
 
-def mended_bug0_walk(robot: BugRobot) -> str:
+REASONS = (
+    "",
+    "it walks in a circle forever: it hit the same wall at the same point again",
+    "it went round the obstacle and could not leave it anywhere",
+)
+REACHED, IN_A_CIRCLE, SHUT_IN = range(3)
+
+
+def mended_bug0_walk(robot: BugRobot) -> int:
     """Bug 0, mended: it leaves a wall only where the goal is nearer than it was at the start.
 
     It is wrong somewhere. Where?
     """
-    start, hits = robot.place, set()
+    start = robot.place
     while not robot.move_to_goal():
+        if robot.was_hit_before():
+            return IN_A_CIRCLE
         hit = robot.place
-        if hit in hits:
-            return "it walks in a circle forever: it hit the same wall at the same point again"
-        hits.add(hit)
         while not (robot.can_move_to_goal() and robot.place.is_nearer_than(start)):
             robot.follow_wall()
             if robot.place == hit:
-                return "it went round the obstacle and could not leave it anywhere"
-    return ""
+                return SHUT_IN
+    return REACHED
 
 
 def mended_bug0(
@@ -120,4 +127,6 @@ def mended_bug0(
     >>> mended_bug0((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], step=9).path.tolist()
     [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 2.0], [4.0, 0.0]]
     """
-    return plan_walk("Bug 0, mended", mended_bug0_walk, start, goal, obstacles, step, "left", 0.0)
+    return plan_walk(
+        "Bug 0, mended", mended_bug0_walk, REASONS, start, goal, obstacles, step, "left", 0.0
+    )

@@ -165,20 +165,21 @@ class ChoosingRobot:
 
 
 def walk_with_choices(
-    algorithm: Callable[[BugRobot], str], given: Given, choices: list[Choice]
+    algorithm: Callable[[BugRobot], int], given: Given, choices: list[Choice]
 ) -> tuple[Array, int]:
     """The exact walk of an algorithm whose robot chooses at each hit, and the number of hits."""
     hits = 0
 
-    def chosen_walk(robot: BugRobot) -> str:
+    def chosen_walk(robot: BugRobot) -> int:
         nonlocal hits
         choosing = ChoosingRobot(robot, choices)
-        reason = algorithm(cast("BugRobot", choosing))
+        outcome = algorithm(cast("BugRobot", choosing))
         hits = choosing.hits
-        return reason
+        return outcome
 
     start, goal, obstacles, step = given.values()
-    plan = plan_walk("bug", chosen_walk, start, goal, obstacles, step, "left", 0.0)
+    outcomes = ("", "not reached")
+    plan = plan_walk("bug", chosen_walk, outcomes, start, goal, obstacles, step, "left", 0.0)
     return walk_of(plan).points, hits
 
 
