@@ -26,6 +26,7 @@
 // which is vertex v of ring r.
 
 const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a round trip
+const SPACING = 15;           // ms between two questions, in which the page paints
 const SLOW = 100;             // ms: after a slower answer only one question is open at a time
 const VERY_SLOW = 1000;       // ms: after a slower answer a question waits for a release or a rest
 const REST = 300;             // ms: a thing that has not moved for this time is at rest
@@ -174,7 +175,7 @@ class Board {
     this.open = 0;                                       // questions without an answer
     Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
-    Object.assign(this, { held: new Set(), ticking: 0, completing: 0 });
+    Object.assign(this, { held: new Set(), ticking: 0, completing: 0, asked: 0 });
     this.moved = new Map();                              // the things moved since the last question
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
@@ -338,7 +339,12 @@ class Board {
 
   ask(released) {
     const limit = this.took > SLOW ? 1 : IN_FLIGHT;
+    const early = this.asked + SPACING - performance.now();
     clearTimeout(this.resting);
+    if (early > 0 && !this.unkept) {
+      this.resting = setTimeout(() => this.ask(released), early);
+      return;
+    }
     if (this.took > VERY_SLOW && !released) {
       this.resting = setTimeout(() => this.ask(true), REST);
       return;
@@ -349,6 +355,7 @@ class Board {
     const moved = [...this.moved.values()].map(([kind, i]) => [kind, i, this.shape({ kind, i })]);
     this.moved.clear();
     this.open += 1;
+    this.asked = performance.now();
     this.model.send({ kind: "scene", from: this.id, seq: this.seq, moved });
     this.emit("sent", this.seq);
   }
