@@ -463,3 +463,16 @@ def test_the_page_of_variants_lists_all():
     without.remove("similar")
     assert len(without) == len(set(without))
     assert not any(EXERCISES[name].variants for name in without)
+
+
+@pytest.mark.parametrize(
+    ("name", "variant"),
+    [("displacement", ""), ("displacement", "way_back"), ("csc_length", "backward")],
+)
+def test_kept_cases_are_those_that_are_drawn(name, variant):
+    """A variant keeps the cases of the usual form, in its own arguments; they are drawn once."""
+    exercise = find(name, variant)
+    drawn = exercise.cases(np.random.default_rng(0))
+    spelled = [(case.kind, exercise.given.encode(case.given)) for case in exercise.fixed_cases]
+    assert spelled == [(case.kind, exercise.given.encode(case.given)) for case in drawn]
+    assert exercise.fixed_cases is find(name, variant).fixed_cases

@@ -183,7 +183,8 @@ def record_results(exercises: Iterable[Exercise] | None = None) -> Results:
                 if is_only_answered_otherwise(exercise, variant):
                     continue  # the results of the usual form are all that it needs
                 judged = find(exercise.name, variant)
-                for case in judged.cases(np.random.default_rng(0)):  # not asked yet
+                # new cases, because a kept answer to a fixed one would not be recorded
+                for case in judged.cases(np.random.default_rng(0)):
                     judged.ask_for_answers(case)
     return results
 
