@@ -563,10 +563,16 @@ def compiled_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return cache
 
 
-PATIENT = ORIENT.replace(
-    "import json",
-    "import time, kinoedu.compiled.tiers as t; t.interpreted.seconds = 9\nimport json",
-)
+LONG_AT_WORK = """
+import kinoedu.compiled.tiers as t
+t.interpreted.seconds = 9
+"""
+IMPORTED = """
+import kinoedu.compiled.machine
+from kinoedu.compiled.numba_thread import NUMBA_THREAD
+NUMBA_THREAD.has_numba = True
+"""
+PATIENT = LONG_AT_WORK + IMPORTED + ORIENT
 
 
 @needs_compiler
@@ -584,6 +590,30 @@ def test_machine_code_of_one_process_is_used_by_the_next(
         assert orient(cache=cache, code=PATIENT, path=str(place))[:3] == [1, True, False]
     assert orient(cache=cache)[:3] == [1, False, False]
     assert orient(cache=cache, mode="never", code=PATIENT)[:3] == [1, False, False]
+
+
+@needs_compiler
+def test_no_call_waits_for_the_import_of_numba(compiled_once: Path) -> None:
+    """The call that begins the import is interpreted; machine code is loaded behind it."""
+    code = """
+import threading
+from kinoedu.compiled.numba_thread import NUMBA_THREAD
+release = threading.Event()
+NUMBA_THREAD.submit(release.wait)  # the thread is busy, as with an import
+"""
+    answered = """
+release.set()
+NUMBA_THREAD.run_and_wait(lambda: None)
+(call,) = orientation_sign.specializations.values()
+print(json.dumps([found, loaded, call.is_loaded, orientation((0, 0), (1, 0), (0, 1))]))
+"""
+    asked = ORIENT.replace("print(", "assert (", 1)
+    assert orient(cache=compiled_once, code=LONG_AT_WORK + code + asked + answered) == [
+        1,
+        False,
+        True,
+        1,
+    ]
 
 
 @needs_compiler

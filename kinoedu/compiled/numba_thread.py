@@ -71,6 +71,8 @@ class WatchedCall:
 class NumbaThread:
     """The thread, started when there is work."""
 
+    has_numba = False  # in this process, wholly imported
+
     def __init__(self) -> None:
         self.reset()
 

@@ -1,8 +1,8 @@
 """Functions that run interpreted or as machine code, and the decision between the two.
 
 A call whose machine code is loaded runs it. A call whose machine code is on the disk loads it, once
-this process has spent about as long interpreting as the import of numba takes. Every other call is
-interpreted at once, and its time is added up. After BUDGET seconds it is compiled by another
+this process has spent about as long interpreting as the import of numba takes; calls are
+interpreted during that import. Every other call is interpreted at once, and its time is added up. After BUDGET seconds it is compiled by another
 process. So the total time is never much more than that of the better way: this is the ski-rental
 problem of online algorithms. An algorithm that is still being interpreted when its machine code
 exists is restarted with its original arguments.
@@ -157,7 +157,7 @@ class Specialization:
         if modes.mode is modes.COMPILED_FIRST and not self.is_tried:
             self.compile_now()
         elif interpreted.seconds > IMPORTING and self.is_on_disk():
-            self.load()
+            self.load_or_import()
         if self.is_loaded and self.function.machine is not None:
             return self.function.machine(*args)
         if self.function.is_algorithm and not self.is_never_stored:
@@ -184,6 +184,15 @@ class Specialization:
         self.looked = now
         return self.file is not None and self.file.exists()
 
+    def load_or_import(self) -> None:
+        """`load` if numba is imported; if not, import it and load while calls are interpreted."""
+        from .numba_thread import NUMBA_THREAD
+
+        if NUMBA_THREAD.has_numba:
+            self.load()
+        else:
+            NUMBA_THREAD.submit(self.load_here)
+
     def load(self) -> None:
         """Load the machine code from the disk; if that fails, the call stays interpreted."""
         from .numba_thread import NUMBA_THREAD
@@ -193,7 +202,9 @@ class Specialization:
     def load_here(self) -> None:
         """`load` in this thread."""
         from .machine import load
+        from .numba_thread import NUMBA_THREAD
 
+        NUMBA_THREAD.has_numba = True
         if self.is_loaded or self.file is None:
             return
         try:
