@@ -216,7 +216,7 @@ def test_what_is_no_graph_is_refused(search_of, graph):
 
 
 @pytest.mark.parametrize(
-    "estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3]
+    "estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3, new_labels(3)]
 )
 def test_a_bad_heuristic_is_refused(estimate):
     """The heuristic must be a number of zero or more for each node."""

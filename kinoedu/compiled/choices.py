@@ -28,7 +28,7 @@ def generic(records: int) -> Callable[[Function], Any]:
 
     The decorated function is the default for kinds without an implementation. Implementations are
     plain functions: compiled code inlines them, and Python interprets them. Register one with
-    `@function.register(kind, ...)`.
+    `@function.register(kind, ...)`; `function.is_known(kind, ...)` says whether there is one.
 
     Raises
     ------
@@ -43,8 +43,8 @@ def generic(records: int) -> Callable[[Function], Any]:
     >>> @legs.register(int)
     ... def legs_of_a_number(animal):
     ...     return animal
-    >>> legs(4), legs("snake")
-    (4, 0)
+    >>> legs(4), legs("snake"), legs.is_known(int)
+    (4, 0, True)
     """
 
     def make(default: Function) -> Any:
@@ -72,6 +72,7 @@ def generic(records: int) -> Callable[[Function], Any]:
             return implementations.get(tuple(kinds), default)
 
         dispatch.register = register  # type: ignore[attr-defined]
+        dispatch.is_known = lambda *kinds: kinds in implementations  # type: ignore[attr-defined]
         GENERICS.append((dispatch, choose))
         return dispatch
 

@@ -1,11 +1,11 @@
 """Functions that run interpreted or as machine code, and the decision between the two.
 
 A call whose machine code is loaded runs it. A call whose machine code is on the disk loads it, once
-this process has spent about as long interpreting as the import of numba takes; calls are
-interpreted during that import. Every other call is interpreted at once, and its time is added up. After BUDGET seconds it is compiled by another
-process. So the total time is never much more than that of the better way: this is the ski-rental
-problem of online algorithms. An algorithm that is still being interpreted when its machine code
-exists is restarted with its original arguments.
+this process has spent about as long interpreting as the import of numba takes; during that import
+calls are interpreted. Every other call is interpreted at once, and its time is added up. After
+BUDGET seconds it is compiled by another process. So the total time is never much more than that of
+the better way: this is the ski-rental problem of online algorithms. An algorithm that is still
+being interpreted when its machine code exists is restarted with its original arguments.
 
 Functions called by an interpreted function are interpreted too, and their time is not counted
 separately. A call with arguments that machine code cannot take (a recorder, a user's own problem)

@@ -7,7 +7,6 @@ Eiter, H. Mannila, "Computing discrete Fréchet distance" (1994).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..compiled import compiled
 from .checks import Array, as_points
 
 
@@ -35,25 +34,20 @@ def count_followed_points(path: ArrayLike, guide: ArrayLike, leash: float) -> in
     >>> count_followed_points([(0, 0), (1, 0.2), (2, -0.2), (3, 0)], guide, 0.5)
     4
     """
-    return int(count_followed(as_points(path, "path"), as_points(guide, "guide"), leash * leash))
-
-
-@compiled
-def count_followed(path: Array, guide: Array, square: float) -> int:
-    """`count_followed_points` for arrays and the squared length of the leash."""
-    n, m = len(path), len(guide)
-    possible = np.zeros(m, np.bool_)  # whether the guide can be at j when the path is at i
-    for i in range(n):
-        diagonal = False  # whether the guide could be at j - 1 when the path was at i - 1
-        for j in range(m):
-            waiting = possible[j]
-            reached = waiting or diagonal or (j > 0 and possible[j - 1]) or (i == 0 and j == 0)
-            dx, dy = path[i, 0] - guide[j, 0], path[i, 1] - guide[j, 1]
-            possible[j] = reached and dx * dx + dy * dy <= square
-            diagonal = waiting
+    points, (xs, ys) = as_points(path, "path"), as_points(guide, "guide").T
+    positions = np.arange(len(xs))
+    possible = np.zeros(len(xs) + 1, bool)  # where the guide can be; the first is before its start
+    possible[0] = True
+    for i, (x, y) in enumerate(points.tolist()):
+        near = (xs - x) ** 2 + (ys - y) ** 2 <= leash * leash
+        reached = near & (possible[1:] | possible[:-1])
+        # The guide goes on from what it has reached, up to the next place that is too far.
+        last_reached = np.maximum.accumulate(np.where(reached, positions, -1))
+        last_far = np.maximum.accumulate(np.where(near, -1, positions))
+        possible[0], possible[1:] = False, last_reached > last_far
         if not possible.any():
             return i
-    return n if possible[m - 1] else n - 1
+    return len(points) if possible[-1] else len(points) - 1
 
 
 def densify_path(path: ArrayLike, spacing: float) -> Array:
@@ -67,8 +61,10 @@ def densify_path(path: ArrayLike, spacing: float) -> Array:
            [1. , 0. ]])
     """
     points = as_points(path, "path")
-    pieces = [points[:1]]
-    for a, b in zip(points, points[1:]):
-        n = max(1, int(np.ceil(np.linalg.norm(b - a) / spacing - 1e-9)))
-        pieces.append(a + np.linspace(0.0, 1.0, n + 1)[1:, None] * (b - a))
-    return np.concatenate(pieces)
+    strides = np.diff(points, axis=0)
+    lengths = np.linalg.norm(strides, axis=1)
+    parts = np.maximum(1, np.ceil(lengths / spacing - 1e-9)).astype(np.int64)
+    stride = np.repeat(np.arange(len(parts)), parts)  # of each point but the first
+    part = np.arange(1, len(stride) + 1) - np.repeat(np.cumsum(parts) - parts, parts)
+    added = points[stride] + (part / parts[stride])[:, None] * strides[stride]
+    return np.vstack([points[:1], added])

@@ -288,11 +288,11 @@ def yield_expansions(flat: Any, start: int, goal: int, heuristic: Heuristic) -> 
 def as_heuristic(values: ArrayLike | Heuristic | None, size: int) -> Heuristic:
     """Lower bounds (n,), zeros for None; raises InvalidGraph unless all are zero or more.
 
-    A record is taken as it is.
+    A record that answers `estimate` is taken as it is.
     """
     if values is None:
         return np.zeros(size)
-    if isinstance(values, tuple) and hasattr(values, "_fields"):
+    if estimate.is_known(type(values)):
         return values
     try:
         bounds = np.require(values, np.float64, ["C", "W", "E"])
