@@ -147,10 +147,11 @@ class Canvas(anywidget.AnyWidget):
             self._draw()
             self._show(None, None, self._complete())
 
-    def arrange(self, scene: Scene) -> None:
-        """Move all parts to their places in another scene, answer it, and show it on every page.
+    def follow(self, scene: Scene) -> None:
+        """Move all parts to their places in another scene, and show its brief answer on every page.
 
-        The other scene has the same parts.
+        The other scene has the same parts. It is for what follows while another canvas is dragged:
+        pages ask for the whole when it rests, and `scene` is the caller's to set then.
         """
         with _answering:
             self._shown = scene
@@ -158,6 +159,11 @@ class Canvas(anywidget.AnyWidget):
             content, buffers = self._reply.brief
             places = [list(part) for part in list_places(scene)]
             self._show(None, None, Message({**content, "places": places}, buffers))
+
+    def arrange(self, scene: Scene) -> None:
+        """`follow` another scene, and keep it as `scene`."""
+        with _answering:
+            self.follow(scene)
             self.scene = scene  # last, because a page that has the places sends no question
 
     def set_bitmap(self, bitmap: Bitmap | None) -> None:
