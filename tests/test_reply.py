@@ -4,10 +4,19 @@ import numpy as np
 import pytest
 from test_board import walled
 
-from kinoedu.boards import Canvas, Drawing, board, rewiring_board
-from kinoedu.boards.core.drawing import dots, edges, labels, nodes
+from kinoedu.boards import (
+    Canvas,
+    Drawing,
+    board,
+    bug_board,
+    exploring_board,
+    race_board,
+    rewiring_board,
+)
+from kinoedu.boards.core.drawing import dots, edges, encode_drawing, labels, nodes
+from kinoedu.boards.core.framed import find_canvases
 from kinoedu.boards.core.notes import note, with_notes
-from kinoedu.boards.core.scene import handle, make_scene
+from kinoedu.boards.core.scene import frame_of, handle, make_scene
 from kinoedu.boards.tracing import code_run
 
 
@@ -76,6 +85,41 @@ def test_a_drag_is_answered_briefly_and_a_rest_wholly():
     assert not brief["step_texts"] and len(whole["step_texts"]) == whole["total"]
     assert 5 * sum(map(len, few)) < sum(map(len, many))
     assert made.canvas.drawing.step_texts[-1] != made.canvas.drawing.text
+
+
+def exploring(problem):
+    return exploring_board(problem, 9.0)
+
+
+def race(problem):
+    return race_board(problem, nodes=80, step_size=1.0)
+
+
+def bugs(_):
+    return bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], bug="all")
+
+
+def one_bug(_):
+    return bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]])
+
+
+@pytest.mark.parametrize("make", [rewiring_board, exploring, race, bugs, one_bug])
+def test_a_drag_shows_the_last_step_of_what_is_there_at_rest(make):
+    """In every picture of a board, also in those that follow the one that is dragged."""
+    made = make(walled())
+    canvases = find_canvases(made)
+    heard = [hear(canvas) for canvas in canvases]
+    drag_goal(canvases[0], 3.0, 1.0)
+    for canvas, sent in zip(canvases, heard, strict=True):
+        brief, few = sent[-1]
+        assert brief["brief"] and not brief["step_texts"]
+        whole = canvas.drawing
+        assert (brief["text"], brief["total"]) == (whole.text, whole.total) and whole.step_texts
+        end, many = encode_drawing(whole.at_end(), *frame_of(canvas.shown))
+        assert [layer["kind"] for layer in brief["layers"]] == [
+            one["kind"] for one in end["layers"]
+        ]
+        assert few == many
 
 
 def test_lines_are_traced_only_at_rest(monkeypatch):
