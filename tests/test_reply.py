@@ -17,6 +17,7 @@ from kinoedu.boards.core.drawing import dots, edges, encode_drawing, labels, nod
 from kinoedu.boards.core.framed import find_canvases
 from kinoedu.boards.core.notes import note, with_notes
 from kinoedu.boards.core.scene import frame_of, handle, make_scene
+from kinoedu.boards.exploring.exploring import DRAGGED
 from kinoedu.boards.tracing import code_run
 
 
@@ -87,10 +88,6 @@ def test_a_drag_is_answered_briefly_and_a_rest_wholly():
     assert made.canvas.drawing.step_texts[-1] != made.canvas.drawing.text
 
 
-def exploring(problem):
-    return exploring_board(problem, 9.0)
-
-
 def race(problem):
     return race_board(problem, nodes=80, step_size=1.0)
 
@@ -103,7 +100,7 @@ def one_bug(_):
     return bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]])
 
 
-@pytest.mark.parametrize("make", [rewiring_board, exploring, race, bugs, one_bug])
+@pytest.mark.parametrize("make", [rewiring_board, race, bugs, one_bug])
 def test_a_drag_shows_the_last_step_of_what_is_there_at_rest(make):
     """In every picture of a board, also in those that follow the one that is dragged."""
     made = make(walled())
@@ -120,6 +117,21 @@ def test_a_drag_shows_the_last_step_of_what_is_there_at_rest(make):
             one["kind"] for one in end["layers"]
         ]
         assert few == many
+
+
+def test_an_exploration_shows_its_first_looks_while_it_is_dragged():
+    """The others follow at rest, as if all had been made at once; a short one is whole at once."""
+    made = exploring_board(walled(), 4.0)
+    plan, looks = made.plan, len(made.looks)
+    heard = hear(made.canvas)
+    drag_goal(made.canvas, 9.0, 2.0)
+    drag_goal(made.canvas, 9.0, 1.0)
+    assert f"the first {DRAGGED} looks" in heard[-1][0]["text"] and len(made.looks) == DRAGGED
+    come_to_rest(made.canvas)
+    assert len(made.looks) == looks > DRAGGED and np.array_equal(made.plan.path, plan.path)
+    assert heard[-1][0]["text"] == made.canvas.drawing.text != heard[-2][0]["text"]
+    drag_goal(made.canvas, 1.5, 1.5)
+    assert "at the goal" in heard[-1][0]["text"]
 
 
 def test_lines_are_traced_only_at_rest(monkeypatch):
