@@ -98,6 +98,8 @@ class Canvas(anywidget.AnyWidget):
     challenges : those that are posed on the board, see `challenge`.
     partner : the key of another board that is scrubbed together with this one, for example a plot
         with its world. All boards with the same partner are scrubbed together.
+    lane : where several boards show the same things, the name of this one. Those who hear the names
+        of its things hear it first.
 
     Without JavaScript the board is shown as a picture.
     """
@@ -106,6 +108,7 @@ class Canvas(anywidget.AnyWidget):
     _css = Path(__file__).with_name("board.css")
     key = traitlets.Unicode().tag(sync=True)
     partner = traitlets.Unicode().tag(sync=True)
+    lane = traitlets.Unicode().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
     home = traitlets.Dict().tag(sync=True)
     bitmap = traitlets.Bytes().tag(sync=True)

@@ -98,7 +98,8 @@ class RaceBoard(Framed):
         ]
         for canvas in canvases[1:]:
             canvas.add_class("kinoedu-led")
-        for canvas in canvases:
+        for canvas, planner in zip(canvases, self._planners, strict=True):
+            canvas.lane = getattr(planner, "__name__", "?").replace("_", " ")
             canvas.observe(self._settled, "scene")
         super().__init__([self.nodes, self.step_size, self.seed, self.code], canvases)
 
