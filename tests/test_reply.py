@@ -10,6 +10,7 @@ from kinoedu.boards import (
     board,
     bug_board,
     exploring_board,
+    properties_board,
     race_board,
     rewiring_board,
 )
@@ -132,6 +133,19 @@ def test_an_exploration_shows_its_first_looks_while_it_is_dragged():
     assert heard[-1][0]["text"] == made.canvas.drawing.text != heard[-2][0]["text"]
     drag_goal(made.canvas, 1.5, 1.5)
     assert "at the goal" in heard[-1][0]["text"]
+
+
+def test_a_roadmap_is_measured_at_few_places_while_it_is_dragged():
+    """And at all of them at rest."""
+    made = properties_board(walled(), n=40)
+    text, heard = made.canvas.drawing.text, hear(made.canvas)
+    ring = made.canvas.scene["polygons"][0]["rings"][0]
+    for by in (0.5, 0.0):
+        moved = [["polygon", 0, [[[x + by, y] for x, y in ring]]]]
+        made.canvas._received(None, {"kind": "scene", "from": "page", "seq": 1, "moved": moved}, [])
+    assert len(made.survey.places) == 25 and "when nothing moves" in heard[-1][0]["text"]
+    come_to_rest(made.canvas)
+    assert len(made.survey.places) == 100 and heard[-1][0]["text"] == text
 
 
 def test_lines_are_traced_only_at_rest(monkeypatch):
