@@ -121,7 +121,8 @@ def show_cut(edges: Array, x: float, lo: Array, hi: Array) -> ShownSweep:
 @compiled
 def show_line(facts: Array, line: Array) -> ShownSweep:
     """The answer where no cell is shown."""
-    return ShownSweep(facts, *no_four(), line, *no_four(), *no_four(), no_rows())
+    a, b, c, d = no_four()
+    return ShownSweep(facts, a, b, c, d, line, no_rows(), *no_four(), *no_four())
 
 
 @compiled
