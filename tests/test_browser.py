@@ -140,7 +140,7 @@ def test_a_body_shows_what_the_board_shows(name):
             theirs = draw_plan(PLANNERS[planner].function(posed(name, seed)[0], **keywords))
         shown, _ = ask(name, seed, seed)
         status, *facts = shown.facts
-        mine = draw_shown(BODIES[name], int(status), facts, shown)
+        mine = draw_shown(BODIES[name], int(status), facts, shown).completed
         for drawn, wanted in zip(mine.layers, theirs.layers, strict=True):
             assert same_layer(drawn, wanted)
         assert (mine.text, mine.total, mine.unit) == (theirs.text, theirs.total, theirs.unit)
@@ -341,8 +341,8 @@ def test_a_bugs_body_walks_as_the_planner_does(name):
         status, *facts = shown.facts
         if status < 0:
             continue
-        mine = draw_shown(WALKED[name], int(status), facts, shown)
-        plot = draw_beside(WALKED[name], int(status), facts, shown)
+        mine = draw_shown(WALKED[name], int(status), facts, shown).completed
+        plot = draw_beside(WALKED[name], int(status), facts, shown).completed
         for own, theirs in ((mine, made.canvas.drawing), (plot, made.plot.drawing)):
             for drawn, wanted in zip(own.layers, theirs.layers, strict=True):
                 assert same_layer(drawn, wanted)
@@ -358,7 +358,8 @@ def test_a_search_shows_what_the_board_shows(name):
         made = graph_case(seed, name.removeprefix("search_"))
         shown = shown_natively(made.record()[0])
         status, *facts = shown.facts
-        mine, theirs = draw_shown(SEARCHED[name], int(status), facts, shown), made.canvas.drawing
+        mine = draw_shown(SEARCHED[name], int(status), facts, shown).completed
+        theirs = made.canvas.drawing
         for drawn, wanted in zip(mine.layers, theirs.layers, strict=True):
             assert same_layer(drawn, wanted)
         assert (mine.text, mine.step_texts) == (theirs.text, theirs.step_texts)

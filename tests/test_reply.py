@@ -4,10 +4,21 @@ import numpy as np
 import pytest
 from test_board import walled
 
-from kinoedu.boards import Canvas, Drawing, board, rewiring_board
-from kinoedu.boards.core.drawing import dots, edges, labels, nodes
+from kinoedu.boards import (
+    Canvas,
+    Drawing,
+    board,
+    bug_board,
+    exploring_board,
+    properties_board,
+    race_board,
+    rewiring_board,
+)
+from kinoedu.boards.core.drawing import dots, edges, encode_drawing, labels, nodes
+from kinoedu.boards.core.framed import find_canvases
 from kinoedu.boards.core.notes import note, with_notes
-from kinoedu.boards.core.scene import handle, make_scene
+from kinoedu.boards.core.scene import frame_of, handle, make_scene
+from kinoedu.boards.exploring.exploring import DRAGGED
 from kinoedu.boards.tracing import code_run
 
 
@@ -76,6 +87,65 @@ def test_a_drag_is_answered_briefly_and_a_rest_wholly():
     assert not brief["step_texts"] and len(whole["step_texts"]) == whole["total"]
     assert 5 * sum(map(len, few)) < sum(map(len, many))
     assert made.canvas.drawing.step_texts[-1] != made.canvas.drawing.text
+
+
+def race(problem):
+    return race_board(problem, nodes=80, step_size=1.0)
+
+
+def bugs(_):
+    return bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]], bug="all")
+
+
+def one_bug(_):
+    return bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, 2)]])
+
+
+@pytest.mark.parametrize("make", [rewiring_board, race, bugs, one_bug])
+def test_a_drag_shows_the_last_step_of_what_is_there_at_rest(make):
+    """In every picture of a board, also in those that follow the one that is dragged."""
+    made = make(walled())
+    canvases = find_canvases(made)
+    heard = [hear(canvas) for canvas in canvases]
+    drag_goal(canvases[0], 3.0, 1.0)
+    for canvas, sent in zip(canvases, heard, strict=True):
+        brief, few = sent[-1]
+        assert brief["brief"] and not brief["step_texts"]
+        whole = canvas.drawing
+        assert (brief["text"], brief["total"]) == (whole.text, whole.total) and whole.step_texts
+        end, many = encode_drawing(whole.at_end(), *frame_of(canvas.shown))
+        assert [layer["kind"] for layer in brief["layers"]] == [
+            one["kind"] for one in end["layers"]
+        ]
+        assert few == many
+
+
+def test_an_exploration_shows_its_first_looks_while_it_is_dragged():
+    """The others follow at rest, as if all had been made at once; a short one is whole at once."""
+    made = exploring_board(walled(), 4.0)
+    plan, looks = made.plan, len(made.looks)
+    heard = hear(made.canvas)
+    drag_goal(made.canvas, 9.0, 2.0)
+    drag_goal(made.canvas, 9.0, 1.0)
+    assert f"the first {DRAGGED} looks" in heard[-1][0]["text"] and len(made.looks) == DRAGGED
+    come_to_rest(made.canvas)
+    assert len(made.looks) == looks > DRAGGED and np.array_equal(made.plan.path, plan.path)
+    assert heard[-1][0]["text"] == made.canvas.drawing.text != heard[-2][0]["text"]
+    drag_goal(made.canvas, 1.5, 1.5)
+    assert "at the goal" in heard[-1][0]["text"]
+
+
+def test_a_roadmap_is_measured_at_few_places_while_it_is_dragged():
+    """And at all of them at rest."""
+    made = properties_board(walled(), n=40)
+    text, heard = made.canvas.drawing.text, hear(made.canvas)
+    ring = made.canvas.scene["polygons"][0]["rings"][0]
+    for by in (0.5, 0.0):
+        moved = [["polygon", 0, [[[x + by, y] for x, y in ring]]]]
+        made.canvas._received(None, {"kind": "scene", "from": "page", "seq": 1, "moved": moved}, [])
+    assert len(made.survey.places) == 25 and "when nothing moves" in heard[-1][0]["text"]
+    come_to_rest(made.canvas)
+    assert len(made.survey.places) == 100 and heard[-1][0]["text"] == text
 
 
 def test_lines_are_traced_only_at_rest(monkeypatch):

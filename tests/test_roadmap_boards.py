@@ -17,7 +17,12 @@ from kinoedu.boards import (
     roadmap_board,
 )
 from kinoedu.boards.core.drawing import Drawing, cells, encode_drawing
-from kinoedu.boards.trees.rewired import costs_at, find_near_pairs, find_paths_to_goal
+from kinoedu.boards.trees.rewired import (
+    costs_at,
+    find_last_path,
+    find_near_pairs,
+    find_paths_to_goal,
+)
 from kinoedu.errors import InvalidParameter
 from kinoedu.graphs import dijkstra
 from kinoedu.planners.exploring.receding_horizon import plan_from_looks, receding_horizon_looks
@@ -80,7 +85,8 @@ def test_an_obstacle_is_dragged_and_a_fault_is_told(kind):
     assert (
         "crosses" in page.moves(("polygon", 0, [[WALL[0], WALL[2], WALL[1], WALL[3]]]))["warning"]
     )
-    assert page.moves(("polygon", 0, [WALL]))["text"] == before
+    page.moves(("polygon", 0, [WALL]))
+    assert made.canvas.drawing.text == before
 
 
 @pytest.mark.parametrize("kind", MAKERS)
@@ -298,10 +304,19 @@ def test_the_tree_and_the_way_are_shown_as_they_were():
     assert costs[151] == pytest.approx(smaller.cost)
 
 
+@pytest.mark.parametrize("goal", [(9, 1), (9.9, 9.9)])
+def test_the_last_path_is_that_of_the_whole_history(goal):
+    """A drag draws only this one. A goal that was not reached has none."""
+    _, log = rrt_star_rewirings(problem_of()._replace(goal=np.array(goal)), max_nodes=90, rng=1)
+    for mine, whole in zip(find_last_path(log), find_paths_to_goal(log)[-1:], strict=True):
+        assert mine.step == whole.step and mine.cost == whole.cost
+        assert np.array_equal(mine.points, whole.points)
+
+
 def test_every_re_hung_node_was_within_the_ball():
     """Rewired nodes were near, and so was the parent chosen, unless it was the nearest of all."""
     _, log = rrt_star_rewirings(problem_of(), max_nodes=300, rng=4)
-    near = set(map(tuple, find_near_pairs(log).tolist()))
+    near = set(map(tuple, find_near_pairs(log, np.arange(len(log.nodes))).tolist()))
     for node, parent, came in zip(
         log.node.tolist(), log.parent.tolist(), log.created_at.tolist(), strict=True
     ):
@@ -321,12 +336,13 @@ def test_a_race_is_dragged_in_one_and_moves_in_all():
     pages = [Page(canvas) for canvas in made.canvases]
     pages[1].moves(("handle", 1, [9, 9]))
     for canvas, page in zip(made.canvases, pages, strict=True):
-        assert canvas.scene["handles"][1]["at"] == [9, 9] or canvas is made.canvases[1]
-        assert canvas._shown["handles"][1]["at"] == [9, 9]
+        assert canvas.shown["handles"][1]["at"] == [9, 9]
         assert page.sent[-1][0]["total"] == made.canvases[0].drawing.total
     assert ["handle", 1, [9.0, 9.0]] in pages[0].sent[-1][0]["places"]
     assert all(plan.path[-1].tolist() == [9, 9] for plan in made.plans if plan.path is not None)
     assert {canvas.partner for canvas in made.canvases[1:]} == {made.canvas.key}
+    made.canvases[1].set_state({"scene": made.canvases[1].shown})  # as a page does on release
+    assert all(canvas.scene == made.canvas.shown for canvas in made.canvases)
     for page in pages:
         page.sent.clear()
     pages[2].moves(("handle", 0, [5, 5]))

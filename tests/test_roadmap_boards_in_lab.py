@@ -19,6 +19,8 @@ BOARDS = [
     "ke.boards.bug_board((0, 0), (5, 3), [[(1, 2), (1, 0), (3, 0)]])",
 ]
 
+NAMED = "root.querySelector(`[data-thing=${thing}]`).ariaLabel === label"
+
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
@@ -76,14 +78,16 @@ def test_a_race_is_one_scene_on_one_clock(page):
     """A drag in the second moves in all; the first slider leads, and is the only one visible."""
     first, second, third = (Seen(page, number) for number in (2, 3, 4))
     second.drag("handle-1", -60, 40)
-    label = second.label("handle-1")
-    for other in (first, third):
-        other.until("root.querySelector('[data-thing=handle-1]').ariaLabel === label", label=label)
+    lane, label = second.label("handle-1").split(": ")
+    assert lane == "rrt connect" and first.label("handle-1").startswith("rrt: ")
+    for other, name in ((first, "rrt"), (third, "rrt star")):
+        other.until(NAMED, thing="handle-1", label=f"{name}: {label}")
     first.drag("polygon-1", 30, 20)
-    label = first.label("polygon-1")
-    third.until("root.querySelector('[data-thing=polygon-1]').ariaLabel === label", label=label)
+    label = first.label("polygon-1").removeprefix("rrt: ")
+    third.until(NAMED, thing="polygon-1", label=f"rrt star: {label}")
     third.drag("handle-0", 30, 0)
-    assert third.label("polygon-1") == label and first.label("polygon-1") == label
+    for other, name in ((first, "rrt"), (third, "rrt star")):
+        assert other.label("polygon-1") == f"{name}: {label}"
     scrub(first, 40)
     second.until("root.dataset.step === '40'")
     third.until("root.dataset.step === '40' && text.startsWith('RRT*: nodes 40')")
@@ -91,6 +95,23 @@ def test_a_race_is_one_scene_on_one_clock(page):
         seen.board.locator(".kinoedu-slider").is_visible() for seen in (first, second, third)
     ] == [True, False, False]
     keep(page, "race")
+
+
+def test_how_to_use_a_board_stands_below_its_code(page):
+    """In a narrow lane it would push the code out of sight."""
+    seen = Seen(page, 2)
+    menu = page.locator(".kinoedu-framed").nth(2).locator("select")
+    menu.select_option("rrt")
+    seen.until("root.querySelector('.kinoedu-lines').children.length > 5")
+    page.set_viewport_size({"width": 480, "height": 1000})
+    for part in (".kinoedu-column", ".kinoedu-code"):
+        above = seen.board.locator(part).bounding_box()
+        below = seen.board.locator("> .kinoedu-hint").bounding_box()
+        assert above["y"] + above["height"] <= below["y"] + 1
+    keep(page, "lane")
+    page.set_viewport_size({"width": 1280, "height": 1000})
+    menu.select_option("no planner")
+    seen.until("!root.classList.contains('kinoedu-coded')")
 
 
 def test_rewiring_is_told_at_each_step(page):

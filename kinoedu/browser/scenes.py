@@ -110,3 +110,9 @@ def rings_of_scene(scene: SceneArrays) -> Rings:
 def no_rows() -> Array:
     """An empty layer. Each needs memory of its own, which a page gives back."""
     return np.empty((0, 4))
+
+
+@compiled
+def no_four() -> tuple[Array, Array, Array, Array]:
+    """Four empty layers, for an answer that has many."""
+    return no_rows(), no_rows(), no_rows(), no_rows()

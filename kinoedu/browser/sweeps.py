@@ -15,7 +15,7 @@ from ..geometry.checks import Array
 from ..geometry.rings import SIMPLE
 from ..worlds.polygon_world import edges_of_rings
 from .nearest import NoSettings
-from .scenes import REFUSED, SceneArrays, find_fault, no_rows, refuse_ring, rings_of_scene
+from .scenes import REFUSED, SceneArrays, find_fault, no_four, no_rows, refuse_ring, rings_of_scene
 
 BEFORE, NOW, ENDED = 0, 1, 2  # the status
 OVERLAP = REFUSED  # the first reason for which nothing is shown
@@ -121,24 +121,8 @@ def show_cut(edges: Array, x: float, lo: Array, hi: Array) -> ShownSweep:
 @compiled
 def show_line(facts: Array, line: Array) -> ShownSweep:
     """The answer where no cell is shown."""
-    none = no_rows
-    return ShownSweep(
-        facts,
-        none(),
-        none(),
-        none(),
-        none(),
-        line,
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-    )
+    a, b, c, d = no_four()
+    return ShownSweep(facts, a, b, c, d, line, no_rows(), *no_four(), *no_four())
 
 
 @compiled

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..compiled import compiled
 from ..geometry.checks import Array
 from ..geometry.exact import length
-from .scenes import no_rows
+from .scenes import no_four
 
 ARROWS = 12  # about the number of arrows that show the direction of a walk
 ARROW = 0.02  # the length of an arrow, as a fraction of the size of what is shown
@@ -133,30 +133,7 @@ def show_walk(outcome: int, course: Course, ends: Array, walls: Array, step: flo
 @compiled
 def show_nothing(facts: Array) -> ShownWalk:
     """The answer where no walk is shown."""
-    none = no_rows
-    return ShownWalk(
-        facts,
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-        none(),
-    )
+    return ShownWalk(facts, *no_four(), *no_four(), *no_four(), *no_four(), *no_four())
 
 
 # ---- the clock

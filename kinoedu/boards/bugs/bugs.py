@@ -143,7 +143,7 @@ class BugBoard(Pictured, widgets.VBox):
             drawing, self._plot = draw_race(plans, self._clock), draw_plots(plans, self._clock)
         else:
             drawing, self._plot = draw_walk(name, plan, check_obstacles(obstacles), self.step)
-        self.plot.refresh()
+        self.plot.follow(self.plot.shown)
         if not self.shows_code:
             return drawing
         walk = partial(BUGS[name][1], start, goal, obstacles, self.step, turn=self.turn.value)

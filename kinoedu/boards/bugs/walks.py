@@ -66,9 +66,10 @@ def course_of(walk: Walk) -> Course:
 def grow_by_clock(clock: Clock, layers: Sequence[Layer], text: str) -> Drawing:
     """A drawing that grows by a clock, and says at each step how far all have come."""
     far = clock.tick * np.arange(clock.total + 1)
-    texts = [get_message("bug_board.race", travelled=f"{s:.4g}") for s in far]
     unit = get_message("bug_board.unit")
-    return Drawing(layers, text=text, total=clock.total, unit=unit, step_texts=texts)
+    return Drawing(layers, text=text, total=clock.total, unit=unit).with_texts(
+        lambda: [get_message("bug_board.race", travelled=f"{s:.4g}") for s in far]
+    )
 
 
 def draw_race(plans: Sequence[tuple[Plan, Walk]], clock: Clock) -> Drawing:

@@ -247,7 +247,7 @@ class CarBoard(Framed):
         lines += [get_message("car_board.arrived")] if is_at_goal(self.problem, here) else []
         cars = draw_ride(car, ride, 0, hit=self._drive.stopped)
         drawing = self._ridden(ride, 0, [], cars, "\n".join(lines), here)
-        return drawing.completed_by(lambda: replace(drawing, step_texts=describe_ride(ride)[:-1]))
+        return drawing.with_texts(lambda: describe_ride(ride)[:-1])
 
     def _ridden(
         self,

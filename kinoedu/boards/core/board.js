@@ -580,7 +580,7 @@ class View {
     this.column = make("div", "kinoedu-column", this.root);
     this.stage = make("div", "kinoedu-stage", this.column);
     this.canvas = make("canvas", "kinoedu-canvas", this.stage, { role: "img" });
-    const group = { role: "group", "aria-label": words.movable };
+    const group = { role: "group", "aria-label": this.inLane(words.movable) };
     this.overlay = make("div", "kinoedu-overlay", this.stage, group);
     this.growth = make("div", "kinoedu-growth", this.column);
     this.button = make("button", "kinoedu-play", this.growth, { type: "button" });
@@ -601,7 +601,7 @@ class View {
     this.goals = make("ul", "kinoedu-goals", this.column);
     const spoken = { role: "status", "aria-live": "polite" };
     this.state = make("div", "kinoedu-state", this.column, spoken);
-    this.how = make("div", "kinoedu-hint", this.column);
+    this.how = make("div", "kinoedu-hint", this.root);   // below the code, where there is some
     if (recorded) this.canvas.style.touchAction = "auto";
     this.pen = this.canvas.getContext("2d");
   }
@@ -902,7 +902,13 @@ class View {
   label(thing, [x, y]) {
     const { words, scene } = this.board, { name } = this.board.item(thing);
     const [xText, yText] = [x, y].map((value) => value.toFixed(scene.decimals));
-    return fill(words[this.role(thing)], { name, number: thing.v, x: xText, y: yText });
+    const values = { name, number: thing.v, x: xText, y: yText };
+    return this.inLane(fill(words[this.role(thing)], values));
+  }
+
+  inLane(text) {                         // a spoken name; several boards may show the same things
+    const lane = this.board.model.get("lane");
+    return lane ? `${lane}: ${text}` : text;
   }
 
   role(thing) {                          // the key of the words that describe a thing

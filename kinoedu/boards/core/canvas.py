@@ -98,6 +98,8 @@ class Canvas(anywidget.AnyWidget):
     challenges : those that are posed on the board, see `challenge`.
     partner : the key of another board that is scrubbed together with this one, for example a plot
         with its world. All boards with the same partner are scrubbed together.
+    lane : where several boards show the same things, the name of this one. Those who hear the names
+        of its things hear it first.
 
     Without JavaScript the board is shown as a picture.
     """
@@ -106,6 +108,7 @@ class Canvas(anywidget.AnyWidget):
     _css = Path(__file__).with_name("board.css")
     key = traitlets.Unicode().tag(sync=True)
     partner = traitlets.Unicode().tag(sync=True)
+    lane = traitlets.Unicode().tag(sync=True)
     scene = traitlets.Dict().tag(sync=True)
     home = traitlets.Dict().tag(sync=True)
     bitmap = traitlets.Bytes().tag(sync=True)
@@ -147,10 +150,11 @@ class Canvas(anywidget.AnyWidget):
             self._draw()
             self._show(None, None, self._complete())
 
-    def arrange(self, scene: Scene) -> None:
-        """Move all parts to their places in another scene, answer it, and show it on every page.
+    def follow(self, scene: Scene) -> None:
+        """Move all parts to their places in another scene, and show its brief answer on every page.
 
-        The other scene has the same parts.
+        The other scene has the same parts. It is for what follows while another canvas is dragged:
+        pages ask for the whole when it rests, and `scene` is the caller's to set then.
         """
         with _answering:
             self._shown = scene
@@ -158,6 +162,11 @@ class Canvas(anywidget.AnyWidget):
             content, buffers = self._reply.brief
             places = [list(part) for part in list_places(scene)]
             self._show(None, None, Message({**content, "places": places}, buffers))
+
+    def arrange(self, scene: Scene) -> None:
+        """`follow` another scene, and keep it as `scene`."""
+        with _answering:
+            self.follow(scene)
             self.scene = scene  # last, because a page that has the places sends no question
 
     def set_bitmap(self, bitmap: Bitmap | None) -> None:

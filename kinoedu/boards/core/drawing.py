@@ -118,6 +118,10 @@ class Drawing:
         """This drawing while something is dragged, and another one when nothing is."""
         return replace(self, whole=whole)
 
+    def with_texts(self, describe: Callable[[], Sequence[str]]) -> Drawing:
+        """This drawing, whose texts of earlier steps are made when nothing is dragged."""
+        return self.completed_by(lambda: replace(self, step_texts=describe()))
+
     @property
     def completed(self) -> Drawing:
         """The drawing when nothing is dragged; itself where that is all."""

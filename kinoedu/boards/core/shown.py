@@ -71,7 +71,8 @@ def answer_by(name: str, settings: Sequence[float], scene: Scene) -> Drawing:
 
 def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> Drawing:
     """A drawing of the layers that a body shows."""
-    layers, places, steps = list[Layer](), list[tuple[str, int, Any]](), list[str]()
+    layers, places = list[Layer](), list[tuple[str, int, Any]]()
+    told = [look for look in body.layers if look.kind == TEXTS]
     named = [(*split_form(form), fact) for form, fact in zip(body.facts, facts)]
     values = {name: fact for name, _, fact in named}
     blanks = {name: in_form(fact, form) for name, form, fact in named if form}
@@ -79,16 +80,17 @@ def draw_shown(body: Body, status: int, facts: Sequence[float], shown: Any) -> D
         rows = getattr(shown, look.field)
         if look.kind == HANDLES:
             places += [("handle", int(number), at) for number, *at in rows.tolist()]
-        elif look.kind == TEXTS:
-            steps = fill_texts(look, rows)
         elif look.kind == LIST:
             blanks[look.field] = ", ".join(fill_texts(look, rows))
-        elif len(rows) and look.kind != IMAGE:
+        elif len(rows) and look.kind not in (IMAGE, TEXTS):
             layers.append(make_layer(look, rows, values))
     text = template_of(body.says[status], chosen_language())
     text = text.format(**blanks)
     total, unit = int(values.get(TOTAL, 0)), get_message(body.unit) if body.unit else ""
-    return Drawing(layers, text=text, total=total, unit=unit, step_texts=steps, places=places)
+    drawing = Drawing(layers, text=text, total=total, unit=unit, places=places)
+    if not told:
+        return drawing
+    return drawing.with_texts(lambda: fill_texts(told[0], getattr(shown, told[0].field)))
 
 
 def draw_beside(body: Body, status: int, facts: Sequence[float], shown: Any) -> Drawing:

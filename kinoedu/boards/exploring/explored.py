@@ -35,8 +35,9 @@ def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
         *robot,
     ]
     text, unit = describe_outcome(plan, len(looks), walked[-1]), get_message("exploring_board.unit")
-    texts = describe_steps(looks, walked)
-    return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
+    return Drawing(layers, text=text, total=total, unit=unit).with_texts(
+        lambda: describe_steps(looks, walked)
+    )
 
 
 def draw_looks(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) -> list[Layer]:

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
+from itertools import islice
+
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ...planners.exploring.receding_horizon import Look, plan_from_looks, receding_horizon_looks
@@ -19,7 +24,8 @@ from ..tracing.code_run import Look as CodeLook
 from ..tracing.code_run import trace_lines
 from .explored import MOVES, draw_exploration
 
-RAYS = 180
+RAYS, MOST = 180, 60  # of the sensor; the most moves
+DRAGGED = 5  # the looks that are drawn while something is dragged
 LOOK = CodeLook(  # at the code: the points, and the step of the drawing
     {"q": "q", "walls in map": "len(walls)"}, colours={"q": "robot"}, progress=f"{MOVES} * moves"
 )
@@ -86,19 +92,28 @@ class ExploringBoard(Framed):
         super().__init__(controls, [make_problem_canvas(problem, self.answer)])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Explore a scene, and draw the path with everything seen on it."""
+        """Explore a scene: while something is dragged its first looks, then the whole."""
         self.looks, self.plan = [], None
         problem = problem_in(scene, self._given)
         given = {"reach": self.reach.value, "horizon": self.horizon.value, "rng": self.seed.value}
+        explore = partial(receding_horizon_looks, problem, **given, rays=RAYS, max_moves=MOST)
+        looks = explore()
 
-        def explore(_: object = None) -> list[Look]:
-            return list(receding_horizon_looks(problem, **given, rays=RAYS, max_moves=60))
+        def finish() -> Drawing:
+            whole = self._draw_on(problem, looks)
+            if not self.code.value:
+                return whole.completed
+            run = trace_lines(receding_horizon_looks, LOOK, lambda _: list(explore()))
+            return run.draw_over(whole)
 
-        self.looks = explore()
+        first = self._draw_on(problem, islice(looks, DRAGGED))
+        if len(self.looks) == DRAGGED and self.plan is not None and self.plan.path is None:
+            text = get_message("exploring_board.first", looks=DRAGGED)
+            first = replace(first, text=text, unfinished=True)
+        return first.completed_by(finish)
+
+    def _draw_on(self, problem: ProblemRecord, looks: Iterable[Look]) -> Drawing:
+        """Draw the exploration with further looks."""
+        self.looks += looks
         self.plan = plan_from_looks(problem, self.looks)
-        drawing = draw_exploration(self.plan, self.looks)
-        if not self.code.value:
-            return drawing
-        return drawing.completed_by(
-            lambda: trace_lines(receding_horizon_looks, LOOK, explore).draw_over(drawing)
-        )
+        return draw_exploration(self.plan, self.looks)

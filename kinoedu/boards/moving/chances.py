@@ -193,13 +193,11 @@ def draw_all_scenarios(world: UncertainWorldRecord, offsets: Array, hit: Any) ->
     """Draw at the last step the outlines of all scenarios, red where the path is hit."""
     layers = []
     for was_hit, colour in ((False, "outside"), (True, "hit")):
-        shapes = [
-            ring + by
+        sides = [
+            (sides_of(ring) + offsets[hit == was_hit, number][:, None, None]).reshape(-1, 2, 2)
             for number, ring in expected_outlines(world)
-            for by in offsets[hit == was_hit, number]
         ]
-        sides = [sides_of(ring) for ring in shapes]
-        if sides:
-            segments = np.concatenate(sides)
+        segments = np.concatenate([np.empty((0, 2, 2)), *sides])
+        if len(segments):
             layers.append(edges(segments, colour, width=0.6, when=np.full(len(segments), SHOWN)))
     return layers

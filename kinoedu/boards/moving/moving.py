@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -134,9 +133,7 @@ class MovingBoard(Framed):
             layers += draw_path(problem.robot, plan.path, moments)
         drawing = Drawing(layers, text=text, total=STEPS, unit=get_message("moving_board.unit"))
         if not self.code.value:
-            return drawing.completed_by(
-                lambda: replace(drawing, step_texts=describe_moments(plan.path, moments[:-1]))
-            )
+            return drawing.with_texts(lambda: describe_moments(plan.path, moments[:-1]))
         return drawing.completed_by(
             lambda: trace_lines(search_intervals, LOOK, lambda _: call()).draw_over(
                 Drawing(layers, text=text)

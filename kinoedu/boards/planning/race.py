@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache, partial
+from typing import Any
 
 from ...errors import InvalidParameter, KinoeduError
 from ...messages import get_message
@@ -97,6 +98,9 @@ class RaceBoard(Framed):
         ]
         for canvas in canvases[1:]:
             canvas.add_class("kinoedu-led")
+        for canvas, planner in zip(canvases, self._planners, strict=True):
+            canvas.lane = getattr(planner, "__name__", "?").replace("_", " ")
+            canvas.observe(self._settled, "scene")
         super().__init__([self.nodes, self.step_size, self.seed, self.code], canvases)
 
     @property
@@ -113,7 +117,7 @@ class RaceBoard(Framed):
             self._run(scene)
             for other, canvas in enumerate(self.canvases):
                 if other != number:
-                    canvas.arrange(scene)
+                    canvas.follow(scene)
         if self._fault is not None:
             raise self._fault
         drawings = [runner.drawing for runner in self._runners]
@@ -147,6 +151,11 @@ class RaceBoard(Framed):
         if getattr(runners[leader].plan, "still_running", False):
             return None
         return cache(partial(follow_lines, self._planners[leader], runners, leader, problem, given))
+
+    def _settled(self, change: Any) -> None:
+        """Keep in all canvases the scene that was let go in one."""
+        for canvas in self.canvases:
+            canvas.scene = change.new
 
     def _changed(self, _: object) -> None:
         self._scene = {}

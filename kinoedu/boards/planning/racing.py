@@ -8,12 +8,18 @@ import numpy as np
 
 from ...messages import get_message
 from ...planners import rrt, rrt_connect
-from ...planners.trees.rewiring import rrt_star_rewirings
+from ...planners.trees.rewiring import Rewirings, rrt_star_rewirings
 from ...planners.trees.rrt_star import rrt_star
 from ...problems import Plan, ProblemRecord
 from ..arm.rides import is_ours
 from ..core.drawing import Drawing, Layer
-from ..trees.rewired import costs_at, draw_paths, draw_tree_history, find_paths_to_goal
+from ..trees.rewired import (
+    costs_at,
+    draw_paths,
+    draw_tree_history,
+    find_last_path,
+    find_paths_to_goal,
+)
 from .own import Attempt, describe_result, draw_attempt, try_planner
 from .plans import Settings, draw_plan
 
@@ -33,21 +39,34 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
     tuning = tuning_of(given)
     if planner is rrt_star:
         plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
-        paths, n = find_paths_to_goal(log), len(log.nodes)
-        layers = [draw_tree_history(log), *draw_paths(paths)]
-        texts = describe_steps(plan.planner, costs_at(paths, n))
-        return Runner(plan, Drawing(layers, total=n, step_texts=texts))
+        return Runner(plan, draw_history(plan, log))
     if not is_ours(planner):
         tried = try_planner(planner, problem, given.seed)
         drawing = draw_attempt(tried, None)
         name = getattr(planner, "__name__", "?")
         outcome = tried.fault or describe_result(tried.length, tried.motions)
-        texts = [get_message("race_board.reader", name=name, result=outcome)] * (drawing.total + 1)
-        return Runner(tried, replace(drawing, warning="", step_texts=texts))
+        text = get_message("race_board.reader", name=name, result=outcome)
+        texts = [text] * drawing.total
+        return Runner(tried, replace(drawing, warning="", text=text, step_texts=texts))
     plan = planner(problem, rng=given.seed, **(tuning if planner in (rrt, rrt_connect) else {}))
     drawing = draw_plan(plan)
-    costs = [np.inf] * drawing.total + [plan.cost]
-    return Runner(plan, replace(drawing, step_texts=describe_steps(plan.planner, costs)))
+    n, name = drawing.total, plan.planner
+    last = replace(drawing, text=describe_end(name, n, plan.cost))
+    return Runner(plan, last.with_texts(lambda: [describe_step(name, k, np.inf) for k in range(n)]))
+
+
+def draw_history(plan: Plan, log: Rewirings) -> Drawing:
+    """The tree of an RRT* at each step; while something is dragged at the last one."""
+    n, name, tree = len(log.nodes), plan.planner, draw_tree_history(log)
+    text = describe_end(name, n, plan.cost)
+    last = Drawing([tree, *draw_paths(find_last_path(log))], text=text, total=n)
+
+    def draw_all() -> Drawing:
+        paths = find_paths_to_goal(log)
+        texts = [describe_step(name, k, cost) for k, cost in enumerate(costs_at(paths, n)[:-1])]
+        return replace(last, layers=[tree, *draw_paths(paths)], step_texts=texts)
+
+    return last.completed_by(draw_all)
 
 
 def tuning_of(given: Settings) -> dict[str, Any]:
@@ -55,18 +74,19 @@ def tuning_of(given: Settings) -> dict[str, Any]:
     return {"step_size": given.step_size, "max_nodes": given.samples}
 
 
-def describe_steps(name: str, costs: list[float]) -> list[str]:
-    """The number of nodes at each step, and the length of the path found by then, in words."""
-    texts = []
-    for step, cost in enumerate(costs):
-        values = {"name": name, "nodes": f"{step:,}"}
-        if np.isfinite(cost):
-            texts.append(get_message("race_board.arrived", **values, cost=f"{cost:.4g}"))
-        else:
-            texts.append(get_message("race_board.growing", **values))
-    if not np.isfinite(costs[-1]):
-        texts[-1] = get_message("race_board.failed", name=name, nodes=f"{len(costs) - 1:,}")
-    return texts
+def describe_step(name: str, step: int, cost: float) -> str:
+    """The number of nodes at a step, and the length of the path found by then, in words."""
+    values = {"name": name, "nodes": f"{step:,}"}
+    if np.isfinite(cost):
+        return get_message("race_board.arrived", **values, cost=f"{cost:.4g}")
+    return get_message("race_board.growing", **values)
+
+
+def describe_end(name: str, step: int, cost: float) -> str:
+    """The same at the last step, where no path yet means none at all."""
+    if np.isfinite(cost):
+        return describe_step(name, step, cost)
+    return get_message("race_board.failed", name=name, nodes=f"{step:,}")
 
 
 def stretch_growth(drawing: Drawing, total: int) -> Drawing:
@@ -74,11 +94,18 @@ def stretch_growth(drawing: Drawing, total: int) -> Drawing:
 
     Its path appears at its own last step; afterwards it stays as it is.
     """
-    layers = [show_from(layer, drawing.total) for layer in drawing.layers]
-    last = list(drawing.step_texts[-1:])
-    *texts, text = [*drawing.step_texts, *last * (total - drawing.total)]
     unit = get_message("race_board.unit")
-    return Drawing(layers, text=text, total=total, unit=unit, step_texts=texts)
+
+    def stretch(own: Drawing) -> Drawing:
+        layers = [show_from(layer, own.total) for layer in own.layers]
+        return Drawing(layers, text=own.text, total=total, unit=unit)
+
+    def stretch_all() -> Drawing:
+        own = drawing.completed
+        texts = [*own.step_texts, *[own.text] * (total - own.total)]
+        return replace(stretch(own), step_texts=texts)
+
+    return stretch(drawing).completed_by(stretch_all)
 
 
 def show_from(layer: Layer, step: int) -> Layer:

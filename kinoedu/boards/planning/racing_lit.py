@@ -78,7 +78,7 @@ def trace_leader(
 
 def retime_drawing(drawing: Drawing, steps: Array) -> Drawing:
     """A drawing that is at its step `steps[k]` after line k; with the text that it has then."""
-    own = stretch_growth(drawing, drawing.total)
+    own = stretch_growth(drawing, drawing.total).completed
     texts = [*own.step_texts, own.text]
     *now, last = [texts[min(int(step), own.total)] for step in (0.0, *steps)]
     return Drawing(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ...figures.drawing import dot_size
@@ -18,6 +20,7 @@ from ..planning.plans import check_in_plane, make_canvas, make_world_scene, worl
 from .roadmaps import RoadmapControls
 
 PLACES = 100  # the places sampled, and the pairs of nodes
+DRAGGED = 25  # those while something is dragged
 Style = tuple[str, float, tuple[float, ...]]  # colour, width, dashes
 LOOKS: tuple[Style, ...] = (  # of components, the largest first
     ("roadmap", 0.9, ()),
@@ -81,18 +84,29 @@ class PropertiesBoard(Framed):
         super().__init__(self.controls.all, [canvas])
 
     def answer(self, scene: Scene) -> Drawing:
-        """Build the roadmap in a scene, measure it, and draw both."""
+        """Build the roadmap in a scene and measure it, briefly while something is dragged."""
         self.survey = None
         world = self._given.world
         if isinstance(world, PolygonWorldRecord):
             world = world_in(scene)
         problem = self._given._replace(world=world, query_counts=np.zeros(2, np.int64))
         roadmap = build_roadmap(problem, **self.controls.given)
+        first = self._measure(problem, roadmap, DRAGGED)
+        text = get_message("properties_board.first", text=first.text, most=PLACES)
+        return replace(
+            first,
+            text=text,
+            whole=lambda: self._measure(problem, roadmap, PLACES),
+            unfinished=True,
+        )
+
+    def _measure(self, problem: ProblemRecord, roadmap: Roadmap, n: int) -> Drawing:
+        """Measure a roadmap with n places and n pairs of nodes, and draw both."""
         exact = knows_shortest_paths(problem)
         shortest = make_length(problem) if exact else None
         # Another seed than the roadmap's: with the same one the places would be its nodes.
         rng = np.random.default_rng((self.controls.seed.value, 1))
-        self.survey = survey_roadmap(problem, roadmap, n=PLACES, shortest=shortest, rng=rng)
+        self.survey = survey_roadmap(problem, roadmap, n=n, shortest=shortest, rng=rng)
         return draw_survey(problem, roadmap, self.survey, exact)
 
     def _changed(self, change: object) -> None:

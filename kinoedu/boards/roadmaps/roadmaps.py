@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -151,7 +150,7 @@ def draw_growing_roadmap(plan: Plan) -> Drawing:
         layers.append(path(plan.path, "path"))
         text = get_message("roadmap_board.found", length=f"{plan.cost:.4g}", counts=counts)
     last = Drawing(layers, text=text, total=2 * n, unit=unit)
-    return last.completed_by(lambda: replace(last, step_texts=describe_steps(roadmap)))
+    return last.with_texts(lambda: describe_steps(roadmap))
 
 
 def draw_nodes_and_edges(roadmap: Roadmap) -> list[Layer]:

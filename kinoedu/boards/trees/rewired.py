@@ -57,6 +57,20 @@ def find_paths_to_goal(log: Rewirings) -> list[PathToGoal]:
     return paths
 
 
+def find_last_path(log: Rewirings) -> list[PathToGoal]:
+    """The last of the paths to the goal; none where there is none."""
+    if log.at_goal < 0:
+        return []
+    n, last = len(log.nodes), log.replaced_at == len(log.nodes)
+    parent = np.full(n, -1)
+    parent[log.node[last]] = log.parent[last]
+    numbers = extract_path(parent, log.at_goal)
+    points = log.nodes[numbers, :2]
+    length = float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())
+    step = int(log.created_at[last & np.isin(log.node, numbers)].max())
+    return [PathToGoal(max(step, log.at_goal) + 1, points, length)]
+
+
 def draw_paths(paths: list[PathToGoal]) -> list[Layer]:
     """Draw the paths one after another, on a dark casing."""
     rows, when, until = [np.empty((0, 2, 2))], list[float](), list[float]()
@@ -77,15 +91,21 @@ def costs_at(paths: list[PathToGoal], total: int) -> list[float]:
     return costs.tolist()
 
 
-def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
-    """Draw at each step the new node, its ball and neighbours, its parent and the rewired edges.
+def draw_moments(
+    log: Rewirings, near: NDArray[np.int64], numbers: NDArray[np.int64]
+) -> list[Layer]:
+    """Draw at some steps the new node, its ball and neighbours, its parent and the rewired edges.
 
     The edges that were replaced are dashed.
+
+    Parameters
+    ----------
+    near : (m, 2), from `find_near_pairs`.
+    numbers : (k,), the new nodes of these steps.
     """
-    n, nodes = len(log.nodes), log.nodes[:, :2]
-    old = former_parents(log)
-    new, again = log.node == log.created_at, log.node != log.created_at
-    searching = np.flatnonzero(log.radius > 0.0)
+    nodes, drawn = log.nodes[:, :2], np.isin(log.created_at, numbers)
+    new, again = drawn & (log.node == log.created_at), drawn & (log.node != log.created_at)
+    old, searching = former_parents(log)[again], numbers[log.radius[numbers] > 0.0]
 
     def then(numbers: NDArray[np.int64]) -> JsonObject:
         return {"when": numbers + 1, "until": numbers + 2}
@@ -103,32 +123,28 @@ def draw_moments(log: Rewirings, near: NDArray[np.int64]) -> list[Layer]:
         edges(added, "ink", width=4.0, **then(log.created_at[new])),
         dots(nodes[near[:, 1]], "ink", radius=4.6, **then(near[:, 0])),
         dots(nodes[near[:, 1]], "frontier", radius=3.4, **then(near[:, 0])),
-        dots(nodes, "ink", radius=6.5, **then(np.arange(n))),
-        dots(nodes, "robot", radius=5.0, **then(np.arange(n))),
+        dots(nodes[numbers], "ink", radius=6.5, **then(numbers)),
+        dots(nodes[numbers], "robot", radius=5.0, **then(numbers)),
     ]
 
 
 def former_parents(log: Rewirings) -> NDArray[np.int64]:
-    """For each rewired edge the former parent of its node."""
-    before, parents = dict[int, int](), []
-    for node, parent, created in zip(
-        log.node.tolist(), log.parent.tolist(), log.created_at.tolist(), strict=True
-    ):
-        if node != created:
-            parents.append(before[node])
-        before[node] = parent
-    return np.array(parents, np.int64)
+    """For each edge the parent that its node had before, (m,); -1 where it is new."""
+    order, before = np.argsort(log.node, kind="stable"), np.full(len(log.node), -1)
+    again = log.node[order][1:] == log.node[order][:-1]
+    before[order[1:][again]] = log.parent[order[:-1][again]]
+    return before
 
 
-def find_near_pairs(log: Rewirings) -> NDArray[np.int64]:
-    """Pairs of a node and an older one within its ball, (m, 2)."""
-    from scipy.spatial import cKDTree
-
-    nodes, farthest = log.nodes[:, :2], float(log.radius.max()) * (1.0 + 1e-9)
-    older, newer = cKDTree(nodes).query_pairs(farthest, output_type="ndarray").T
-    within = ((nodes[older] - nodes[newer]) ** 2).sum(axis=1) <= log.radius[newer] ** 2
-    pairs = np.column_stack([newer, older])[within]
-    return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
+def find_near_pairs(log: Rewirings, numbers: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Pairs of a node with one of these numbers and an older one within its ball, (m, 2)."""
+    x, y = log.nodes[:, 0], log.nodes[:, 1]
+    pairs = [np.empty((0, 2), np.int64)]
+    for node in numbers.tolist():
+        apart = (x[:node] - x[node]) ** 2 + (y[:node] - y[node]) ** 2
+        older = np.flatnonzero(apart <= log.radius[node] ** 2)
+        pairs.append(np.column_stack([np.full(len(older), node), older]))
+    return np.concatenate(pairs)
 
 
 def describe_steps(

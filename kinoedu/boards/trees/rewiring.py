@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterable
 from functools import partial
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ...messages import get_message
 from ...planners.problem_input import world_size
@@ -17,11 +20,13 @@ from ..core.scene import Scene
 from ..planning.lit import draw_lines_of, trace_planner
 from ..planning.plans import check_in_plane, make_problem_canvas, problem_in
 from .rewired import (
+    PathToGoal,
     costs_at,
     describe_steps,
     draw_moments,
     draw_paths,
     draw_tree_history,
+    find_last_path,
     find_near_pairs,
     find_paths_to_goal,
 )
@@ -92,13 +97,20 @@ class RewiringBoard(Framed):
 
 
 def draw_rewirings(log: Rewirings) -> Drawing:
-    """The tree of RRT* at each step; at the last one also while something is dragged."""
-    n, paths, near = len(log.nodes), find_paths_to_goal(log), find_near_pairs(log)
-    costs = costs_at(paths, n)
-    layers = [draw_tree_history(log), *draw_paths(paths), *draw_moments(log, near)]
-    about: Any = {"total": n, "unit": get_message("rewiring_board.unit")}
-    (text,) = describe_steps(log, near, costs, [n])
-    last = Drawing(layers, text=text, **about)
+    """The tree of RRT* at each step; while something is dragged at the last one."""
+    n = len(log.nodes)
+    last = draw_steps(log, np.array([n - 1]), find_last_path(log), [n])
     return last.completed_by(
-        lambda: replace(last, step_texts=describe_steps(log, near, costs, range(n)))
+        lambda: draw_steps(log, np.arange(n), find_paths_to_goal(log), range(n + 1))
     )
+
+
+def draw_steps(
+    log: Rewirings, numbers: NDArray[np.int64], paths: list[PathToGoal], steps: Iterable[int]
+) -> Drawing:
+    """Draw the tree, these paths, and the moments of these new nodes; with the texts of steps."""
+    n, near = len(log.nodes), find_near_pairs(log, numbers)
+    layers = [draw_tree_history(log), *draw_paths(paths), *draw_moments(log, near, numbers)]
+    *texts, text = describe_steps(log, near, costs_at(paths, n), steps)
+    unit = get_message("rewiring_board.unit")
+    return Drawing(layers, text=text, total=n, unit=unit, step_texts=texts)
