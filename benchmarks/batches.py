@@ -138,6 +138,18 @@ def points_from_polygons() -> dict[str, Callable[[Any], np.ndarray]]:
     return {"kinoedu": ours, BUILT: from_polygons}
 
 
+def first_points() -> dict[str, Callable[[Any], np.ndarray]]:
+    """A world or a prepared union is made anew, as when an obstacle is dragged, and one point is
+    judged.
+    """
+
+    def ours(case: Any) -> np.ndarray:
+        world = ke.PolygonWorld(SQUARE, case.polygons)
+        return ~free_configurations(ke.Point(), world, case.a[:1])
+
+    return {"kinoedu": ours, BUILT: lambda case: from_polygons(case._replace(a=case.a[:1]))}
+
+
 def segments() -> dict[str, Callable[[Any], np.ndarray]]:
     """Which segments meet a polygon."""
     return {
@@ -171,6 +183,7 @@ def main(repeats: int = 11) -> None:
                 points_from_polygons(),
                 None,
             ),
+            (f"one point among {name}, which are given as arrays", first_points(), None),
             (f"{POINTS:,} segments against {name}", segments(), 5),
         ):
             compare(title, questions, cases, times, repeats)

@@ -161,6 +161,20 @@ def test_occupancy_cells_are_right_in_oblong_worlds(excess: float, upright: bool
             ).all()
 
 
+@pytest.mark.parametrize("size", [10.0, 1e6, 1e15])
+def test_occupancy_cells_are_right_beside_obstacles_of_any_size(size: float) -> None:
+    """A triangle and a disc that reach into the world from outside."""
+    rng = np.random.default_rng(9)
+    triangle = [(-size, 0.3 * size), (size, -0.3 * size), (size, size)]
+    world = PolygonWorld(BOX, [triangle, ((-size, -size), math.sqrt(2.0) * size - 5.0)])
+    a, b = rng.uniform(-12, 12, (2, 3000, 2))
+    for robot in (Point(), Disk(0.3)):
+        answers = free_motions(robot, world, a, a + 0.1 * b)
+        judged = world._replace(occupancy=no_occupancy())
+        assert answers.tolist() == free_motions(robot, judged, a, a + 0.1 * b).tolist()
+        assert 0.0 < answers.mean() < 1.0
+
+
 def test_a_disc_fills_the_reach_and_no_more() -> None:
     """At the corners of free cells, for discs of about their reach."""
     known, rng = WORLD.occupancy, np.random.default_rng(3)

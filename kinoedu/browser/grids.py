@@ -105,6 +105,6 @@ def show_search(
     path = np.empty((0, 2))
     if len(nodes) > 0:
         path = path_through(problem, centres(grid, nodes))
-    n, above = len(expanded), parent_positions(expanded, parent)
+    n, above = len(expanded), parent_positions(expanded, parent, np.empty(len(parent), np.int64))
     edges = tree_edges(centres(grid, expanded), above, n)
     return show_plan(problem, path, edges, no_rows(), n, n, grid.side)

@@ -23,7 +23,7 @@ def as_array(value: ArrayLike, name: str) -> Array:
     """
     try:
         given = np.asarray(value)
-        array = np.array(value, dtype=np.float64) if given.dtype.kind in "iufO" else None
+        array = np.array(given, dtype=np.float64) if given.dtype.kind in "iufO" else None
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None or isinstance(value, np.ma.MaskedArray):
@@ -31,7 +31,7 @@ def as_array(value: ArrayLike, name: str) -> Array:
             f"{name} must be real numbers in a regular array, got {shortened(value)}"
         )
     # a NaN compares False with both limits
-    if array.size == 0 or (array.min() >= -LIMIT and array.max() <= LIMIT):
+    if array.size == 0 or np.abs(array).max() <= LIMIT:
         return array
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")

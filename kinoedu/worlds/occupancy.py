@@ -15,18 +15,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import callable_from_compiled, inlined
+from ..compiled import callable_from_compiled, compiled, inlined
 from ..geometry.checks import Array
-from ..geometry.exact import ROUNDING, SAFE
-from ..geometry.parts import Parts
-from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins
+from ..geometry.parts import Parts, box_of
+from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins, stretch_in_band
 
 SOLID, RIM, MIXED, FREE = -2, -1, 0, 1  # in this order; FREE is also the least reach
 FINE = 32  # the most occupancy cells along the side of a cell of the index
 ALONG = 600  # the most occupancy cells along the longer side of a world
 MOST = 16  # the largest reach that is stored
-STEP = 4  # a block is divided into STEP * STEP at a time
-AT_ONCE = 50_000  # blocks that are classified together
 PIECES = 4  # a motion is divided into so many stretches, each looked up by itself
 
 
@@ -47,24 +44,16 @@ class Occupancy(NamedTuple):
 
 
 def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: Array) -> Occupancy:
-    """Build the occupancy cells of a world by subdividing the cells of its index.
+    """Build the occupancy cells of a world row by row, as polygons are filled on a screen.
 
     A cell is tested with a margin around it, so that rounding cannot assign a point to the wrong
     cell. Worlds without room for margins have no cells.
     """
     if not has_margins(lo, hi):
         return no_occupancy()
-    fine = FINE
-    while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:
-        fine //= 2
-    reach, divisions = np.full((cells.rows, cells.columns), RIM, np.int8), 1
-    classify_blocks(reach, divisions, hull, parts, cells)
-    while divisions < fine:
-        step = min(STEP, fine // divisions)
-        reach, divisions = reach.repeat(step, axis=0).repeat(step, axis=1), step * divisions
-        classify_blocks(reach, divisions, hull, parts, cells)
-    measure_reach(reach)
-    return Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
+    grid = classify_cells(hull, parts, cells)
+    measure_reach(grid.reach)
+    return grid
 
 
 @callable_from_compiled
@@ -73,136 +62,170 @@ def no_occupancy() -> Occupancy:
     return Occupancy(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
-class Boxes(NamedTuple):
-    """Boxes x0 <= x <= x1, y0 <= y <= y1; each field has shape (n,)."""
-
-    x0: Array
-    y0: Array
-    x1: Array
-    y1: Array
-
-    def take(self, places: NDArray[np.int64]) -> "Boxes":
-        """The boxes at some places, which may repeat."""
-        return Boxes(*(side[places] for side in self))
-
-
-def classify_blocks(
-    reach: NDArray[np.int8], divisions: int, hull: Array, parts: Parts, cells: PartsIndex
-) -> None:
-    """Classify the blocks that are MIXED or RIM; each side of an index cell has `divisions`."""
-    all_rows, all_columns = np.nonzero((reach == MIXED) | (reach == RIM))
-    side = cells.cell / divisions
-    for begin in range(0, len(all_rows), AT_ONCE):
-        j, i = all_rows[begin : begin + AT_ONCE], all_columns[begin : begin + AT_ONCE]
-        x, y = i.astype(np.float64), j.astype(np.float64)
-        boxes = Boxes(
-            cells.x + (x - MARGIN) * side,
-            cells.y + (y - MARGIN) * side,
-            cells.x + (x + (1.0 + MARGIN)) * side,
-            cells.y + (y + (1.0 + MARGIN)) * side,
-        )
-        # MIXED means that the block that was divided is inside the hull
-        found, rim = np.full(len(j), FREE), np.flatnonzero(reach[j, i] == RIM)
-        found[rim[boxes_in_hull(boxes.take(rim), hull) != SOLID]] = RIM
-        cell = j // divisions * cells.columns + i // divisions
-        box, entry = count_up(cells.first[cell], cells.first[cell + 1])
-        part = cells.parts[entry]
-        np.minimum.at(found, box, boxes_in_parts(boxes.take(box), part, parts, cells.boxes))
-        reach[j, i] = found
+@compiled
+def classify_cells(hull: Array, parts: Parts, cells: PartsIndex) -> Occupancy:
+    """The occupancy cells of a world, without reaches: FREE cells have the least."""
+    fine = FINE
+    while fine > 1 and fine * max(cells.rows, cells.columns) > ALONG:
+        fine //= 2
+    reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
+    grid = Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
+    fill(stretches_of_polygon(hull, grid), FREE, grid)
+    for i in range(len(parts.radius)):
+        fill(stretches_of_part(parts, i, cells.boxes[i], grid), SOLID, grid)
+    return grid
 
 
-def count_up(
-    begin: NDArray[np.int64], end: NDArray[np.int64]
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The numbers of all ranges begin..end, and before them the range of each.
+class Stretches(NamedTuple):
+    """Where a convex shape is in some rows of cells, the first of which is `row`.
 
-    Examples
-    --------
-    >>> count_up(np.array([4, 9]), np.array([6, 10]))
-    (array([0, 0, 1]), array([4, 5, 9]))
+    along (k, 4): in the row's band the shape touches x from along[:, 0] to along[:, 1] only, and
+    the band from along[:, 2] to along[:, 3] is in the shape.
     """
-    counts = end - begin
-    which = np.repeat(np.arange(len(counts)), counts)
-    return which, np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts - begin, counts)
+
+    row: int
+    along: Array
+
+
+@compiled
+def fill(stretches: Stretches, inside: int, grid: Occupancy) -> None:
+    """Make the cells inside a shape `inside`, and others that it touches MIXED at most."""
+    columns = grid.reach.shape[1]
+    for k in range(len(stretches.along)):
+        cells, along = grid.reach[stretches.row + k], stretches.along[k]
+        touched = cells[
+            cells_before(along[0], grid.x, grid.side, columns) : cells_until(
+                along[1], grid.x, grid.side, columns
+            )
+        ]
+        touched[:] = np.minimum(touched, np.int8(MIXED))
+        cells[
+            cells_until(along[2], grid.x, grid.side, columns) : cells_before(
+                along[3], grid.x, grid.side, columns
+            )
+        ] = inside
+
+
+@compiled
+def cells_before(value: float, origin: float, side: float, count: int) -> int:
+    """How many of `count` cells in a line end before a value, with their margins."""
+    return clip(np.ceil((value - origin) / side - 1.0 - MARGIN), count)
+
+
+@compiled
+def cells_until(value: float, origin: float, side: float, count: int) -> int:
+    """How many of `count` cells in a line begin at a value or before it, with their margins."""
+    return clip((value - origin) / side + 1.0 + MARGIN, count)
+
+
+@compiled
+def band(j: int, grid: Occupancy) -> tuple[float, float]:
+    """The least and greatest y of row j, with its margins."""
+    return grid.y + (j - MARGIN) * grid.side, grid.y + (j + 1.0 + MARGIN) * grid.side
+
+
+@compiled
+def stretches_of_part(parts: Parts, i: int, box: Array, grid: Occupancy) -> Stretches:
+    """The stretches of part i. It may touch all cells where margins are lost in rounding."""
+    rows, columns = grid.reach.shape
+    if max(max(-box[0], -box[1]), max(box[2], box[3])) > FAR * grid.side * max(rows, columns):
+        return new_stretches(0, rows, np.array([-np.inf, np.inf, np.inf, -np.inf]))
+    points = parts.points[parts.first[i] : parts.first[i + 1]]
+    if parts.radius[i] > 0.0:
+        return stretches_of_disc(points[0], parts.radius[i], grid)
+    return stretches_of_polygon(points, grid)
+
+
+@compiled
+def new_stretches(begin: int, end: int, along: Array) -> Stretches:
+    """Stretches of the rows begin to end - 1, all alike."""
+    stretches = Stretches(begin, np.empty((max(end - begin, 0), 4)))
+    stretches.along[:] = along
+    return stretches
+
+
+@compiled
+def stretches_of_disc(centre: Array, radius: float, grid: Occupancy) -> Stretches:
+    """The stretches of a disc: half its chords at the least and the greatest distance of a band."""
+    x, y, rows = centre[0], centre[1], len(grid.reach)
+    begin = cells_before(y - radius, grid.y, grid.side, rows)
+    end = cells_until(y + radius, grid.y, grid.side, rows)
+    stretches = new_stretches(begin, end, np.zeros(4))
+    for j in range(begin, end):
+        bottom, top = band(j, grid)
+        outer = half_chord(radius, max(max(bottom - y, y - top), 0.0))
+        inner = half_chord(radius, max(y - bottom, top - y))
+        row = stretches.along[j - begin]
+        row[0], row[1], row[2], row[3] = x - outer, x + outer, x - inner, x + inner
+    return stretches
+
+
+@compiled
+def half_chord(radius: float, distance: float) -> float:
+    """Half the length of a circle's chord at a distance from the centre; 0 outside the circle."""
+    return np.sqrt(max(radius - distance, 0.0)) * np.sqrt(radius + distance)
+
+
+@compiled
+def stretches_of_polygon(ring: Array, grid: Occupancy) -> Stretches:
+    """The stretches of a convex polygon, counter-clockwise.
+
+    Edges that go down are on its left side, and edges that go up on its right side.
+    """
+    lo, hi = box_of(ring)
+    y, side, rows = grid.y, grid.side, len(grid.reach)
+    begin, end = cells_before(lo[1], y, side, rows), cells_until(hi[1], y, side, rows)
+    stretches = new_stretches(begin, end, np.array([np.inf, -np.inf, -np.inf, np.inf]))
+    last = len(ring) - 1
+    for k in range(len(ring)):
+        ax, ay, bx, by = ring[last, 0], ring[last, 1], ring[k, 0], ring[k, 1]
+        last = k
+        for j in range(
+            cells_before(min(ay, by), y, side, rows), cells_until(max(ay, by), y, side, rows)
+        ):
+            bottom, top = band(j, grid)
+            left, right = stretch_in_band(ax, ay, bx, by, bottom, top)
+            row = stretches.along[j - begin]
+            row[0], row[1] = min(row[0], left), max(row[1], right)
+            if by < ay:
+                row[2] = max(row[2], right)
+            if by > ay:
+                row[3] = min(row[3], left)
+    stretches.along[: max(cells_until(lo[1], y, side, rows) - begin, 0), 2] = np.inf
+    stretches.along[max(cells_before(hi[1], y, side, rows) - begin, 0) :, 2] = np.inf
+    return stretches
 
 
 def measure_reach(reach: NDArray[np.int8]) -> None:
-    """Count for each FREE cell how many erosions by one layer it survives, up to MOST.
+    """Give each FREE cell its distance to the nearest other cell, in cells, up to MOST.
 
-    The cells along the edge of the grid are never FREE: they are not entirely inside the hull.
+    Diagonal neighbours are at distance 1. A cell along the edge of the grid is never FREE, because
+    it is not entirely inside the hull. So it does not matter that the cells are in one line here,
+    where the neighbour of a row's last cell is the first of the next.
     """
-    free = reach == FREE
-    for _ in range(FREE, MOST):
-        free[:, 1:-1] &= free[:, :-2] & free[:, 2:]
-        free[1:-1] &= free[:-2] & free[2:]
-        reach += free
+    free = (reach == FREE).view(np.int8).reshape(-1)
+    far, columns, step = free * np.int8(MOST), reach.shape[1], 1
+    while step < MOST:
+        near = least_within(least_within(far, step, 1), step, columns)
+        near += np.int8(step)
+        inner = far[step * (columns + 1) : -step * (columns + 1)]
+        np.minimum(inner, near, out=inner)
+        step *= 2
+    flat = reach.reshape(-1)
+    flat += far
+    flat -= free
 
 
-def boxes_in_parts(
-    boxes: Boxes, part: NDArray[np.int64], parts: Parts, bounds: Array
-) -> NDArray[np.int64]:
-    """SOLID where a box is inside its part, FREE where it is outside, MIXED otherwise."""
-    around, found = bounds[part].T, np.full(len(part), FREE)
-    near = (boxes.x1 >= around[0]) & (boxes.x0 <= around[2])
-    near &= (boxes.y1 >= around[1]) & (boxes.y0 <= around[3])
-    is_round = parts.radius[part] > 0.0
-    discs, polygons = np.flatnonzero(near & is_round), np.flatnonzero(near & ~is_round)
-    disc, polygon = part[discs], part[polygons]
-    found[discs] = boxes_in_discs(
-        boxes.take(discs), parts.points[parts.first[disc]], parts.radius[disc]
-    )
-    found[polygons] = boxes_in_polygons(
-        boxes.take(polygons), parts.points, parts.first[polygon], parts.first[polygon + 1]
-    )
-    return found
+def least_within(values: NDArray[np.int8], steps: int, stride: int) -> NDArray[np.int8]:
+    """The least value at most `steps` strides away, a power of two, where the array goes on so far.
 
-
-def boxes_in_discs(boxes: Boxes, centre: Array, radius: Array) -> NDArray[np.int64]:
-    """SOLID where a box is strictly inside its disc, FREE where it is outside, MIXED otherwise.
-
-    MIXED also for a disc that is too large for a margin.
+    The result begins and ends `steps` strides further inside.
     """
-    left, right = centre[:, 0] - boxes.x0, boxes.x1 - centre[:, 0]
-    below, above = centre[:, 1] - boxes.y0, boxes.y1 - centre[:, 1]
-    farthest = np.hypot(np.maximum(left, right), np.maximum(below, above))
-    nearest = np.hypot(
-        np.maximum(np.maximum(-left, -right), 0.0), np.maximum(np.maximum(-below, -above), 0.0)
-    )
-    found = np.where(farthest < radius, SOLID, np.where(nearest > radius, FREE, MIXED))
-    return np.where(radius > FAR * (boxes.x1 - boxes.x0), MIXED, found)
-
-
-def boxes_in_hull(boxes: Boxes, hull: Array) -> NDArray[np.int64]:
-    """`boxes_in_polygons` for one polygon (k, 2)."""
-    begin = np.zeros(len(boxes.x0), np.int64)
-    return boxes_in_polygons(boxes, hull, begin, begin + len(hull))
-
-
-def boxes_in_polygons(
-    boxes: Boxes, points: Array, begin: NDArray[np.int64], end: NDArray[np.int64]
-) -> NDArray[np.int64]:
-    """SOLID where a box is strictly inside its convex polygon, FREE to the right of an edge.
-
-    MIXED otherwise, and where rounding leaves it open. The polygons are points[begin:end]. For each
-    edge the corner farthest to its left and the corner farthest to its right decide for all four.
-    """
-    box, k = count_up(begin, end)
-    p, q = points[np.where(k == begin[box], end[box], k) - 1].T, points[k].T
-    around = boxes.take(box)
-    up, forth = q[1] > p[1], q[0] > p[0]
-    left = np.where(up, around.x0, around.x1), np.where(forth, around.y1, around.y0)
-    right = np.where(up, around.x1, around.x0), np.where(forth, around.y0, around.y1)
-    found = np.full(len(begin), SOLID)
-    found[box[~is_to_the_left(p, q, right)]] = MIXED
-    found[box[is_to_the_left(q, p, left)]] = FREE
-    return found
-
-
-def is_to_the_left(p: Array, q: Array, at: tuple[Array, Array]) -> NDArray[np.bool_]:
-    """Whether places are to the left of the lines from p to q, and rounding leaves no doubt."""
-    with np.errstate(over="ignore", under="ignore", invalid="ignore"):  # inf and nan leave a doubt
-        one, other = (q[0] - p[0]) * (at[1] - p[1]), (q[1] - p[1]) * (at[0] - p[0])
-        return np.asarray(one - other > ROUNDING * (np.abs(one) + np.abs(other)) + SAFE)
+    least, covered = values, stride
+    while covered < 2 * steps * stride:
+        least = np.minimum(least[:-covered], least[covered:])
+        covered *= 2
+    return np.minimum(least[:-stride], values[2 * steps * stride :])
 
 
 @inlined

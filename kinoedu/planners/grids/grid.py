@@ -193,7 +193,8 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     if isinstance(grid.moves, Cells):
         graph = jump_points(grid.moves.free, grid.side, grid.columns, last)
     numbers, found = astar(graph, first, last, octile(grid, last))
-    tree = Tree(centres(grid, found.expanded), parent_positions(found.expanded, found.parent))
+    positions = parent_positions(found.expanded, found.parent, np.empty(grid.size, np.int64))
+    tree = Tree(centres(grid, found.expanded), positions)
     # directions that were examined by cells, not by the problem
     examined = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
@@ -258,9 +259,14 @@ def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
 
 
 @algorithm
-def parent_positions(expanded: NDArray[np.int64], parent: NDArray[np.int64]) -> NDArray[np.int64]:
-    """For each expanded node, (k,), the place of its parent in that order; -1 for the start."""
-    order = np.empty(len(parent), np.int32)  # filled in for expanded nodes; parents are expanded
+def parent_positions(
+    expanded: NDArray[np.int64], parent: NDArray[np.int64], order: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """For each expanded node, (k,), the place of its parent in that order; -1 for the start.
+
+    order : (nodes,), to be filled in for expanded nodes; parents are expanded. Python makes it,
+        because numpy asks for large pages of memory.
+    """
     positions = np.empty(len(expanded), np.int64)
     for i in range(len(expanded)):
         order[expanded[i]] = i

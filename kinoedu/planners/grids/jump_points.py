@@ -217,8 +217,10 @@ def cells_of(planes: Words, size: int) -> NDArray[np.uint16]:
         half, plane = halves[bit // 8], planes[bit].view(np.uint8)
         for i in range(len(half)):
             half[i] |= SPREAD[plane[i]] << np.uint64(bit % 8)
-    low, high = halves[0].view(np.uint8)[:size], halves[1].view(np.uint8)[:size]
-    return low + (high.astype(np.uint16) << np.uint16(8))
+    cells = halves[1].view(np.uint8)[:size].astype(np.uint16)
+    cells <<= np.uint16(8)  # in place: new memory costs more than the work on it
+    cells |= halves[0].view(np.uint8)[:size]
+    return cells
 
 
 def worth_following() -> NDArray[np.int64]:
