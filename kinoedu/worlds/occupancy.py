@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..compiled import callable_from_compiled, compiled, inlined
+from ..compiled import algorithm, callable_from_compiled, compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.parts import Parts, box_of
 from .parts_index import FAR, MARGIN, PartsIndex, clip, has_margins, stretch_in_band
@@ -62,7 +62,7 @@ def no_occupancy() -> Occupancy:
     return Occupancy(0.0, 0.0, 1.0, 1.0, np.zeros((0, 0), np.int8))
 
 
-@compiled
+@algorithm
 def classify_cells(hull: Array, parts: Parts, cells: PartsIndex) -> Occupancy:
     """The occupancy cells of a world, without reaches: FREE cells have the least."""
     fine = FINE
