@@ -1617,7 +1617,7 @@ class Code {
     const { board } = this.view;
     this.lines.replaceChildren(...lines.map((text, k) => {
       const line = make("button", "kinoedu-line", null, { type: "button", "data-line": k });
-      line.textContent = text || " ";
+      line.textContent = text.trimStart() || " ";   // a line may not break after its indent
       line.style.setProperty("--kinoedu-indent", text.search(/\S|$/));
       line.addEventListener("click", () => board.goToLine(k));
       return line;
