@@ -28,6 +28,7 @@ from kinoedu.compiled import (
     requests,
     running,
     store,
+    saved_state,
     tiers,
 )
 from kinoedu.compiled.kinds import kind_of, kinds_of, spell_kind
@@ -442,10 +443,10 @@ def interpreted_at_first(self: Any, *args: Any) -> Any:
 def test_a_restart_begins_with_the_original_arguments() -> None:
     """Arrays, also inside records, and a generator's state."""
     given = (np.arange(3.0), (np.zeros(2, np.int64), 1.5), np.random.default_rng(4), 7)
-    saved = tiers.copy_state(given)
+    saved = saved_state.copy_state(given)
     given[0][:], given[1][0][1] = -1.0, 5
     drawn = given[2].random()
-    tiers.restore_state(given, saved)
+    saved_state.restore_state(given, saved)
     assert (
         given[0].tolist() == [0.0, 1.0, 2.0]
         and given[1][0].tolist() == [0, 0]

@@ -30,6 +30,7 @@ from ..support.threads import ThreadTime, spent_by
 from . import modes, store
 from .choices import CALLABLE, Function
 from .kinds import Kind, kinds_of
+from .saved_state import copy_state, restore_state
 
 BUDGET = 2.0  # seconds of interpreting one kind of call before it is compiled
 IMPORTING = (
@@ -308,28 +309,6 @@ class Specialization:
                 raise change.__context__ from None
         restore_state(args, saved)
         return self.function.machine(*args)  # type: ignore[misc]  # it was loaded just now
-
-
-def copy_state(value: object) -> Any:
-    """Copy what an algorithm may change in a value: arrays and a generator's state."""
-    if isinstance(value, np.ndarray):
-        return value.copy() if value.flags.writeable else None
-    if isinstance(value, np.random.Generator):
-        return value.bit_generator.state
-    return [copy_state(field) for field in value] if isinstance(value, tuple) else None
-
-
-def restore_state(value: Any, saved: Any) -> None:
-    """Restore the copied state of a value."""
-    if saved is None:
-        return
-    if isinstance(value, np.ndarray):
-        value[...] = saved
-    elif isinstance(value, np.random.Generator):
-        value.bit_generator.state = saved
-    else:
-        for field, before in zip(value, saved, strict=True):
-            restore_state(field, before)
 
 
 def requests_of_called_algorithms() -> list[store.Request]:

@@ -184,7 +184,8 @@ class CodeRun:
         own, steps = self.draw(), self.steps
         beneath = [retime(layer, steps) for layer in drawing.layers if not layer.last]
         layers = [*beneath, *own.layers, *(layer for layer in drawing.layers if layer.last)]
-        text = get_message("board.code.planned", lines=own.text, plan=drawing.text)
+        key = "board.code.planned_cut" if self.trace.is_cut else "board.code.planned"
+        text = get_message(key, lines=own.text, plan=drawing.text)
         return replace(own, layers=layers, text=text, warning=drawing.warning)
 
     def describe(self) -> str:
