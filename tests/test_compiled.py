@@ -27,8 +27,8 @@ from kinoedu.compiled import (
     record,
     requests,
     running,
-    store,
     saved_state,
+    store,
     tiers,
 )
 from kinoedu.compiled.kinds import kind_of, kinds_of, spell_kind
