@@ -71,6 +71,37 @@ def test_calls_within_calls_and_errors_are_traced():
     assert isinstance(error, ValueError) and trace.moments[-1].ending == RAISED
 
 
+def collatz(n):
+    steps = 0
+    while n != 1:
+        if n % 2:
+            n = 3 * n + 1
+        else:
+            n //= 2
+        steps += 1
+    return steps
+
+
+def is_number(text):
+    try:
+        if float(text):
+            return True
+    except ValueError:
+        return False
+
+
+def test_each_condition_says_whether_it_was_true():
+    """By the line that follows; a line without a condition, and one that raises, say nothing."""
+    trace, _ = traced(collatz, 3)
+    said = [moment.holds for moment in trace.moments]
+    assert said[:5] == [None, True, True, None, None] and said[5:7] == [True, False]
+    assert said[-2:] == [False, None]
+    trace, _ = traced(halve, 1)
+    assert [moment.holds for moment in trace.moments] == [False, None, None, True, None, None, None]
+    trace, _ = traced(is_number, "three")
+    assert [moment.holds for moment in trace.moments] == [None, None, None, None]
+
+
 def test_only_the_first_lines_are_kept_and_the_result_is_the_same():
     """Later lines run without being traced."""
     before = sys.gettrace()

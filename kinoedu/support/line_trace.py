@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import inspect
 import sys
 import textwrap
@@ -40,12 +41,14 @@ class Moment:
     note : what was noted of the variables after it.
     ending : RETURNED or RAISED where the call ended with this line, or "".
     result : what the call returned.
+    holds : whether the condition of this `if` or `while` was true; None for another line.
     """
 
     line: int
     note: Any = None
     ending: str = ""
     result: object = None
+    holds: bool | None = None
 
 
 class LineTrace:
@@ -88,6 +91,7 @@ class LineTrace:
         ends: bool = False,
     ) -> None:
         self.source, self.note, self.most, self.ends = source_of(function), note, most, ends
+        self.conditions = find_conditions(self.source)
         self.moments: list[Moment] = []
         self.is_cut = False
 
@@ -147,13 +151,32 @@ class CallTrace:
         if self.now is not None:
             self.now.note = self.trace.note(frame.f_locals, frame.f_globals)
         if event == "line":
+            line = frame.f_lineno - self.trace.source.first
+            self.judge_condition(line)
             self.raises = False
-            self.now = self.trace.begin(frame.f_lineno - self.trace.source.first)
+            self.now = self.trace.begin(line)
             return None if self.now is None else self.step
         if event == "return" and self.now is not None:
             self.now.ending = RAISED if self.raises else RETURNED
             self.now.result = value
+            self.judge_condition(-1)
         return None
+
+    def judge_condition(self, following: int) -> None:
+        """Note whether the condition of the last line was true, by the line that follows it."""
+        now, conditions = self.now, self.trace.conditions
+        if now is not None and now.line in conditions and not self.raises and following != now.line:
+            now.holds = following in conditions[now.line]
+
+
+def find_conditions(source: Source) -> dict[int, range]:
+    """The lines with the condition of an `if` or a `while`, each with the first lines below it."""
+    return {
+        node.lineno - 1: range(node.body[0].lineno - 1, node.body[0].end_lineno or 0)
+        for node in ast.walk(ast.parse("\n".join(source.lines)))
+        if isinstance(node, ast.If | ast.While)
+        and node.lineno == node.test.end_lineno < node.body[0].lineno
+    }
 
 
 def source_of(function: Callable[..., object]) -> Source:

@@ -493,7 +493,8 @@ class Board {
 
   lineText() {                           // the present line in words, for those who hear it
     const { lines } = this.drawing.listing, { values, changed } = this.variables();
-    const news = changed.filter((name) => values.has(name));
+    const news = changed.filter((name) => values.has(name) && name !== this.words.condition);
+    if (values.has(this.words.condition)) news.unshift(this.words.condition);
     const texts = news.map((name) => `${name} = ${values.get(name)}`);
     return [lines[this.line()]?.trim().replace(/:$/, ""), ...texts].filter(Boolean).join("; ");
   }
@@ -1626,8 +1627,9 @@ class Code {
 
   list({ colours }) {
     const { board } = this.view, { values, changed } = board.variables();
-    const drawn = ([name]) => (colours[name] ? 0 : 1);      // what the picture shows comes first
-    const rows = [...values].sort((one, other) => drawn(one) - drawn(other));
+    const rank = ([name]) =>               // then what the picture shows
+      (name === board.words.condition ? 0 : colours[name] ? 1 : 2);
+    const rows = [...values].sort((one, other) => rank(one) - rank(other));
     this.table.replaceChildren(...rows.map(([name, text]) => {
       const row = make("tr", changed.includes(name) ? "kinoedu-changed" : "", null);
       const head = make("th", "", row, { scope: "row" });

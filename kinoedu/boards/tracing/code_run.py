@@ -16,7 +16,7 @@ from ...figures.robots import Outlined
 from ...geometry.checks import Array
 from ...messages import get_message
 from ...problems import ProblemRecord, Question, Recorder
-from ...support.line_trace import RAISED, Enough, LineTrace
+from ...support.line_trace import RAISED, Enough, LineTrace, Moment
 from ..core.drawing import Drawing, Layer, edges
 from ..core.listing import Listing, read_code
 from .moments import (
@@ -165,7 +165,7 @@ class CodeRun:
         listing = Listing(
             [*code.values()],
             [[*code].index(moment.line) for moment in moments],
-            [{name: one.text for name, one in note.items()} for note in notes],
+            [list_values(moment, note) for moment, note in zip(moments, notes)],
             colours,
         )
         first = self.look.first
@@ -199,6 +199,12 @@ class CodeRun:
         if self.trace.source.code.co_flags & CO_GENERATOR:
             return get_message("board.code.ended", name=self.name)
         return get_message("board.code.returned", name=self.name, value=format_short(last.result))
+
+
+def list_values(moment: Moment, note: Noted) -> dict[str, str]:
+    """The variables after a line as texts, and first whether its condition was true."""
+    told = {} if moment.holds is None else {get_message("board.front.condition"): str(moment.holds)}
+    return {**told, **{name: one.text for name, one in note.items()}}
 
 
 def trace_lines(
