@@ -621,8 +621,11 @@ print(json.dumps([found, loaded, call.is_loaded, orientation((0, 0), (1, 0), (0,
 def test_an_expensive_call_is_compiled_by_another_process(tmp_path: Path) -> None:
     """A call over its budget requests machine code, which the same process then runs."""
     code = """
-import json, time, kinoedu.compiled.tiers as t
+import functools, json, time, kinoedu.compiled.tiers as t
+from kinoedu.compiled import requests
 t.BUDGET, t.IMPORTING, t.LOOK_AGAIN = 0.0, 0.0, 0.0
+# it would wait long on a busy computer
+requests.start_worker = functools.partial(requests.start_worker, gives_way=False)
 from kinoedu.geometry import orientation
 from kinoedu.geometry.exact import orientation_sign
 answers, last = set(), time.monotonic() + 250
@@ -635,6 +638,22 @@ while True:
 print(json.dumps([sorted(answers), call.is_loaded, call.is_requested]))
 """
     assert orient(cache=tmp_path, code=code) == [[1], True, True]
+
+
+@pytest.mark.skipif(not hasattr(os, "nice"), reason="priorities of Windows have no numbers")
+def test_the_worker_behind_gives_way_also_to_other_sessions() -> None:
+    """By its own priority, and by that of its session where the system shares between those."""
+    code = """
+import json, os
+from kinoedu.compiled.worker import AUTOGROUP, lower_priority
+before = os.nice(0)
+lower_priority()
+session = AUTOGROUP.read_text().split()[-1] if AUTOGROUP.exists() else "10"
+print(json.dumps([os.nice(0) - before, session]))
+"""
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, capture_output=True, check=True, start_new_session=True)
+    assert json.loads(done.stdout) == [10, "10"]
 
 
 @needs_compiler

@@ -30,6 +30,8 @@ from .store import (
 ATTEMPTS = 3
 LINGER = 5.0  # seconds without requests before it ends
 POLL_INTERVAL = 0.1  # seconds between two looks for requests
+NICE = 10  # the priority of a worker that gives way, by which it still comes to an end
+AUTOGROUP = Path("/proc/self/autogroup")  # the priority of this session, see man 7 sched
 
 
 def main(arguments: list[str]) -> int:
@@ -50,9 +52,16 @@ def main(arguments: list[str]) -> int:
 
 
 def lower_priority() -> None:
-    """Lower the priority of this process to the minimum."""
+    """Lower the priority of this process: about a tenth of a processor that others want too.
+
+    Linux may share its processors between sessions first, and then `nice` counts only among the
+    processes of one session. This process has a session of its own, whose priority it lowers too.
+    """
     if hasattr(os, "nice"):
-        os.nice(19)
+        os.nice(NICE)
+        with contextlib.suppress(OSError):
+            if AUTOGROUP.exists():
+                AUTOGROUP.write_text(str(NICE), encoding="ascii")
     else:
         import ctypes
 
