@@ -175,7 +175,8 @@ def find_conditions(source: Source) -> dict[int, range]:
         node.lineno - 1: range(node.body[0].lineno - 1, node.body[0].end_lineno or 0)
         for node in ast.walk(ast.parse("\n".join(source.lines)))
         if isinstance(node, ast.If | ast.While)
-        and node.lineno == node.test.end_lineno < node.body[0].lineno
+        and node.lineno == node.test.end_lineno
+        and node.lineno < node.body[0].lineno
     }
 
 
