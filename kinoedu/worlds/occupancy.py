@@ -5,9 +5,9 @@ reach is free, and no obstacle is examined. Only near the edges of obstacles an 
 needed.
 
 Sources: M. Edahiro, I. Kokubo, T. Asano, "A new point-location algorithm and its practical
-efficiency" (1984), for cells as buckets; H. Samet, "The quadtree and related hierarchical data
-structures" (1984), for the subdivision; A. Rosenfeld and J. L. Pfaltz, "Sequential operations in
-digital picture processing" (1966), for the reach.
+efficiency" (1984), for cells as buckets; J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes,
+"Computer graphics: principles and practice" (1990), for filling polygons row by row; A. Rosenfeld
+and J. L. Pfaltz, "Sequential operations in digital picture processing" (1966), for the reach.
 """
 
 from typing import NamedTuple
