@@ -15,6 +15,7 @@ from ..support.json_fields import Json
 from .tasks import StudentProblem, scene_of
 
 DIGITS = 9  # of a number in a key: another processor may round the last digits differently
+BITS = 30  # of a number of an array in a key, about as many
 NEGLIGIBLE = 1e-13  # of an array's largest number: what is smaller is rounding
 
 
@@ -116,7 +117,19 @@ def rounded(data: Json) -> Json:
         return data
     if "array" in data:
         kind, shape, numbers = data["array"]
-        least = NEGLIGIBLE * max((abs(x) for x in numbers if abs(x) < np.inf), default=0.0)
-        numbers = [0.0 if 0.0 < abs(x) < least else x for x in numbers]
-        return [kind, shape, rounded(numbers)]
+        return [kind, shape, rounded_numbers(np.array(numbers, kind)).tobytes().hex()]
     return {name: rounded(one) for name, one in data.items()}
+
+
+def rounded_numbers(numbers: np.ndarray) -> np.ndarray:
+    """Numbers of an array with few binary digits; negligible ones are 0.
+
+    >>> rounded_numbers(np.array([1.0, 0.1 + 0.2, 1e-17])) == rounded_numbers(np.array([1, 0.3, 0]))
+    array([ True,  True,  True])
+    """
+    if numbers.dtype.kind != "f":
+        return numbers
+    sizes = np.abs(numbers)
+    largest = sizes.max(initial=0.0, where=np.isfinite(sizes))
+    mantissas, exponents = np.frexp(np.where(sizes < NEGLIGIBLE * largest, 0.0, numbers))
+    return np.ldexp(np.rint(np.ldexp(mantissas, BITS)), exponents - BITS) + 0.0  # and no -0.0
