@@ -129,6 +129,23 @@ def test_dragging_plans_anew(yard, thing):
     assert yard.data("stale") == "0" and "a path of length" in yard.shown_text()
 
 
+def test_a_drag_leaves_the_icon_of_the_tab(yard, page):
+    """JupyterLab would fetch another with each question. Afterwards it can change it again."""
+    icons, requested = "document.querySelectorAll('link.favicon').length", []
+
+    def note(request):
+        requested.append(request.url)
+
+    page.wait_for_function(f"{icons} > 0")
+    page.on("request", note)
+    yard.drag("handle-1", -60, 60, release=False)
+    yard.settled()
+    page.remove_listener("request", note)
+    page.mouse.up()
+    assert [url for url in requested if "favicon" in url] == []
+    page.wait_for_function(f"{icons} > 0")
+
+
 def test_the_scene_is_kept_in_the_notebook(yard, page):
     """A released thing's place is in Python, and a second view shows the same."""
     yard.drag("handle-1", -60, 10)

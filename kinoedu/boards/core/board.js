@@ -43,6 +43,7 @@ const ALONG = 300;            // places on a motion at which it is looked for wh
 const NAMING = "[class^='ke-']", DIM = 0.2;   // words for things; the strength of the rest
 const READING = ["pointerover", "focusin", "focusout"];   // events at a word of the lesson
 const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
+const ICON = "favicon", SET_ASIDE = "kinoedu-icon";   // classes of JupyterLab's icons of its tab
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
 // The boards by their widgets' keys. They are global, because each widget loads this file again.
@@ -117,6 +118,17 @@ function write(element, text) { if (element.textContent !== text) element.textCo
 function offerWords({ key }) {
   if (key !== "Tab") return;
   document.querySelectorAll(`${NAMING}:not([tabindex])`).forEach((word) => { word.tabIndex = 0; });
+}
+
+// JupyterLab fetches another icon for its tab whenever the kernel begins or ends some work: twice for
+// each question, a quarter of what a drag costs. While questions are asked it finds no icons.
+function keepIcon() {
+  const rename = (from, to) => {
+    document.querySelectorAll(`link.${from}`).forEach((icon) => icon.classList.replace(from, to));
+  };
+  rename(ICON, SET_ASIDE);
+  clearTimeout(keepIcon.ending);
+  keepIcon.ending = setTimeout(() => rename(SET_ASIDE, ICON), REST);
 }
 
 // Copy text where a page may not use the clipboard by itself, as one without encryption.
@@ -356,6 +368,7 @@ class Board {
     this.moved.clear();
     this.open += 1;
     this.asked = performance.now();
+    keepIcon();
     this.model.send({ kind: "scene", from: this.id, seq: this.seq, moved });
     this.emit("sent", this.seq);
   }
@@ -394,6 +407,7 @@ class Board {
     this.ticking = this.held.size ? setTimeout(() => this.tick(), TICK) : 0;
     if (!this.held.size || this.open >= IN_FLIGHT) return;
     this.open += 1;
+    keepIcon();
     this.model.send({ kind: "keys", from: this.id, seq: this.seq, held: [...this.held] });
     this.emit("sent", this.seq);
   }
