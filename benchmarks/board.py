@@ -105,8 +105,8 @@ class Unanswered(RuntimeError):
 
 
 def seen(events: list[Any], spent: float) -> dict[str, float]:
-    """Rates a second, the delay of an answer in ms, and how often an older answer was painted after
-    a newer one.
+    """Rates a second, delays of answers in ms, and how often an older answer was painted after a
+    newer one.
     """
     sent = {seq: when for what, seq, when in events if what == "sent"}
     answered = [(seq, when) for what, seq, when in events if what == "answered" and seq in sent]
@@ -118,8 +118,10 @@ def seen(events: list[Any], spent: float) -> dict[str, float]:
     return {
         "plans": len(answered) / spent,
         "paints": len(painted) / spent,
+        "first": delays[0],
         "delay": float(np.median(delays)),
         "late": float(np.percentile(delays, 95)),
+        "longest": max(delays),
         "backward": backward,
     }
 
