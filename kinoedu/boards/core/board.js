@@ -120,8 +120,8 @@ function offerWords({ key }) {
   document.querySelectorAll(`${NAMING}:not([tabindex])`).forEach((word) => { word.tabIndex = 0; });
 }
 
-// JupyterLab fetches another icon for its tab whenever the kernel begins or ends some work: twice for
-// each question, a quarter of what a drag costs. While questions are asked it finds no icons.
+// JupyterLab fetches another icon for its tab whenever the kernel begins or ends some work: twice
+// for each question, a quarter of what a drag costs. While questions are asked it finds no icons.
 function keepIcon() {
   const rename = (from, to) => {
     document.querySelectorAll(`link.${from}`).forEach((icon) => icon.classList.replace(from, to));
