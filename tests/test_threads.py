@@ -1,4 +1,4 @@
-"""Exceptions that are raised in a thread, and withdrawn."""
+"""Exceptions that are raised in a thread and withdrawn, and the turns that threads take."""
 
 import subprocess
 import sys
@@ -6,7 +6,8 @@ import threading
 
 import pytest
 
-from kinoedu.support.threads import raise_in, withdraw_exception
+from kinoedu.compiled.numba_thread import NUMBA_THREAD
+from kinoedu.support.threads import SHORT_TURN, raise_in, short_turns, withdraw_exception
 
 AFTER_A_WITHDRAWAL = """
 import sys, threading
@@ -56,3 +57,24 @@ def test_lines_are_traced_after_a_withdrawal():
         [sys.executable, "-c", AFTER_A_WITHDRAWAL], capture_output=True, text=True, timeout=60
     )
     assert done.stdout.strip() == "['call', 'line', 'return']", done.stderr
+
+
+def test_turns_are_short_for_a_while():
+    """Also if what is done meanwhile fails."""
+    usual, turns = sys.getswitchinterval(), []
+
+    @short_turns()
+    def fail() -> None:
+        turns.append(sys.getswitchinterval())
+        raise Stop
+
+    with pytest.raises(Stop):
+        fail()
+    assert [*turns, sys.getswitchinterval()] == [pytest.approx(SHORT_TURN), usual]
+
+
+def test_a_thread_that_computes_does_not_keep_machine_code_waiting():
+    """What imports numba and reads files gets its turn back soon."""
+    turns: list[float] = []
+    NUMBA_THREAD.run_and_wait(lambda: turns.append(sys.getswitchinterval()))
+    assert turns == [pytest.approx(SHORT_TURN)]

@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from ..support.threads import WAITING_FILES, raise_in, withdraw_exception
+from ..support.threads import WAITING_FILES, raise_in, short_turns, withdraw_exception
 
 if TYPE_CHECKING:
     from .tiers import Specialization
@@ -143,19 +143,24 @@ class NumbaThread:
             except queue.Empty:
                 job = None
             self.is_idle = False
+            if job is not None or self.watches:
+                last = time.monotonic()
+                with short_turns():
+                    self.work(job)
+
+    def work(self, job: Callable[[], None] | None) -> None:
+        """Do a job, and check the watched calls."""
+        try:
             if job is not None:
-                last = time.monotonic()
-                try:
-                    job()
-                except Exception:  # such as a full disk; the thread must go on
-                    log.exception("machine code could not be requested")
-            for watch in tuple(self.watches):
-                last = time.monotonic()
-                try:
-                    watch.check()
-                except Exception:
-                    log.exception("an interpreted call could not be watched")
-                    self.watches.discard(watch)
+                job()
+        except Exception:  # such as a full disk; the thread must go on
+            log.exception("machine code could not be requested")
+        for watch in tuple(self.watches):
+            try:
+                watch.check()
+            except Exception:
+                log.exception("an interpreted call could not be watched")
+                self.watches.discard(watch)
 
 
 NUMBA_THREAD = NumbaThread()
