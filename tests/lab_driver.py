@@ -1,4 +1,6 @@
-"""Drives a real JupyterLab in headless Chromium: starts it, opens a notebook and runs it."""
+"""Drives a real JupyterLab in headless Chromium: starts it as `python start.py` does, opens a
+notebook and runs it.
+"""
 
 import json
 import os
@@ -6,11 +8,12 @@ import secrets
 import shutil
 import socket
 import subprocess
-import sys
 import time
 import urllib.request
 from contextlib import contextmanager, suppress
 from pathlib import Path
+
+from kinoedu.lab import lab_command
 
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
@@ -86,14 +89,7 @@ def lab(course: Path, home: Path):
     )
     quiet.parent.mkdir(parents=True)
     quiet.write_text(json.dumps({"fetchNews": "false", "checkForUpdates": False}))
-    command = [
-        sys.executable,
-        "-m",
-        "jupyterlab",
-        "--no-browser",
-        "--allow-root",
-        "--ServerApp.ip=127.0.0.1",
-    ]
+    command = lab_command(browser=False)
     command += [f"--ServerApp.port={port}", "--ServerApp.port_retries=0", "--expose-app-in-browser"]
     with (home / "server.log").open("w+") as log:
         server = subprocess.Popen(

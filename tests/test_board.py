@@ -309,7 +309,7 @@ def test_a_readers_planner_is_recorded_judged_and_raced():
         and blocked.when.tolist() == [1]
         and places.when.tolist() == [2]
     )
-    assert (free.colour, blocked.colour) == ("tree", "outside") and blocked.dash and not free.dash
+    assert (free.colour, blocked.colour) == ("tree", "obstacle") and blocked.dash and not free.dash
     assert made.canvas.drawing.total == 5
 
 
@@ -356,7 +356,7 @@ def leaves(problem):
         (lambda problem: [], "it returned []"),
         (lambda problem: [[1, 2, 3]], "it returned [[1, 2, 3]]"),
         (lambda problem: [[float("nan"), 1]], "it returned [[nan, 1]]"),
-        (out_of_range, "your planner raised IndexError: list index out of range - in its line"),
+        (out_of_range, "your planner raised IndexError: list index out of range - in line 4 of"),
         (wrong_step, "return ke.rrt(problem, step_size=-1, rng=0)"),
         (leaves, "your planner raised SystemExit"),
         (lambda problem, rng: ke.rrt(problem, rng=rng), "yours: length"),

@@ -204,12 +204,61 @@ def test_the_motions_that_a_function_asks_about_are_drawn():
     made = code_board(extend, walled(), nodes, (8.0, 3.0), 2.0, points={"q_near": "nodes[near]"})
     assert made.drawing.text == "extend returns None"
     thin, thick = (layer for layer in made.drawing.layers if layer.kind == "edges")
-    assert (thin.colour, thick.colour) == ("outside", "contact")
+    assert (thin.colour, thick.colour) == ("obstacle", "contact")
     asks = 3  # the third line that runs
     assert len(shown(thin, asks - 1)) == 0 and len(shown(thin, asks)) == 1
     assert len(shown(thick, asks)) == 1 and len(shown(thick, asks + 1)) == 0
     drawing = Page(made).moves(["polygon", 0, [np.add(WALL, (0, 4)).tolist()]])
     assert drawing["text"] == "extend returns (5, 3)"
+
+
+def halves(n):
+    total = 0.0
+    for i in range(n):
+        half = i / 2
+        while half > 1:
+            rest = half - 1
+            half = rest
+        total += half
+    return total
+
+
+def test_values_of_an_earlier_round_are_told_from_new_ones():
+    """From the head of a loop until a line assigns them; none after it, nor what outlasts it."""
+    made = code_board(halves, 5, window=((0, 0), (1, 1)))
+    old = made.drawing.listing.old
+    ran = [made.drawing.listing.lines[line].strip() for line in made.drawing.listing.ran]
+    rounds = [step for step, line in enumerate(ran) if line == "for i in range(n):"]
+    assert [set(old[step]) for step in rounds] == [
+        set(),
+        *[{"half"}] * 3,
+        {"half", "rest"},
+        set(),
+    ]
+    assert old[ran.index("half = i / 2", rounds[1])] == set()
+    assert not any({"total", "i", "n"} & set(names) for names in old)
+    message, _ = encode_drawing(made.drawing, (0, 0), 1.0)
+    told = message["listing"]["old"]
+    assert told[0] == [] and told[1] is None and ["half"] in told
+
+
+def walk(q, n):
+    for _ in range(n):
+        step = q / 4
+        q = q + step
+    return q
+
+
+def test_points_of_an_earlier_round_are_not_drawn():
+    """Nor those of an expression that has one of its variables."""
+    made = code_board(walk, (4.0, 0.0), 2, points={"beside": "q + 2 * step"})
+    ran = [made.drawing.listing.lines[line].strip() for line in made.drawing.listing.ran]
+    head = ran.index("for _ in range(n):", 2) + 1  # the step of its second round
+    assert made.drawing.listing.old[head - 1] == {"step", "beside"}
+    names = {layer.texts[0]: layer for layer in made.drawing.layers if layer.kind == "labels"}
+    for name in ("step", "beside"):
+        there = [len(shown(names[name], step)) for step in (head - 1, head, head + 1)]
+        assert there == [1, 0, 1]
 
 
 def test_a_function_that_fails_stops_at_its_line():
@@ -223,7 +272,7 @@ def test_a_function_that_fails_stops_at_its_line():
 
     made = code_board(fails, (0.0, 0.0))
     assert made.drawing.total == 2 and "IndexError" in made.drawing.warning
-    assert "return [][int(x)]" in made.drawing.warning
+    assert "in line 3 of fails: return [][int(x)]" in made.drawing.warning
 
 
 def test_a_function_that_never_ends_is_stopped(monkeypatch):

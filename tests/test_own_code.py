@@ -406,7 +406,7 @@ WRONG_WORLDS = {
     GARDEN: "lacks 'start'",
     GARDEN.replace("seed = 1\n", "") + ENDS: "lacks 'seed'",
     GARDEN + ENDS + "tree = 3": "did you mean 'trees'",
-    GARDEN + ENDS + "trees = -1": "garden raised ValueError.*in its line",
+    GARDEN + ENDS + "trees = -1": "garden raised ValueError.*in line .* of garden",
     'world = "robots_of_mine.Drone"\nradius = 1.0\n' + ENDS: "expected a world",
     GARDEN + ENDS + 'robot = {kind = "robots_of_mine.Drone"}': "Drone raised TypeError",
     GARDEN + ENDS + 'robot = {kind = "robots_of_mine.garden", seed = 1}': "expected a robot",
@@ -440,7 +440,7 @@ def test_scenes_never_name_code(folder):
         ("none", 1, "no path: the planner returned None"),
         ("through", 1, "wrong path: motion 1 of your path, from (1, 1) to (9, 1), is not free"),
         ("vandal", 1, "wrong path: "),
-        ("raising", 2, "mine.py:raising raised IndexError: list index out of range - in its line"),
+        ("raising", 2, "mine.py:raising raised IndexError: list index out of range - in line 2"),
         ("missing", 2, "has no function 'missing'"),
     ],
 )

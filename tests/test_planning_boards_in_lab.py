@@ -21,6 +21,12 @@ CODE = """def nearest_on(q, p1, p2):
     t = min(max(t, 0.0), 1.0)
     return p1 + t * way
 ke.boards.code_board(nearest_on, (3.0, 4.0), (0.0, 0.0), (6.0, 0.0), first=2)"""
+ROUNDS = """def walk(q, n):
+    for _ in range(n):
+        step = q / 4
+        q = q + step
+    return q
+ke.boards.code_board(walk, (4.0, 0.0), 2, first=4, window=((0, -1), (8, 1)))"""
 SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), search='astar')"
 
 
@@ -29,7 +35,8 @@ def page(tmp_path_factory):
     """One JupyterLab for all; the bugs' world is board 0, its plot board 1."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    (course / "planning.ipynb").write_text(written_notebook(BUG, SWEEP, SEARCH, GRAPH, CODE))
+    book = written_notebook(BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS)
+    (course / "planning.ipynb").write_text(book)
     with (
         lab(course, home) as (address, token),
         notebook_page(address, token, "planning.ipynb") as page,
@@ -107,6 +114,16 @@ def test_code_is_stepped_through_and_its_arguments_dragged(page):
     slider.press("End")
     seen.until("root.dataset.step === root.dataset.total && text.includes('nearest_on returns')")
     keep(page, "code_board")
+
+
+def test_a_value_of_the_round_before_says_so(page):
+    """From the head of the loop until the line that assigns it."""
+    seen = Seen(page, 6)
+    old = seen.board.locator(".kinoedu-old")
+    assert old.all_inner_texts() == ["step\t(1, 0) of the round before"]
+    seen.board.get_by_role("button", name="run the next line").click()
+    seen.until("root.dataset.step === '5'")
+    assert old.count() == 0 and "step\t(1.25, 0)" in seen.board.inner_text()
 
 
 @pytest.fixture

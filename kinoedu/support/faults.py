@@ -30,18 +30,26 @@ def describe_exception(error: BaseException, who: str) -> str:
     """
     name = type(error).__name__
     text = f"{name}: {shorten_message(error)}" if str(error) else name
-    frames = [(frame.f_code.co_filename, line) for frame, line in walk_tb(error.__traceback__)]
-    own = [(file, line) for file, line in frames if is_readers_code(file)]
+    calls = [(frame.f_code, line) for frame, line in walk_tb(error.__traceback__)]
+    own = [(code, line) for code, line in calls if is_readers_code(code.co_filename)]
     if not own:
         return get_message("board.own.raised", who=who, error=text)
-    line = linecache.getline(*own[-1]).strip()
-    return get_message("board.own.raised_in", who=who, error=text, number=own[-1][1], line=line)
+    code, line = own[-1]
+    return get_message(
+        "board.own.raised_in",
+        who=who,
+        error=text,
+        number=line - code.co_firstlineno + 1,
+        function=code.co_name,
+        line=linecache.getline(code.co_filename, line).strip(),
+    )
 
 
 def is_readers_code(file: str) -> bool:
-    """Whether code is a reader's: neither this package's, nor Python's, nor a library's."""
+    """Whether code is a reader's, and known: not this package's, nor Python's, nor a library's."""
     return (
-        {PACKAGE, PYTHON}.isdisjoint(Path(file).parents)
+        bool(linecache.getlines(file))
+        and {PACKAGE, PYTHON}.isdisjoint(Path(file).parents)
         and "site-packages" not in file
         and not file.startswith("<frozen")
     )

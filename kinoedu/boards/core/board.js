@@ -39,6 +39,7 @@ const TURNS = 12;             // pixels: a pointer that moved less has not turne
 const BATCH = 256;            // segments that are painted at once: very long paths take longer
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
+const RING = 13;              // pixels: the radius of a ring round a handle that hides a dot
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
 const NAMING = "[class^='ke-']", DIM = 0.2;   // words for things; the strength of the rest
 const READING = ["pointerover", "focusin", "focusout"];   // events at a word of the lesson
@@ -484,15 +485,20 @@ class Board {
     requestAnimationFrame(tick);
   }
 
-  // The variables after the present step, by name, and those that its line has changed.
+  // The variables after the present step, by name, those that its line has changed, and those that
+  // have the value of an earlier round of their loop.
   variables() {
-    const { changes } = this.drawing.listing, values = new Map();
+    const { changes, old = [] } = this.drawing.listing, values = new Map();
     for (const changed of changes.slice(0, this.step)) {
       for (const [name, text] of Object.entries(changed)) {
         if (text === null) values.delete(name); else values.set(name, text);
       }
     }
-    return { values, changed: Object.keys(changes[this.step - 1] ?? {}) };
+    return {
+      values,
+      changed: Object.keys(changes[this.step - 1] ?? {}),
+      old: old.slice(0, this.step).findLast((names) => names !== null) ?? [],
+    };
   }
 
   line() { return this.drawing.listing.ran[this.step - 1] ?? -1; }
@@ -1008,7 +1014,24 @@ class View {
       pen.globalAlpha = this.strength(handle.colour);
       this.paintHandle(handle);
     });
+    layers.filter(({ kind, casing }) => kind === "dots" && casing).forEach((layer) => {
+      this.paintRings(layer);
+    });
     pen.globalAlpha = 1;
+  }
+
+  // A ring in the colour of each dot that a handle hides, such as q_near where it is the start.
+  paintRings(layer) {
+    const { pen, board } = this;
+    const handles = board.scene.handles.filter(({ stop, drawn }) => !stop && !drawn);
+    const spots = handles.map(({ at }) => this.toPixels(at));
+    pen.beginPath();
+    this.eachRow(layer, 2, (px, py) => {
+      if (!spots.some(([x, y]) => Math.hypot(x - px, y - py) < 6)) return;
+      pen.moveTo(px + RING, py);
+      pen.arc(px, py, RING, 0, 7);
+    });
+    this.stroke({ ...layer, width: 3 });
   }
 
   paintGround() {
@@ -1594,7 +1617,7 @@ class Code {
     this.panel = make("div", "kinoedu-code", view.root, group);
     this.lines = make("div", "kinoedu-lines", this.panel);
     this.table = make("table", "kinoedu-values", this.panel);
-    make("div", "kinoedu-hint", this.panel).textContent = words.coded;
+    this.hint = make("div", "kinoedu-hint", this.panel);
   }
 
   stepper(sign, label, by) {             // a button that goes some steps on
@@ -1623,6 +1646,7 @@ class Code {
       line.disabled = !ran.has(k);
       if (k === now) line.ariaCurrent = "step"; else line.ariaCurrent = null;
     });
+    this.hint.textContent = [board.words.coded, listing.legend].filter(Boolean).join(" ");
     this.back.disabled = board.step <= 0;
     this.on.disabled = board.step >= total;
     this.list(listing);
@@ -1640,7 +1664,7 @@ class Code {
   }
 
   list({ colours }) {
-    const { board } = this.view, { values, changed } = board.variables();
+    const { board } = this.view, { values, changed, old } = board.variables();
     const rank = ([name]) =>               // then what the picture shows
       (name === board.words.condition ? 0 : colours[name] ? 1 : 2);
     const rows = [...values].sort((one, other) => rank(one) - rank(other));
@@ -1649,7 +1673,12 @@ class Code {
       const head = make("th", "", row, { scope: "row" });
       head.textContent = name;
       if (colours[name]) head.style.setProperty("--kinoedu-own", board.palette[colours[name]]);
-      make("td", "", row).textContent = text;
+      const value = make("td", "", row);
+      value.textContent = text;
+      if (old.includes(name)) {
+        row.classList.add("kinoedu-old");
+        make("span", "", value).textContent = ` ${board.words.old}`;
+      }
       return row;
     }));
   }

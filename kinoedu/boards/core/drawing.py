@@ -35,7 +35,7 @@ class Layer(NamedTuple):
         from the beginning.
     until : for each row the step at which it disappears; None where all rows stay.
     last : whether the layer is shown only when everything else has grown.
-    casing : whether a path lies on a dark line.
+    casing : whether a path lies on a dark line, and dots have a ring where a handle hides them.
     hatched : whether bodies have stripes.
     says, names, notes : what a row says when one points at it; see `notes.py`.
     """

@@ -7,7 +7,7 @@ after it. To send less, each step carries only the variables that have changed.
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ...support.json_fields import JsonObject
@@ -24,12 +24,16 @@ class Listing:
     ran : for each step the index of the line that has run.
     values : for each step the variables after it, by name, as texts.
     colours : the colours of the variables that the picture shows.
+    old : for each step the variables whose value is of an earlier round of their loop.
+    legend : what the picture shows of the run, in words.
     """
 
     lines: Sequence[str]
     ran: Sequence[int] = ()
     values: Sequence[Mapping[str, str]] = ()
     colours: Mapping[str, str] = field(default_factory=dict)
+    old: Sequence[Collection[str]] = ()
+    legend: str = ""
 
 
 def read_code(source: Source) -> dict[int, str]:
@@ -75,4 +79,12 @@ def encode_listing(listing: Listing | None) -> JsonObject | None:
         "ran": list(listing.ran),
         "changes": changes,
         "colours": dict(listing.colours),
+        "old": encode_old(listing.old),
+        "legend": listing.legend,
     }
+
+
+def encode_old(old: Sequence[Collection[str]]) -> list[list[str] | None]:
+    """The variables with an old value after each step; None where they are those before it."""
+    names = [sorted(each) for each in old]
+    return [None if now == last else now for last, now in zip([None, *names], names)]

@@ -12,7 +12,7 @@ from ...graphs.bfs import breadth_first, search_breadth_first
 from ...graphs.dfs import depth_first, search_depth_first
 from ...graphs.radix_heap import RadixHeap, list_in_order
 from ...graphs.search import expand, new_labels, search
-from ..core.drawing import Layer, edges
+from ..core.drawing import Layer, edges, labels
 from ..tracing.code_run import CodeRun, Look, trace_lines
 
 BLIND = {  # function, the search that calls it, what waits, the number of expansions
@@ -63,13 +63,14 @@ def trace_search(
 def mark_edge(
     nodes: Array, flat: Any, one: str, other: str
 ) -> Callable[[dict[str, Any]], list[Layer]]:
-    """Draw the edge that is examined, between the nodes that two variables name."""
+    """Draw the edge that is examined, and the names of the two variables that are its ends."""
 
     def draw(variables: dict[str, Any]) -> list[Layer]:
         u, v = variables.get(one), variables.get(other)
         if u is None or v is None or u < 0 or v not in flat.neighbours(u):
             return []
-        return [edges([[nodes[u], nodes[v]]], "ink", width=5.0)]
+        ends = nodes[[u, v]]
+        return [edges([ends], "ink", width=5.0), labels(ends, [one, other], "ink")]
 
     return draw
 

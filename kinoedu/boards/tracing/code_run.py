@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from inspect import CO_GENERATOR
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,7 @@ from .moments import (
     draw_vectors,
 )
 from .questions import FirstQuestions, draw_questions
+from .rounds import Names, find_rounds, with_expressions
 from .variables import (
     compile_expressions,
     compute_radii,
@@ -37,6 +38,7 @@ from .variables import (
     note_variables,
 )
 
+T = TypeVar("T")
 Draw = Callable[[dict[str, Any]], Iterable[Layer]]
 SECONDS = 1.0  # of processor time for the lines of one of this library's functions
 FEW = 3  # questions of a line that are drawn thick
@@ -149,7 +151,8 @@ class CodeRun:
         moments = [moment for moment in self.trace.moments if moment.line in code]
         last = Note({}, {}, [], len(self.log))  # of a line that did not end
         kept = [moment.note or last for moment in moments]
-        notes = [one.variables for one in kept]
+        values, old = [one.variables for one in kept], self.find_old(moments, kept)
+        notes = [without(note, names) for note, names in zip(values, old)]
         robot = self.look.robot
         chosen = choose_colours(notes, dragged, with_poses=robot is not None)
         colours = {name: self.look.colours.get(name, colour) for name, colour in chosen.items()}
@@ -165,8 +168,10 @@ class CodeRun:
         listing = Listing(
             [*code.values()],
             [[*code].index(moment.line) for moment in moments],
-            [list_values(moment, note) for moment, note in zip(moments, notes)],
+            [list_values(moment, note) for moment, note in zip(moments, values)],
             colours,
+            old,
+            get_message("board.code.asked") if self.log else "",
         )
         first = self.look.first
         return Drawing(
@@ -178,6 +183,17 @@ class CodeRun:
             listing=listing,
             first=None if first is None else min(first, len(moments)),
         )
+
+    def find_old(self, moments: Sequence[Moment], kept: Sequence[Note]) -> list[Names]:
+        """The variables that have a value of an earlier round after each line."""
+        notes = [one.variables for one in kept]
+        changed = [
+            [name for name, one in note.items() if name in last and last[name].text != one.text]
+            for last, note in zip([Noted(), *notes], notes)
+        ]
+        lines = [moment.line for moment in moments]
+        old = find_rounds(self.trace.source.lines).find_old(lines, changed)
+        return [with_expressions(names, self.points) for names in old]
 
     def draw_over(self, drawing: Drawing) -> Drawing:
         """The lines over another drawing of the same run, which grows as they run."""
@@ -265,9 +281,9 @@ def has_pose(note: Noted, name: str) -> bool:
     return name in note and note[name].pose is not None
 
 
-def without(colours: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
-    """The colours of the other variables."""
-    return {name: colour for name, colour in colours.items() if name not in names}
+def without(named: Mapping[str, T], names: Collection[str]) -> dict[str, T]:
+    """What has another name."""
+    return {name: one for name, one in named.items() if name not in names}
 
 
 def draw_asked(questions: list[Question], asked: Sequence[int]) -> list[Layer]:

@@ -21,7 +21,8 @@ def draw_variables(notes: Sequence[Noted], colours: dict[str, str]) -> list[Laye
         if not len(rows):
             continue
         many = any(name in note and not note[name].is_point for note in notes)
-        layers.append(dots(rows, colour, radius=4.0 if many else 6.0, when=when, until=until))
+        points = dots(rows, colour, radius=4.0 if many else 6.0, when=when, until=until)
+        layers.append(points._replace(casing=not many))
         if not many:
             layers.append(labels(rows, [name] * len(rows), colour, when=when, until=until))
     return layers

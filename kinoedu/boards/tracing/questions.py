@@ -45,9 +45,9 @@ def draw_questions(questions: list[Question]) -> list[Layer]:
     for motion, free in order:
         found = kinds[motion, free]
         rows, when = [points for _, points in found], [number for number, _ in found]
-        colour = "tree" if free else "outside" if motion else "contact"
+        colour = "tree" if free else "obstacle" if motion else "contact"
         if motion:
-            width, dash = (1.4, ()) if free else (0.7, (3, 5))
+            width, dash = (1.4, ()) if free else (1.0, (3, 5))
             layer = edges(rows, colour, width=width, dash=dash, when=when)
         else:
             layer = dots(rows, colour, when=when)
