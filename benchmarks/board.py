@@ -2,6 +2,7 @@
 JupyterLab in headless Chromium.
 """
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,8 @@ from typing import Any
 import numpy as np
 from dragged import BOARDS, HOUSE
 from timing import Missing, run
+
+from kinoedu.compiled import COMPILED_FIRST
 
 sys.path.insert(0, str(HOUSE / "tests"))
 
@@ -169,6 +172,7 @@ def main(seconds: float = 3.0, repeats: int = 3, slower: float = 1.0, only: str 
     """
     if CHROMIUM is None:
         raise Missing("Chromium")
+    os.environ["KINOEDU_MACHINE_CODE"] = COMPILED_FIRST  # for the kernels
     chosen = [name for name in BOARDS if only in name]
     print(
         "| what is dragged | moves/s | plans/s | paints/s | delay ms, median | 95 % | out of "
