@@ -99,7 +99,7 @@ def warm(page: Any, pull: Callable[..., Any], name: str, seconds: float = 120.0)
     until = time.perf_counter() + seconds
     while time.perf_counter() < until:
         with suppress(Unanswered):
-            pull(page, name, 0.5)
+            pull(page, name, 2.0)
             return
 
 

@@ -53,6 +53,7 @@ from .scene import Scene, arrange_like, list_places, move_parts
 
 log = logging.getLogger("kinoedu")
 
+CORE = Path(__file__).parent
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 CHALLENGED = ("challenge", "reached", "done")
 PLAIN = ("play", "pause", "next", "reset", "copy", "copied", "slider", "movable", "thinking")
@@ -73,6 +74,12 @@ FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, an
 
 # Messages and cells may run in different threads: all boards together answer one at a time.
 _answering = threading.RLock()
+
+
+def widget_script(file: Path) -> str:
+    """A widget's script, after what the scripts of all widgets use."""
+    common = CORE / "common.js"
+    return common.read_text(encoding="utf-8") + file.read_text(encoding="utf-8")
 
 
 class Canvas(anywidget.AnyWidget):
@@ -104,7 +111,7 @@ class Canvas(anywidget.AnyWidget):
     Without JavaScript the board is shown as a picture.
     """
 
-    _esm = Path(__file__).with_name("board.js")
+    _esm = widget_script(CORE / "board.js")
     _css = Path(__file__).with_name("board.css")
     key = traitlets.Unicode().tag(sync=True)
     partner = traitlets.Unicode().tag(sync=True)

@@ -1,15 +1,13 @@
 """The script with which a page without a kernel shows recorded boards, and lets them answer."""
 
 import json
-from pathlib import Path
 
 from ...figures import palette
 from ...messages import get_template
 from ...support.json_fields import JsonObject
-from .canvas import front_messages
+from .canvas import CORE, front_messages, widget_script
 from .recorded import VERSION
 
-CORE = Path(__file__).parent
 BROWSER = CORE.parent.parent / "browser"
 WORDS = ("recorded", "live", "seed", "share", "shared")  # the messages of `site`
 
@@ -19,8 +17,8 @@ def page_script(live: JsonObject | None = None) -> str:
 
     live : the bodies that lie beside the page, from `describe_bodies`. None where boards only play.
     """
-    files = CORE / "board.js", CORE / "recorded.js", BROWSER / "live.js", BROWSER / "worker.js"
-    board, player, answers, worker = (file.read_text(encoding="utf-8") for file in files)
+    files = CORE / "recorded.js", BROWSER / "live.js", BROWSER / "worker.js"
+    player, answers, worker = (file.read_text(encoding="utf-8") for file in files)
     words = {name: get_template(f"site.{name}", "en") for name in WORDS} | front_messages()
     values = {
         "WORDS": words,
@@ -30,5 +28,5 @@ def page_script(live: JsonObject | None = None) -> str:
         "WORKER": worker,
     }
     constants = "\n".join(f"const {name} = {json.dumps(value)};" for name, value in values.items())
-    board = board.replace("export default", "const widget =")
+    board = widget_script(CORE / "board.js").replace("export default", "const widget =")
     return f"(() => {{\n{constants}\n{board}\n{answers}\n{player}}})();\n"

@@ -9,17 +9,7 @@ const STEP = Math.PI / 36;    // radians that an arrow key turns the mesh
 const NEAREST = 4, FARTHEST = 0.4;
 const GLASS = 0.2;            // the opacity of what is above the plane
 
-const make = (tag, className, parent, attributes = {}) => {
-  const element = document.createElement(tag);
-  element.className = className;
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  parent.append(element);
-  return element;
-};
-const fill = (words, values) => words.replace(/\{(\w+)\}/g, (_, name) => values[name]);
-const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 const degrees = (angle) => Math.round((angle * 180) / Math.PI);
-const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const array = (Kind, view) => {
   const end = view.byteOffset + view.byteLength;
   return new Kind(view.buffer.slice(view.byteOffset, end));
@@ -48,13 +38,14 @@ class Solid {
     this.colours = array(Uint8Array, model.get("colours"));
     this.normalise();
     this.build(el);
+    this.measure();
     this.listen();
     this.answered = () => this.receive();
     this.replaced = () => this.replace();
     model.on("change:section", this.answered);
     model.on("change:theta", this.replaced);
     model.on("change:place", this.replaced);
-    this.resizing = new ResizeObserver(() => this.request());
+    this.resizing = new ResizeObserver(() => { this.measure(); this.request(); });
     this.resizing.observe(this.root);
     this.request();
   }
@@ -180,6 +171,7 @@ class Solid {
     if (section.theta === theta && same(section.place, place)) return;
     if (this.open || (model.get("theta") === theta && same(model.get("place"), place))) return;
     this.open = true;
+    keepIcon();
     this.emit("sent", this.asked += 1);
     model.set({ theta, place });
     model.save_changes();
@@ -197,8 +189,13 @@ class Solid {
 
   // painting
 
+  measure() {                            // not in each paint, which would lay out the page anew
+    this.sizes = new Map([this.solid, this.slice].map((canvas) => [canvas, canvas.clientWidth]));
+    this.seen = null;
+  }
+
   pen(canvas) {
-    const size = canvas.clientWidth || 400, sharp = devicePixelRatio || 1;
+    const size = this.sizes.get(canvas) || 400, sharp = devicePixelRatio || 1;
     const pixels = Math.round(size * sharp);
     if (canvas.width !== pixels) canvas.width = canvas.height = pixels;
     const pen = canvas.getContext("2d");
@@ -217,54 +214,65 @@ class Solid {
 
   paint() {
     this.slider.value = this.theta;
-    this.reading.textContent = `${degrees(this.theta)}°`;
+    write(this.reading, `${degrees(this.theta)}°`);
     this.slider.ariaValueText = this.reading.textContent;
     this.paintSolid();
     this.paintSlice();
     const { azimuth, height, theta: level, zoom } = this;
     const values = { azimuth: degrees(azimuth), height: degrees(height), theta: degrees(level) };
-    this.solid.setAttribute("aria-label", fill(this.words.solid, values));
-    this.slice.setAttribute("aria-label", fill(this.words.slice, values));
+    this.solid.ariaLabel = fill(this.words.solid, values);
+    this.slice.ariaLabel = fill(this.words.slice, values);
     const { text, theta } = this.model.get("section");
-    if (this.text.textContent !== text) this.text.textContent = text;
+    write(this.text, text);
     this.paints += 1;
     this.emit("painted", this.asked);
     Object.assign(this.root.dataset, { paints: this.paints, theta, azimuth, zoom });
   }
 
-  paintSolid() {
-    const [pen, size] = this.pen(this.solid), { unit, faces } = this;
-    const at = new Float32Array(unit.length);
+  // The triangles that look towards the reader, the farthest first, and all points on the picture.
+  // They stay the same while only the plane moves.
+  look(size) {
+    const { azimuth, height, zoom, unit, faces } = this, view = { azimuth, height, zoom, size };
+    if (this.seen && same(this.seen.view, view)) return this.seen;
+    const at = new Float32Array(unit.length), towards = [];
     for (let i = 0; i < unit.length; i += 3) {
       at.set(this.projected(unit.subarray(i, i + 3), size), i);
     }
-    const level = (this.theta - this.middle[2]) * this.scales[2], below = [], above = [];
     for (let f = 0; f < faces.length; f += 3) {
       const [a, b, c] = [3 * faces[f], 3 * faces[f + 1], 3 * faces[f + 2]];
       const [ux, uy] = [at[b] - at[a], at[b + 1] - at[a + 1]];
       const [vx, vy] = [at[c] - at[a], at[c + 1] - at[a + 1]];
       if (ux * vy - uy * vx >= 0) continue;                    // it looks away from the reader
-      const face = { a, b, c, f, depth: at[a + 2] + at[b + 2] + at[c + 2] };
-      (unit[a + 2] + unit[b + 2] + unit[c + 2] > 3 * level ? above : below).push(face);
+      const middle = (unit[a + 2] + unit[b + 2] + unit[c + 2]) / 3;
+      const [red, green, blue] = this.colours.subarray(f, f + 3);
+      const depth = at[a + 2] + at[b + 2] + at[c + 2];
+      towards.push({ a, b, c, middle, depth, colour: `rgb(${red},${green},${blue})` });
     }
-    const fromBelow = this.height < 0;
+    towards.sort((p, q) => p.depth - q.depth);
+    return (this.seen = { view, at, towards });
+  }
+
+  paintSolid() {
+    const [pen, size] = this.pen(this.solid), { at, towards } = this.look(size);
+    const level = (this.theta - this.middle[2]) * this.scales[2], fromBelow = this.height < 0;
+    const below = towards.filter(({ middle }) => middle <= level);
+    const above = towards.filter(({ middle }) => middle > level);
     const [farther, nearer] = fromBelow ? [above, below] : [below, above];
     this.paintFaces(pen, at, farther, fromBelow ? GLASS : 1);
     this.paintPlane(pen, size, level);
     this.paintFaces(pen, at, nearer, fromBelow ? 0.6 : GLASS);
   }
 
-  paintFaces(pen, at, faces, alpha) {    // paint triangles, the farthest first
-    const { colours } = this;
+  paintFaces(pen, at, faces, alpha) {
     pen.globalAlpha = alpha;
     pen.lineWidth = 0.7;
-    for (const { a, b, c, f } of faces.sort((p, q) => p.depth - q.depth)) {
+    for (const { a, b, c, colour } of faces) {
       pen.beginPath();
       pen.moveTo(at[a], at[a + 1]);
       pen.lineTo(at[b], at[b + 1]);
       pen.lineTo(at[c], at[c + 1]);
       pen.closePath();
-      pen.fillStyle = pen.strokeStyle = `rgb(${colours[f]},${colours[f + 1]},${colours[f + 2]})`;
+      pen.fillStyle = pen.strokeStyle = colour;
       pen.fill();
       if (alpha === 1) pen.stroke();     // hides seams
     }

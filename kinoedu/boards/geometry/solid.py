@@ -32,7 +32,7 @@ from ...geometry.rings import as_ring
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
-from ..core.canvas import add_picture
+from ..core.canvas import add_picture, widget_script
 from ..core.printed import SHARP
 
 if TYPE_CHECKING:
@@ -151,13 +151,16 @@ class SolidBoard(anywidget.AnyWidget):
     Set `theta` and `place` to move the plane and the point.
     """
 
-    _esm = Path(__file__).with_name("solid.js")
+    _esm = widget_script(Path(__file__).with_name("solid.js"))
     _css = Path(__file__).with_name("solid.css")
     vertices = traitlets.Bytes().tag(sync=True)
     faces = traitlets.Bytes().tag(sync=True)
     colours = traitlets.Bytes().tag(sync=True)
-    theta = traitlets.Float().tag(sync=True)
-    place: Any = traitlets.List(allow_none=True, default_value=None).tag(sync=True)
+    # a page that has moved the plane or the point need not be told so
+    theta = traitlets.Float().tag(sync=True, echo_update=False)
+    place: Any = traitlets.List(allow_none=True, default_value=None).tag(
+        sync=True, echo_update=False
+    )
     section = traitlets.Dict().tag(sync=True)
     cut: Any = traitlets.List().tag(sync=True)
     box: Any = traitlets.List().tag(sync=True)
