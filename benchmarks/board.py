@@ -60,6 +60,7 @@ def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, flo
     """
     board = page.locator(".kinoedu-board").nth(number)
     board.scroll_into_view_if_needed()
+    board.locator(".kinoedu-reset").click()  # all rounds begin with the same scene
     page.wait_for_timeout(500)
     box = board.locator(f"[data-thing={name}]").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2

@@ -36,7 +36,7 @@ const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
 const BATCH = 64;             // segments that are painted at once: very long paths take longer
-const MANY = 500, THIN = 1;   // more segments than this are painted at most so wide, in pixels
+const MANY = 200, THIN = 1;   // more segments than this are painted at most so wide, in pixels
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const RING = 13;              // pixels: the radius of a ring round a handle that hides a dot
