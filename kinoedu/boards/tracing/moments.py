@@ -118,8 +118,12 @@ def rows_over_time(values: Sequence[Variable | None]) -> tuple[Array, list[int],
     """
     rows, when, until = list[Array](), list[int](), list[int]()
     present = list[int]()  # the indices of the rows that are there now
+    last = nothing = np.empty((0, 2))
     for step, value in enumerate(values, start=1):
-        now = np.empty((0, 2)) if value is None or value.points is None else value.points
+        now = nothing if value is None or value.points is None else value.points
+        if np.array_equal(now, last):
+            continue
+        last = now
         same = count_same([rows[k] for k in present], now)
         for k in present[same:]:
             until[k] = step

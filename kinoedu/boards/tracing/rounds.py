@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from types import CodeType
 
 Names = frozenset[str]
@@ -16,24 +17,23 @@ Names = frozenset[str]
 
 @dataclass(frozen=True)
 class Loop:
-    """A loop: the line of its head, those of its body, and the variables that only it assigns."""
+    """A loop: the lines of its body, and the variables that only it assigns."""
 
-    head: int
     body: range
     names: Names
 
 
 @dataclass(frozen=True)
 class Rounds:
-    """The loops of a function, and the variables that each of its lines assigns."""
+    """The loops of a function by the lines of their heads, and what each line assigns."""
 
-    loops: Sequence[Loop]
+    loops: Mapping[int, Loop]
     assigned: Mapping[int, Names]
 
     def begun_by(self, line: int, following: int) -> Names:
         """The variables of the loop of which a round begins, where a line is its head."""
-        loops = [loop for loop in self.loops if loop.head == line and following in loop.body]
-        return frozenset[str]().union(*(loop.names for loop in loops))
+        loop = self.loops.get(line)
+        return loop.names if loop is not None and following in loop.body else frozenset()
 
     def find_old(self, lines: Sequence[int], changed: Sequence[Collection[str]]) -> list[Names]:
         """The variables with a value of an earlier round, after each line that has run.
@@ -49,12 +49,13 @@ class Rounds:
         return found
 
 
-def find_rounds(lines: Sequence[str]) -> Rounds:
+@lru_cache(maxsize=100)
+def find_rounds(lines: tuple[str, ...]) -> Rounds:
     """The rounds of a function with these lines.
 
     Examples
     --------
-    >>> rounds = find_rounds(["def count(n):", "    for i in range(n):", "        j = 2 * i"])
+    >>> rounds = find_rounds(("def count(n):", "    for i in range(n):", "        j = 2 * i"))
     >>> rounds.find_old([1, 2, 1, 2], [["i"], ["j"], ["i"], ["j"]])
     [frozenset(), frozenset(), frozenset({'j'}), frozenset()]
     """
@@ -65,12 +66,12 @@ def find_rounds(lines: Sequence[str]) -> Rounds:
             line = statement.lineno - 1
             assigned[line] = assigned.get(line, frozenset()) | names_assigned_by(statement)
     given = frozenset(node.arg for node in ast.walk(tree) if isinstance(node, ast.arg))
-    loops = [
-        Loop(node.lineno - 1, range(node.body[0].lineno - 1, end_of(node.body)), frozenset())
-        for node in ast.walk(tree)
-        if isinstance(node, ast.For | ast.While)
-    ]
-    return Rounds([with_names(loop, assigned, given) for loop in loops], assigned)
+    loops = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.For | ast.While):
+            head, body = node.lineno - 1, range(node.body[0].lineno - 1, end_of(node.body))
+            loops[head] = Loop(body, names_only_in([head, *body], assigned, given))
+    return Rounds(loops, assigned)
 
 
 def end_of(body: Sequence[ast.stmt]) -> int:
@@ -90,15 +91,15 @@ def names_assigned_by(statement: ast.stmt) -> Names:
     return frozenset(stored)
 
 
-def with_names(loop: Loop, assigned: Mapping[int, Names], given: Names) -> Loop:
-    """A loop with the variables that are assigned in it and nowhere else."""
+def names_only_in(lines: Collection[int], assigned: Mapping[int, Names], given: Names) -> Names:
+    """The variables that are assigned in some lines and nowhere else."""
     inside, outside = frozenset[str](), given
     for line, names in assigned.items():
-        if line == loop.head or line in loop.body:
+        if line in lines:
             inside |= names
         else:
             outside |= names
-    return Loop(loop.head, loop.body, inside - outside)
+    return inside - outside
 
 
 def with_expressions(old: Names, expressions: Mapping[str, CodeType]) -> Names:
