@@ -8,7 +8,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext, suppress
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -94,14 +94,16 @@ def slide(page: Any, _: str, seconds: float) -> dict[str, float]:
 
 
 def warm(page: Any, pull: Callable[..., Any], name: str, seconds: float = 120.0) -> None:
-    """Drag until it is answered, or for so long: what was not compiled yet is compiled
-    meanwhile.
+    """Drag until two drags in a row are answered, or for so long: what was not compiled yet is
+    compiled meanwhile, and after a very slow answer a board asks only when nothing is dragged.
     """
-    until = time.perf_counter() + seconds
-    while time.perf_counter() < until:
-        with suppress(Unanswered):
-            pull(page, name, 2.0)
-            return
+    until, answered = time.perf_counter() + seconds, 0
+    while answered < 2 and time.perf_counter() < until:
+        try:
+            pull(page, name, 1.0)
+            answered += 1
+        except Unanswered:
+            answered = 0
 
 
 class Unanswered(RuntimeError):
