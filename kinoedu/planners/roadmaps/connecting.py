@@ -169,7 +169,7 @@ def join_in_order(
     for i in order:
         for pair in range(first[i], first[i + 1]):
             j = to[pair]
-            tried_before = j < i and np.any(to[first[j] : first[j + 1]] == i)
+            tried_before = j < i and i in to[first[j] : first[j + 1]]
             if not tried_before and problem.is_free_path(nodes[i], nodes[j]):
                 cost_of_pair[pair] = problem.motion_cost(nodes[i], nodes[j])
                 size += 1
