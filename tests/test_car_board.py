@@ -106,7 +106,7 @@ def test_without_a_path_the_board_says_why():
 @pytest.mark.parametrize("planner", DRAGGED)
 def test_while_dragged_a_tree_has_its_first_iterations(planner, monkeypatch):
     """It says so; at rest the same tree has grown on, and challenges are judged by it."""
-    monkeypatch.setitem(DRAGGED, "rrt", 20)  # of 300 it needs fewer here
+    monkeypatch.setitem(DRAGGED, "rrt", 20)  # with those that it has, it finds a path here
     made = car_board(problem_of(goal=(20.0, 14.0, 0.0)), planner, rng=3)
     nodes = Challenge("Grow.", lambda board, _: (board.plan is not None, str(count(board.plan))))
     challenge(made, nodes)

@@ -160,7 +160,7 @@ def test_the_code_stands_beside_the_picture():
     assert listing["lines"][0] == "def nearest_on(q, p1, p2):" and "way" in listing["lines"][1]
     assert listing["ran"] == [1, 2, 3, 4] and message["total"] == 4
     assert listing["changes"][1] == {"t": "0.5"} and listing["changes"][2] == {}
-    assert made.drawing.text == "nearest_on returns (3, 0)"
+    assert made.drawing.text == "nearest_on returns (3, 0)" and listing["legend"] == ""
     kinds = {layer.kind for layer in made.drawing.layers}
     assert kinds == {"arrows", "labels"}
 
@@ -203,6 +203,7 @@ def test_the_motions_that_a_function_asks_about_are_drawn():
     nodes = [np.array([1.0, 1.0]), np.array([3.0, 3.0])]
     made = code_board(extend, walled(), nodes, (8.0, 3.0), 2.0, points={"q_near": "nodes[near]"})
     assert made.drawing.text == "extend returns None"
+    assert "Dashed grey motions were refused" in made.drawing.listing.legend
     thin, thick = (layer for layer in made.drawing.layers if layer.kind == "edges")
     assert (thin.colour, thick.colour) == ("obstacle", "contact")
     asks = 3  # the third line that runs
@@ -594,6 +595,8 @@ def test_a_search_expands_its_nodes_with_its_lines(search):
         if one.when is not None:
             assert len(shown(other, lit.total)) == len(shown(one, plain.total))
             assert len(shown(other, 0)) == len(shown(one, 0))
+    named = {text for layer in lit.layers if layer.kind == "labels" for text in layer.texts}
+    assert {"u", "v"} <= named
 
 
 def test_a_trace_that_is_full_keeps_the_line_that_fails_later():

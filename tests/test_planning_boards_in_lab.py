@@ -1,8 +1,14 @@
 """The boards of bugs, of the sweep line and of searches in a real JupyterLab."""
 
+import io
+
+import numpy as np
 import pytest
 from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
+from PIL import Image, ImageColor
 from test_board_in_lab import Seen
+
+from kinoedu.figures import palette
 
 BUG = (
     "import kinoedu as ke\nke.boards.bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, "
@@ -22,11 +28,19 @@ CODE = """def nearest_on(q, p1, p2):
     return p1 + t * way
 ke.boards.code_board(nearest_on, (3.0, 4.0), (0.0, 0.0), (6.0, 0.0), first=2)"""
 ROUNDS = """def walk(q, n):
+    begin = q.copy()
     for _ in range(n):
         step = q / 4
         q = q + step
     return q
-ke.boards.code_board(walk, (4.0, 0.0), 2, first=4, window=((0, -1), (8, 1)))"""
+ke.boards.code_board(walk, (4.0, 0.0), 2, first=5, window=((0, -1), (8, 1)))"""
+LINES = """from kinoedu.boards.core.drawing import Drawing, edges
+from kinoedu.boards.core.scene import make_scene
+places = np.linspace((0, 0), (8, 0), 400)
+def draw(scene):
+    lines = np.stack([places[:-1], places[1:]], axis=1)
+    return Drawing([edges(lines + (0, 1), "hit", width=12), edges(lines - (0, 1), "hit")])
+ke.boards.Canvas(make_scene((0, -2), (8, 2)), draw)"""
 SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), search='astar')"
 
 
@@ -35,7 +49,7 @@ def page(tmp_path_factory):
     """One JupyterLab for all; the bugs' world is board 0, its plot board 1."""
     needs_chromium()
     course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    book = written_notebook(BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS)
+    book = written_notebook(BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS, LINES)
     (course / "planning.ipynb").write_text(book)
     with (
         lab(course, home) as (address, token),
@@ -122,8 +136,39 @@ def test_a_value_of_the_round_before_says_so(page):
     old = seen.board.locator(".kinoedu-old")
     assert old.all_inner_texts() == ["step\t(1, 0) of the round before"]
     seen.board.get_by_role("button", name="run the next line").click()
-    seen.until("root.dataset.step === '5'")
+    seen.until("root.dataset.step === '6'")
     assert old.count() == 0 and "step\t(1.25, 0)" in seen.board.inner_text()
+
+
+def painted(seen):
+    """The colours on a board's canvas, (rows, columns, 3)."""
+    return np.asarray(Image.open(io.BytesIO(seen.pixels())).convert("RGB")).astype(int)
+
+
+IS_RINGED = """(() => {
+    const canvas = root.querySelector('canvas'), pen = canvas.getContext('2d');
+    const [box, dot] = [canvas, root.querySelector('[data-thing=handle-0]')].map(
+        (element) => element.getBoundingClientRect());
+    const [x, y] = [dot.x + dot.width / 2 - box.x, dot.y + dot.height / 2 - box.y];
+    const angles = [...Array(60).keys()].map((k) => k * Math.PI / 30);
+    return angles.filter((angle) => {
+        const at = [x + 13 * Math.cos(angle), y + 13 * Math.sin(angle)];
+        const pixel = pen.getImageData(...at.map((p) => p * canvas.width / box.width), 1, 1).data;
+        return colour.every((part, k) => Math.abs(part - pixel[k]) < 60);
+    }).length > 40; })()"""
+
+
+def test_a_point_that_a_handle_hides_has_a_ring(page):
+    """In its colour: `begin` is where q is, which can be dragged."""
+    Seen(page, 6).until(IS_RINGED, colour=ImageColor.getrgb(palette.NAMED["tree"]))
+
+
+def test_many_lines_keep_their_width_unless_they_are_fine(page):
+    """Those of a roadmap are painted one pixel wide, a walk's are not."""
+    pixels = painted(Seen(page, 7))
+    column = pixels[20:-20, pixels.shape[1] // 2]  # without the frame
+    wide, fine = np.array_split((column < 250).any(axis=1), 2)  # above and below the middle
+    assert 12 <= wide.sum() <= 13 and 1 <= fine.sum() <= 2
 
 
 @pytest.fixture

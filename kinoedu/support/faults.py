@@ -46,7 +46,10 @@ def describe_exception(error: BaseException, who: str) -> str:
 
 
 def is_readers_code(file: str) -> bool:
-    """Whether code is a reader's, and known: not this package's, nor Python's, nor a library's."""
+    """Whether code is a reader's, with a source that is known.
+
+    It is not this package's, nor Python's, nor a library's, such as numpy's compiled parts.
+    """
     return (
         bool(linecache.getlines(file))
         and {PACKAGE, PYTHON}.isdisjoint(Path(file).parents)

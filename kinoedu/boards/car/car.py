@@ -64,8 +64,8 @@ def car_board(
 ) -> CarBoard:
     """Set a car's start and goal pose, and see its motion planned and driven; or drive yourself.
 
-    While something is dragged, a planner does its first iterations only, and the text
-    says so; the others follow when everything rests.
+    While something is dragged, a planner does its first iterations only, and the text says so; the
+    others follow when everything rests.
 
     Press on the ground to set the goal, with Shift the start, and pull its heading; or drag places,
     tips and obstacles. A pose that is not free is refused, with the reason, and returns to where it

@@ -36,7 +36,7 @@ const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
 const BATCH = 64;             // segments that are painted at once: very long paths take longer
-const MANY = 200, THIN = 1;   // more segments than this are painted at most so wide, in pixels
+const MANY = 200, FINE = 1.5; // more segments than this, if so narrow, are painted one pixel wide
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
 const RING = 13;              // pixels: the radius of a ring round a handle that hides a dot
@@ -965,10 +965,10 @@ class View {
     const { brief, total } = board.drawing, pale = board.isPale();
     const complete = brief || board.step >= total;
     const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
-    const paint = (wanted) => {
+    const paint = (wanted, by = (layer) => this[`paint_${layer.kind}`]?.(layer)) => {
       wanted.forEach((layer) => {
         pen.globalAlpha = (pale ? 0.35 : 1) * this.strength(layer.colour);
-        this[`paint_${layer.kind}`]?.(layer);
+        by(layer);
       });
       pen.globalAlpha = 1;
     };
@@ -988,10 +988,8 @@ class View {
       pen.globalAlpha = this.strength(handle.colour);
       this.paintHandle(handle);
     });
-    layers.filter(({ kind, casing }) => kind === "dots" && casing).forEach((layer) => {
-      this.paintRings(layer);
-    });
-    pen.globalAlpha = 1;
+    const ringed = layers.filter(({ kind, casing }) => kind === "dots" && casing);
+    paint(ringed, (layer) => this.paintRings(layer));
   }
 
   // A ring in the colour of each dot that a handle hides, such as q_near where it is the start.
@@ -1165,11 +1163,12 @@ class View {
   }
 
   paint_edges(layer) {
-    const { pen, left, bottom } = this, many = layer.data.length > MANY * this.stride(layer, 4);
+    const { pen, left, bottom } = this, { data, width } = layer;
     // lines of one pixel, and without round ends, are painted in a tenth of the time
-    const style = many ? { ...layer, width: Math.min(layer.width, THIN) } : layer;
+    const fine = width < FINE && data.length > MANY * this.stride(layer, 4);
+    const style = fine ? { ...layer, width: Math.min(width, 1) } : layer;
     let segments = 0;
-    pen.lineCap = many ? "butt" : "round";
+    pen.lineCap = fine ? "butt" : "round";
     pen.beginPath();
     this.eachRow(layer, 4, (px, py, x, y) => {
       pen.moveTo(px, py);
@@ -1624,7 +1623,7 @@ class Code {
       line.disabled = !ran.has(k);
       if (k === now) line.ariaCurrent = "step"; else line.ariaCurrent = null;
     });
-    this.hint.textContent = [board.words.coded, listing.legend].filter(Boolean).join(" ");
+    write(this.hint, [board.words.coded, listing.legend].filter(Boolean).join(" "));
     this.back.disabled = board.step <= 0;
     this.on.disabled = board.step >= total;
     this.list(listing);

@@ -79,7 +79,7 @@ _answering = threading.RLock()
 def widget_script(file: Path) -> str:
     """A widget's script, after what the scripts of all widgets use."""
     common = CORE / "common.js"
-    return common.read_text(encoding="utf-8") + file.read_text(encoding="utf-8")
+    return "\n".join(part.read_text(encoding="utf-8") for part in (common, file))
 
 
 class Canvas(anywidget.AnyWidget):

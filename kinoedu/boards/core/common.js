@@ -28,4 +28,3 @@ function keepIcon() {
   clearTimeout(keepIcon.ending);
   keepIcon.ending = setTimeout(() => rename(SET_ASIDE, ICON), REST);
 }
-

@@ -191,7 +191,6 @@ class Solid {
 
   measure() {                            // not in each paint, which would lay out the page anew
     this.sizes = new Map([this.solid, this.slice].map((canvas) => [canvas, canvas.clientWidth]));
-    this.seen = null;
   }
 
   pen(canvas) {
@@ -233,7 +232,7 @@ class Solid {
   // They stay the same while only the plane moves.
   look(size) {
     const { azimuth, height, zoom, unit, faces } = this, view = { azimuth, height, zoom, size };
-    if (this.seen && same(this.seen.view, view)) return this.seen;
+    if (same(this.seen?.view, view)) return this.seen;
     const at = new Float32Array(unit.length), towards = [];
     for (let i = 0; i < unit.length; i += 3) {
       at.set(this.projected(unit.subarray(i, i + 3), size), i);

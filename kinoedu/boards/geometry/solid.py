@@ -156,11 +156,8 @@ class SolidBoard(anywidget.AnyWidget):
     vertices = traitlets.Bytes().tag(sync=True)
     faces = traitlets.Bytes().tag(sync=True)
     colours = traitlets.Bytes().tag(sync=True)
-    # a page that has moved the plane or the point need not be told so
-    theta = traitlets.Float().tag(sync=True, echo_update=False)
-    place: Any = traitlets.List(allow_none=True, default_value=None).tag(
-        sync=True, echo_update=False
-    )
+    theta = traitlets.Float().tag(sync=True)
+    place: Any = traitlets.List(allow_none=True, default_value=None).tag(sync=True)
     section = traitlets.Dict().tag(sync=True)
     cut: Any = traitlets.List().tag(sync=True)
     box: Any = traitlets.List().tag(sync=True)

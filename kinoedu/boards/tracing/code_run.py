@@ -151,7 +151,8 @@ class CodeRun:
         moments = [moment for moment in self.trace.moments if moment.line in code]
         last = Note({}, {}, [], len(self.log))  # of a line that did not end
         kept = [moment.note or last for moment in moments]
-        values, old = [one.variables for one in kept], self.find_old(moments, kept)
+        values = [one.variables for one in kept]
+        old = self.find_old(moments, values)
         notes = [without(note, names) for note, names in zip(values, old)]
         robot = self.look.robot
         chosen = choose_colours(notes, dragged, with_poses=robot is not None)
@@ -170,8 +171,8 @@ class CodeRun:
             [[*code].index(moment.line) for moment in moments],
             [list_values(moment, note) for moment, note in zip(moments, values)],
             colours,
-            old,
-            get_message("board.code.asked") if self.log else "",
+            old=old,
+            legend=get_message("board.code.asked") if self.log else "",
         )
         first = self.look.first
         return Drawing(
@@ -184,12 +185,11 @@ class CodeRun:
             first=None if first is None else min(first, len(moments)),
         )
 
-    def find_old(self, moments: Sequence[Moment], kept: Sequence[Note]) -> list[Names]:
+    def find_old(self, moments: Sequence[Moment], notes: Sequence[Noted]) -> list[Names]:
         """The variables that have a value of an earlier round after each line."""
-        notes = [one.variables for one in kept]
         changed = [
-            [name for name, one in note.items() if name in last and last[name].text != one.text]
-            for last, note in zip([Noted(), *notes], notes)
+            {name for name, one in note.items() if name in last and last[name].text != one.text}
+            for last, note in zip([{}, *notes], notes)
         ]
         lines = [moment.line for moment in moments]
         old = find_rounds(self.trace.source.lines).find_old(lines, changed)
@@ -282,7 +282,7 @@ def has_pose(note: Noted, name: str) -> bool:
 
 
 def without(named: Mapping[str, T], names: Collection[str]) -> dict[str, T]:
-    """What has another name."""
+    """What is left of a mapping without some names."""
     return {name: one for name, one in named.items() if name not in names}
 
 

@@ -121,7 +121,7 @@ def rows_over_time(values: Sequence[Variable | None]) -> tuple[Array, list[int],
     last = nothing = np.empty((0, 2))
     for step, value in enumerate(values, start=1):
         now = nothing if value is None or value.points is None else value.points
-        if np.array_equal(now, last):
+        if np.array_equal(now, last):  # as after most lines
             continue
         last = now
         same = count_same([rows[k] for k in present], now)

@@ -38,20 +38,24 @@ class Rounds:
     def find_old(self, lines: Sequence[int], changed: Sequence[Collection[str]]) -> list[Names]:
         """The variables with a value of an earlier round, after each line that has run.
 
-        changed : the variables whose value has changed with each line, as a list that has grown.
+        Parameters
+        ----------
+        lines : the lines that have run, in order, as indices from 0.
+        changed : the variables whose value has changed with each of them: a list that has grown is
+            new too, though no line assigns it.
         """
-        old, given, found = frozenset[str](), frozenset[str](), []
+        old, seen, found = frozenset[str](), frozenset[str](), []
         for line, following, new in zip(lines, [*lines[1:], -1], changed):
-            old |= given & self.begun_by(line, following)
+            old |= seen & self.begun_by(line, following)
             now = self.assigned.get(line, frozenset()) | frozenset(new)
-            old, given = old - now, given | now
+            old, seen = old - now, seen | now
             found.append(old)
         return found
 
 
 @lru_cache(maxsize=100)
 def find_rounds(lines: tuple[str, ...]) -> Rounds:
-    """The rounds of a function with these lines.
+    """The loops of a function, from the lines of its source.
 
     Examples
     --------
