@@ -934,7 +934,7 @@ class View {
       this.copied?.getContext("2d").drawImage(canvas, 0, 0);
     }
     this.pointer.show();
-    this.placeButtons();
+    if (!this.grabs.size) this.placeButtons();   // moved during a drag, they cost a new layout
     this.showState(board.isLate());
     this.code.show();
     this.paints += 1;
