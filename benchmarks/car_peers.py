@@ -93,15 +93,15 @@ def compiled_for(problem: ProblemRecord) -> tuple[Callable[..., Any], Callable[.
     """Where a drive leads, and whether a pose is free, compiled for one car in one world, whose
     arrays become constants.
     """
-    import numba
+    from compiling import njit
 
     robot, world, wheelbase = problem.robot, problem.world, problem.robot.wheelbase
 
-    @numba.njit
+    @njit
     def step(x, y, theta, gear, phi, seconds):  # type: ignore[no-untyped-def]
         return drive_arc(x, y, theta, seconds if gear >= 0.0 else -seconds, np.tan(phi) / wheelbase)
 
-    @numba.njit
+    @njit
     def free(x, y, theta):  # type: ignore[no-untyped-def]
         return is_free(robot, world, np.array([x, y, theta]), 0.0)
 

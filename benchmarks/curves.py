@@ -59,11 +59,11 @@ def kinoedu(curve: Callable[..., ke.curves.Curve]) -> Contestant:
 
 def in_compiled_code(both_ways: bool) -> Contestant:
     """The distance that planners ask for, in compiled code."""
-    import numba
+    from compiling import njit
 
     space = CurveSpace(np.full(3, -100.0), np.full(3, 100.0), RADIUS, both_ways)
 
-    @numba.njit
+    @njit
     def lengths(pairs):  # type: ignore[no-untyped-def]
         found = np.empty(len(pairs))
         for i in range(len(pairs)):

@@ -8,9 +8,9 @@ is not.
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import numba
 import numpy as np
 from certify import arc, is_free_motion, scenery_of
+from compiling import njit
 from random_problems import robot_at_random, world_at_random
 from timing import Contestant, measure, report, run
 
@@ -52,7 +52,7 @@ def case_of(seed: int) -> Case:
     )
 
 
-@numba.njit
+@njit
 def judged_whole(car, world, poses, lengths, curvatures):  # type: ignore[no-untyped-def]
     """One question a drive."""
     free = np.empty(len(poses), np.bool_)
@@ -61,7 +61,7 @@ def judged_whole(car, world, poses, lengths, curvatures):  # type: ignore[no-unt
     return free
 
 
-@numba.njit
+@njit
 def judged_in_steps(car, world, poses, lengths, curvatures):  # type: ignore[no-untyped-def]
     """The pose after each step, up to the first that is not free."""
     free = np.ones(len(poses), np.bool_)

@@ -18,14 +18,11 @@ def compiled_test(problem: ProblemRecord) -> FreeMotion:
     """Whether the motion from (ax, ay) to (bx, by) is free, compiled for one world, whose arrays
     become constants.
     """
-    import numba
+    from compiling import njit
 
-    from kinoedu.compiled.compiler import register_choices
-
-    register_choices()  # numba learns which implementation of is_free_path is for which records
     robot, world, clearance = problem.robot, problem.world, problem.clearance
 
-    @numba.njit
+    @njit
     def free(ax, ay, bx, by):  # type: ignore[no-untyped-def]
         return is_free_path(robot, world, np.array([ax, ay]), np.array([bx, by]), clearance)
 

@@ -378,3 +378,19 @@ def test_sizes_double_and_every_time_is_written(small_heap, tmp_path, monkeypatc
     save_growth([curve] * 5, tmp_path / "growth.png")
     with Image.open(tmp_path / "growth.png") as image:
         assert image.size == (1600, 700)
+
+
+def test_a_benchmarks_own_function_may_call_kinoedus_in_machine_code():
+    """In a process in which kinoedu has compiled nothing."""
+    code = (
+        "import numpy as np; from compiling import njit; from kinoedu.spaces import distance\n"
+        "from kinoedu.spaces import RealSpace\n"
+        "space = RealSpace(np.zeros(2), np.ones(2))\n"
+        "@njit\n"
+        "def far(space, a, b): return distance(space, a, b)\n"
+        "print(far(space, np.zeros(2), np.array([0.3, 0.4])))"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", code], cwd=BENCHMARKS, capture_output=True, text=True, check=False
+    )
+    assert (ran.stdout, ran.stderr) == ("0.5\n", "")
