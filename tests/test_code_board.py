@@ -243,6 +243,35 @@ def test_values_of_an_earlier_round_are_told_from_new_ones():
     assert told[0] == [] and told[1] is None and ["half"] in told
 
 
+def paired(names):
+    pairs = []
+    for name, number in zip(
+        names,
+        range(len(names)),
+    ):
+        pair = name, number
+        pairs.append(pair)
+    while (
+        pairs  # a condition may have several lines, too
+        and len(pairs) > 1
+    ):
+        last = pairs.pop()
+        first = last[0]
+    return first
+
+
+def test_the_head_of_a_loop_may_have_several_lines():
+    """A round begins after the last of them, in a `for` and in a `while`."""
+    made = code_board(paired, ["a", "b", "c"], window=((0, 0), (1, 1)))
+    old = made.drawing.listing.old
+    ran = [made.drawing.listing.lines[line].strip() for line in made.drawing.listing.ran]
+    then = list(zip(ran, ran[1:], strict=False))
+    entered = [k for k, pair in enumerate(then) if pair[1] == "pair = name, number"]
+    assert [set(old[k]) for k in entered] == [set(), {"pair"}, {"pair"}]
+    entered = [k for k, pair in enumerate(then) if pair[1] == "last = pairs.pop()"]
+    assert [set(old[k]) for k in entered] == [set(), {"last", "first"}]
+
+
 def walk(q, n):
     for _ in range(n):
         step = q / 4

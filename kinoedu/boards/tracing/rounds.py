@@ -25,13 +25,13 @@ class Loop:
 
 @dataclass(frozen=True)
 class Rounds:
-    """The loops of a function by the lines of their heads, and what each line assigns."""
+    """The loops of a function by each line of their heads, and what each line assigns."""
 
     loops: Mapping[int, Loop]
     assigned: Mapping[int, Names]
 
     def begun_by(self, line: int, following: int) -> Names:
-        """The variables of the loop of which a round begins, where a line is its head."""
+        """The variables of the loop of which a round begins, where a line is of its head."""
         loop = self.loops.get(line)
         return loop.names if loop is not None and following in loop.body else frozenset()
 
@@ -70,11 +70,12 @@ def find_rounds(lines: tuple[str, ...]) -> Rounds:
             line = statement.lineno - 1
             assigned[line] = assigned.get(line, frozenset()) | names_assigned_by(statement)
     given = frozenset(node.arg for node in ast.walk(tree) if isinstance(node, ast.arg))
-    loops = {}
+    loops = dict[int, Loop]()
     for node in ast.walk(tree):
         if isinstance(node, ast.For | ast.While):
-            head, body = node.lineno - 1, range(node.body[0].lineno - 1, end_of(node.body))
-            loops[head] = Loop(body, names_only_in([head, *body], assigned, given))
+            begin, body = node.lineno - 1, range(node.body[0].lineno - 1, end_of(node.body))
+            loop = Loop(body, names_only_in(range(begin, body.stop), assigned, given))
+            loops |= dict.fromkeys(range(begin, body.start), loop)
     return Rounds(loops, assigned)
 
 
