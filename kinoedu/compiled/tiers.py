@@ -82,20 +82,13 @@ class TieredFunction:
         TIERED.append(self)
 
     def __call__(self, *args: Any) -> Any:
+        if thread_state.interpreting or self.is_traced or modes.mode is modes.INTERPRETED:
+            return self.py_func(*args)
         machine = self.machine
-        if (
-            machine is None
-            or self.is_traced
-            or thread_state.interpreting
-            or modes.mode is modes.INTERPRETED
-        ):
-            return self.without_machine_code(*args)
-        return machine(*args)
+        return self.without_machine_code(*args) if machine is None else machine(*args)
 
     def without_machine_code(self, *args: Any) -> Any:
         """Run a call for whose kinds no machine code is loaded."""
-        if self.is_traced or thread_state.interpreting or modes.mode is modes.INTERPRETED:
-            return self.py_func(*args)
         kinds = kinds_of(args)
         if kinds is None:
             return self.py_func(*args)
