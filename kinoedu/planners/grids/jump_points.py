@@ -45,12 +45,13 @@ SPREAD = np.unpackbits(BYTES, axis=1, bitorder="little").view(np.uint64).ravel()
 TURNS = (8, 10, 12, 14, 16, 16, 16, 16, 16)  # beyond the table where there are none
 # the bits of a cell at which a jump in direction k stops
 STOPS = (0x300, 0xC00, 0x3000, 0xC000, *(1 << a | 1 << b for a, b in PARTS))
+ALL_STOP = 0xFF0F  # the bits of a cell at which a jump in any direction stops
 
 
 class JumpPoints(NamedTuple):
     """The graph of the jump points on a grid; its nodes are the cells.
 
-    table : (nodes,), 16 bits of each cell; `goal` is a jump point too.
+    table : (nodes,), 16 bits of each cell; the goal is a jump point too.
     worth : (36,), of each direction of arrival and of each pair of turns there, the directions that
         are worth following, as 8 bits.
     listed : (256, 9), 8 bits as a list: how many are set, and which.
@@ -59,7 +60,6 @@ class JumpPoints(NamedTuple):
     table: NDArray[np.uint16]
     side: float
     columns: int
-    goal: int
     worth: NDArray[np.int64]
     listed: NDArray[np.int64]
 
@@ -82,10 +82,10 @@ def jump(points: JumpPoints, u: int, k: int) -> tuple[int, float]:
     Ahead of a straight path its bit says that there is one; a diagonal path looks at each cell.
     """
     table, step = points.table, COLUMN_STEP[k] + ROW_STEP[k] * points.columns
-    v, moves = u, 0
+    v, moves, stops = u, 0, STOPS[k]
     while table[v] >> k & 1:
         v, moves = v + step, moves + 1
-        if v == points.goal or table[v] & STOPS[k]:
+        if table[v] & stops:
             return v, moves * (points.side if k < STRAIGHT else SQRT2 * points.side)
     return -1, np.inf
 
@@ -132,7 +132,8 @@ def points_towards(
         while free[goal] and free[u]:
             table[u] |= np.uint16(1 << k)
             u += back
-    return JumpPoints(table, side, columns, goal, WORTH.copy(), LISTED.copy())
+    table[goal] |= np.uint16(ALL_STOP)
+    return JumpPoints(table, side, columns, WORTH.copy(), LISTED.copy())
 
 
 @lru_cache(maxsize=2)
