@@ -12,7 +12,7 @@ import kinoedu as ke
 from kinoedu.collision import paint_configuration_space
 
 SECONDS = 40
-GOALS = {"shapely": Goal(at_least=40)}
+GOALS = {"shapely": Goal(at_least=100)}
 N, L1, L2, WIDTH = 360, 1.5, 1.2, 0.2
 
 

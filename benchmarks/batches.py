@@ -177,14 +177,14 @@ def main(repeats: int = 11) -> None:
     for name, make in (("24 convex polygons", standard), ("200 polygons", many)):
         cases = list(map(make, range(3)))
         for title, questions, times in (
-            (f"{POINTS:,} points among {name}", points(), 8),
+            (f"{POINTS:,} points among {name}", points(), 10),
             (
                 f"{POINTS:,} points among {name}, which are given as arrays",
                 points_from_polygons(),
                 None,
             ),
             (f"one point among {name}, which are given as arrays", first_points(), None),
-            (f"{POINTS:,} segments against {name}", segments(), 5),
+            (f"{POINTS:,} segments against {name}", segments(), 6),
         ):
             compare(title, questions, cases, times, repeats)
     for name, span in (("that are near", 2.0), ("of which most are far apart", 20.0)):
@@ -192,8 +192,8 @@ def main(repeats: int = 11) -> None:
             f"{PAIRS:,} pairs of convex polygons {name}",
             [pairs(span, seed) for seed in range(3)],
         )
-        compare(title, convex_pairs(), cases, 10, repeats)
-        compare(f"{title}, which are given as arrays", pairs_from_arrays(), cases, 10, repeats)
+        compare(title, convex_pairs(), cases, 14, repeats)
+        compare(f"{title}, which are given as arrays", pairs_from_arrays(), cases, 14, repeats)
 
 
 def compare(

@@ -14,7 +14,7 @@ import kinoedu as ke
 SECONDS = 120
 SIZE, BLOCKS, START, GOAL = 512, 120, 2, 508
 PYTHON_MOTION_PLANNING = "python-motion-planning"
-GOALS = {"OMPL": Goal(at_least=7), PYTHON_MOTION_PLANNING: Goal(at_least=60)}
+GOALS = {"OMPL": Goal(at_least=8), PYTHON_MOTION_PLANNING: Goal(at_least=70)}
 
 
 def in_town(seed: int) -> Case:

@@ -9,7 +9,7 @@ import kinoedu as ke
 
 SECONDS = 10
 POINTS = 1_000_000
-GOALS = {"scipy": Goal(at_least=10)}
+GOALS = {"scipy": Goal(at_least=20)}
 
 
 def kinoedu() -> Contestant:

@@ -19,9 +19,9 @@ from kinoedu.planners.roadmaps.neighbours import k_closest
 SECONDS = 60
 K = 10
 GOALS = {
-    "C ruler": Goal(at_most=1.2),
-    "pathplanning": Goal(at_least=1.4),
-    "OMPL": Goal(at_least=3.5),
+    "C ruler": Goal(at_most=1.1),
+    "pathplanning": Goal(at_least=1.5),
+    "OMPL": Goal(at_least=7),
 }
 
 

@@ -20,9 +20,9 @@ from kinoedu.planners.problem_input import new_tree
 SECONDS = 60
 NODES, STEP, BIAS = 5000, 5.0, 0.05
 GOALS = {
-    "C ruler": Goal(at_most=1.3),
+    "C ruler": Goal(at_most=1.1),
     "OMPL": Goal(at_least=10),
-    "PythonRobotics": Goal(at_least=500),
+    "PythonRobotics": Goal(at_least=1000),
 }
 
 

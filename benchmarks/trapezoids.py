@@ -15,7 +15,7 @@ from kinoedu.decomposition.trapezoidation import drain
 from kinoedu.worlds.polygon_world import edges_of
 
 SECONDS = 30
-GOALS = {"triangle": Goal(at_most=1.2)}
+GOALS = {"triangle": Goal(at_most=1.0)}
 
 
 class Stars(NamedTuple):
