@@ -47,7 +47,7 @@ from .lit import trace_car_planner
 YOU = "you"
 # The iterations of a planner that a page waits for while something is dragged. The first ones are
 # the same however many follow.
-DRAGGED = {"kinodynamic_rrt": 220, "kinodynamic_prm": 90, "rrt": 230}
+DRAGGED = {"kinodynamic_rrt": 220, "kinodynamic_prm": 90, "rrt": 180}
 VIEWS = ("above", "followed")
 
 
