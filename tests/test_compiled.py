@@ -428,15 +428,13 @@ def test_restarts_as_machine_code_give_the_same_tree(trees, looks, monkeypatch) 
 
 def interpreted_at_first(self: Any, *args: Any) -> Any:
     """Interpret an algorithm though its machine code is loaded; the restart uses machine code."""
-    if self.is_algorithm and kinds_of(args) is not None and not tiers.thread_state.interpreting:
+    if tiers.thread_state.interpreting:
+        return self.py_func(*args)
+    if self.is_algorithm and kinds_of(args) is not None:
         specialization = self.specializations[kinds_of(args)]
         assert specialization.is_loaded
         return specialization.run(args)
-    return (
-        self.without_machine_code(*args)
-        if self.machine is None or tiers.thread_state.interpreting
-        else self.machine(*args)
-    )
+    return self.without_machine_code(*args) if self.machine is None else self.machine(*args)
 
 
 @needs_compiler

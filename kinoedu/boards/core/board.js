@@ -825,6 +825,7 @@ class View {
     if (stop && still) board.call(event.shiftKey ? 0 : 1, board.item(stop));
     else if (stop && isHandle) board.call(thing.i, board.item(stop));      // released near the stop
     board.settle();
+    this.placeButtons();
     this.request();
   }
 
