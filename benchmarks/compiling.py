@@ -11,9 +11,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def njit(function: F) -> F:
-    """Let numba compile a function at its first call. numba learns before which implementation of
-    a generic function, such as is_free, is for which records; kinoedu itself tells it only when it
-    compiles.
+    """Let numba compile a function at its first call.
+
+    numba must know before which implementation of a generic function, such as is_free, is for which
+    records. kinoedu tells it so only when it compiles something itself.
     """
     register_choices()
     return numba.njit(function)  # type: ignore[no-any-return]  # numba has no types

@@ -19,7 +19,8 @@ D. Harabor, A. Grastien, "Online graph pruning for pathfinding on grid maps" (20
 jump point search" (2014); here diagonal moves need two free cells beside them.
 """
 
-from functools import lru_cache
+from functools import lru_cache, reduce
+from operator import or_
 from typing import NamedTuple
 
 import numpy as np
@@ -45,7 +46,7 @@ SPREAD = np.unpackbits(BYTES, axis=1, bitorder="little").view(np.uint64).ravel()
 TURNS = (8, 10, 12, 14, 16, 16, 16, 16, 16)  # beyond the table where there are none
 # the bits of a cell at which a jump in direction k stops
 STOPS = (0x300, 0xC00, 0x3000, 0xC000, *(1 << a | 1 << b for a, b in PARTS))
-ALL_STOP = 0xFF0F  # the bits of a cell at which a jump in any direction stops
+ALL_STOP = reduce(or_, STOPS)  # the bits of a cell at which a jump in any direction stops
 
 
 class JumpPoints(NamedTuple):
