@@ -97,7 +97,7 @@ def fill_van_der_corput(numbers: Array, base: int, start: int) -> None:
             f"number {end - 1:,} has too many digits in base {base:,} to be exact; "
             "use a smaller start"
         )
-    of_k = (reverse_digits(np.arange(block), base, low) * base ** (digits - low)).astype(np.float64)
+    of_k = (all_reversed(base, low) * base ** (digits - low)).astype(np.float64)
     blocks = np.arange(start // block, (end - 1) // block + 1)
     for j, of_j in zip(blocks.tolist(), reverse_digits(blocks, base, digits - low).tolist()):
         first, last = max(j * block, start), min((j + 1) * block, end)
@@ -111,6 +111,17 @@ def digits_needed(base: int, number: int) -> int:
     while base**e < number:
         e += 1
     return e
+
+
+def all_reversed(base: int, digits: int) -> NDArray[np.int64]:
+    """Each of the numbers 0, ..., base^digits - 1 with its digits in reverse order.
+
+    One more digit in front of a number is one more behind its reverse.
+    """
+    reverse = np.zeros(1, np.int64)
+    for _ in range(digits):
+        reverse = np.add.outer(np.arange(base), reverse * base).ravel()
+    return reverse
 
 
 def reverse_digits(numbers: NDArray[np.int64], base: int, digits: int) -> NDArray[np.int64]:
