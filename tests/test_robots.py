@@ -217,10 +217,29 @@ def test_painter_is_link_in_contact(world: Any) -> None:
             assert image.tolist() == [
                 [link_in_contact(arm, (t1, t2), world) for t1 in angles] for t2 in angles
             ]
-    by_hand = paint_image.py_func(
-        arm, world, np.zeros((5, 5), np.int8), contact_size(world.lo, world.hi)
-    )
+    by_hand = paint_image.py_func(arm, world, 5, contact_size(world.lo, world.hi))
     assert (by_hand == paint_configuration_space(arm, world, 5)).all()
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_painter_is_link_in_contact_for_any_base(seed: int) -> None:
+    """Also where the base is in contact or outside the world, and at walls that are not upright."""
+    rng = np.random.default_rng(seed)
+    wide, base = rng.uniform(0.8, 4.0), rng.uniform(-2, 2, 2)
+    at = base if seed % 4 == 0 else rng.uniform(-3, 3, 2)
+    obstacles: list[Any] = [(at, rng.uniform(0.1, 0.8))]
+    at = base if seed % 4 == 1 else rng.uniform(-3, 3, 2)
+    for centre in [at, *rng.uniform(-3, 3, (rng.integers(0, 3), 2))]:
+        turns = rng.uniform(0, 2 * np.pi) + np.array([0.0, 2.0, 4.0])
+        size = rng.uniform(0.2, 1.2, (3, 1))
+        obstacles.append(centre + size * np.column_stack([np.cos(turns), np.sin(turns)]))
+    world = PolygonWorld([(-wide, -wide), (wide, -0.7 * wide), (0.2 * wide, wide)], obstacles)
+    arm = TwoLinkArm(*rng.uniform(0.2, 2, 2), rng.choice([0.0, 0.05, 0.3]), base=base)
+    n = int(rng.integers(1, 30))
+    angles = -np.pi + (np.arange(n) + 0.5) * 2 * np.pi / n
+    assert paint_configuration_space(arm, world, n).tolist() == [
+        [link_in_contact(arm, (t1, t2), world) for t1 in angles] for t2 in angles
+    ]
 
 
 class TestRefused:

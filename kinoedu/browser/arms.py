@@ -90,9 +90,7 @@ def show_arm(scene: SceneArrays, settings: ArmSettings, rng: np.random.Generator
         )
     world, arm = world_of_scene(scene), arm_of(settings)
     q, tip = q_of_scene(arm, scene.handles)
-    image = paint_image(
-        arm, world, np.zeros((CELLS, CELLS), np.int8), contact_size(world.lo, world.hi)
-    )
+    image = paint_image(arm, world, CELLS, contact_size(world.lo, world.hi))
     return pose_arm(arm, world, q, tip, name_regions(image), image.astype(np.float64))
 
 

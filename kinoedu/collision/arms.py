@@ -13,15 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import algorithm, compiled, inlined
 from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
 from ..geometry.checks import Array, as_array
+from ..geometry.exact import height
 from ..geometry.parts import Parts
-from ..geometry.separation import line_towards, nearest_corner
+from ..geometry.separation import line_towards, nearest_corner, pieces_distance
 from ..robots.arm import ArmRobot
 from ..robots.moving import X, Y, place_piece
 from ..spaces.angles import FULL_TURN, wrap_angle
 from ..support.text import shortened
 from ..worlds.checks import World, check_world
 from ..worlds.nearby import obstacles_near, rim
-from .turning import contact_size, first_in_contact, meets_part, piece_in_contact
+from .turning import box_within, contact_size, first_in_contact, meets_part
 
 # radians: cells so near to the end of an interval are tested for collision; the closed form is far
 # more accurate, except where the link only grazes the part
@@ -90,10 +91,10 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
     1/2) * 2 pi / n are the centres of n equal cells: theta1 to the right, theta2 up when row 0 is
     drawn lowest.
 
-    Link 1 depends on theta1 alone. Link 2 rotates about the elbow. The directions in which it meets
-    a convex obstacle are one interval around the direction of the obstacle's nearest point, and the
-    ends of the interval have a closed form; only cells near an end are tested for collision. O(n (n
-    + k)) for k corners within reach, instead of O(n^2 k).
+    Link 1 depends on theta1 alone; for each theta1, link 2 rotates about the elbow. The directions
+    in which a link meets a convex obstacle are one interval around the direction of the obstacle's
+    nearest point, and the ends of the interval have a closed form; only cells near an end are
+    tested for collision. O(n (n + k)) for k corners within reach, instead of O(n^2 k).
 
     Returns
     -------
@@ -122,29 +123,64 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
         )
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
         raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {n!r}")
-    return paint_image(
-        arm, world, np.zeros((int(n), int(n)), np.int8), contact_size(world.lo, world.hi)
-    )
+    return paint_image(arm, world, int(n), contact_size(world.lo, world.hi))
 
 
 @algorithm
-def paint_image(
-    arm: ArmRobot, world: World, image: NDArray[np.int8], contact: float
-) -> NDArray[np.int8]:
-    """Write `paint_configuration_space` into an image of zeros."""
-    n, ring = len(image), rim_parts(rim(world))
-    corners, q, still = np.empty((4, 5)), np.zeros(2), np.zeros(2)
+def paint_image(arm: ArmRobot, world: World, n: int, contact: float) -> NDArray[np.int8]:
+    """`paint_configuration_space` for checked arguments."""
+    image, first = np.zeros((n, n), np.int8), np.zeros(n, np.int8)
+    corners, q = np.empty((4, 5)), np.zeros(2)
+    if base_in_contact(arm, world, contact):
+        first[:] = 1
+    else:
+        paint_link(arm, 0, world, q, contact, corners, first)
     for i1 in range(n):
-        q[0], q[1] = cell_angle(i1, n), 0.0
-        if piece_in_contact(arm, 0, world, q, still, corners, contact, contact):
+        if first[i1] == 1:
             image[:, i1] = 1
-            continue
-        place_piece(arm, 1, q, still, 0.0, corners)
-        x, y, reach = corners[2, X], corners[2, Y], arm.lengths[1] + arm.shape.radius[1] + contact
-        paint_second_link(arm, q, ring, np.arange(len(ring.radius)), contact, corners, image[:, i1])
-        parts, near = obstacles_near(world, x - reach, y - reach, x + reach, y + reach)
-        paint_second_link(arm, q, parts, near, contact, corners, image[:, i1])
-    return image.copy()
+        else:
+            q[0] = cell_angle(i1, n)
+            paint_link(arm, 1, world, q, contact, corners, image[:, i1])
+    return image
+
+
+@compiled
+def base_in_contact(arm: ArmRobot, world: World, contact: float) -> bool:
+    """Whether link 1 is in contact at every angle, because its base is."""
+    base, ring, reach = arm.base.reshape(1, 2), rim(world), arm.shape.radius[0] + contact
+    x, y = base[0, X], base[0, Y]
+    for i in range(len(ring)):
+        if height(ring[i - 1, X], ring[i - 1, Y], ring[i, X], ring[i, Y], x, y) <= reach:
+            return True
+    parts, near = obstacles_near(world, x - reach, y - reach, x + reach, y + reach)
+    for j in near:
+        apart = pieces_distance(base, 0, 1, parts.points, parts.first[j], parts.first[j + 1])
+        if apart <= reach + parts.radius[j]:
+            return True
+    return False
+
+
+@compiled
+def paint_link(
+    arm: ArmRobot,
+    i: int,
+    world: World,
+    q: Array,
+    contact: float,
+    corners: Array,
+    cells: NDArray[np.int8],
+) -> None:
+    """Paint the angles of link i at which it is in contact; the joint where it begins is not."""
+    q[i] = 0.0
+    place_piece(arm, i, q, np.zeros(2), 0.0, corners)
+    x, y = corners[2 * i, X], corners[2 * i, Y]
+    reach, ring = arm.lengths[i] + arm.shape.radius[i] + contact, rim(world)
+    x0, y0, x1, y1 = x - reach, y - reach, x + reach, y + reach
+    if not box_within(x0, y0, x1, y1, ring):
+        walls = rim_parts(ring)
+        paint_parts(arm, i, q, walls, np.arange(len(walls.radius)), contact, corners, cells)
+    parts, near = obstacles_near(world, x0, y0, x1, y1)
+    paint_parts(arm, i, q, parts, near, contact, corners, cells)
 
 
 @compiled
@@ -167,46 +203,52 @@ def cell_angle(i: int, n: int) -> float:
 
 
 @compiled
-def paint_second_link(
+def paint_parts(
     arm: ArmRobot,
+    i: int,
     q: Array,
     parts: Parts,
     near: NDArray[np.int64],
     contact: float,
     corners: Array,
-    column: NDArray[np.int8],
+    cells: NDArray[np.int8],
 ) -> None:
-    """Paint the angles of link 2 at which it meets a part; its elbow touches none of the parts."""
-    n, still = len(column), np.zeros(2)
-    reach = arm.lengths[1] + arm.shape.radius[1] + 2.0 * contact
+    """Paint the angles of link i at which it meets a part.
+
+    Row 2 i of `corners` is the joint where the link begins; it touches none of the parts.
+    """
+    n, still = len(cells), np.zeros(2)
+    size, radius = arm.lengths[i], arm.shape.radius[i] + contact
+    x, y = corners[2 * i, X], corners[2 * i, Y]
+    q[i] = 0.0
+    straight = q[0] + q[1]  # the link's direction where its angle is 0
     for j in near:
-        q[1] = 0.0
-        place_piece(arm, 1, q, still, 0.0, corners)
-        x, y = corners[2, X], corners[2, Y]
+        r = radius + parts.radius[j]
         _, a, b, apart = nearest_corner(
-            corners, 2, 3, parts.points, parts.first[j], parts.first[j + 1]
+            corners, 2 * i, 2 * i + 1, parts.points, parts.first[j], parts.first[j + 1]
         )
-        if apart > reach + parts.radius[j]:
+        if apart > size + r + contact:
             continue
         _, _, nx, ny = line_towards(
             x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y]
         )
         towards = math.atan2(-ny, -nx)
-        ahead = wrap_angle(towards - q[0])
+        ahead = wrap_angle(towards - straight)
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
-        for begin, side in ((below, -1), (below + 1, 1)):
-            r = arm.shape.radius[1] + parts.radius[j] + contact
-            turn = ahead + side * last_contact(parts, j, x, y, arm.lengths[1], r, towards, side)
+        clockwise, counter = last_contacts(parts, j, x, y, size, r, towards)
+        for begin, side, half in ((below, -1, clockwise), (below + 1, 1, counter)):
+            turn = ahead + side * half
             count = cells_in_contact(
-                arm, q, still, corners, parts, j, contact, begin, side, n, turn
+                arm, i, q, still, corners, parts, j, contact, begin, side, n, turn
             )
             for k in range(count):
-                column[(begin + k * side) % n] = 2
+                cells[(begin + k * side) % n] = i + 1
 
 
 @inlined
 def cells_in_contact(
     arm: ArmRobot,
+    i: int,
     q: Array,
     still: Array,
     corners: Array,
@@ -218,20 +260,20 @@ def cells_in_contact(
     n: int,
     turn: float,
 ) -> int:
-    """The number of cells, counted from `begin`, at which link 2 meets part j.
+    """The number of cells, counted from `begin`, at which link i meets part j.
 
     The closed form says that it meets the part up to the angle `turn`; cells near that angle are
     tested for collision. There is no contact beyond a right angle from the part's nearest point.
     """
     most = max(min(n // 4 + 2, n // 2), 1)
     cells = n / FULL_TURN
-    doubt = (DOUBT + 2.0 * math.sqrt(contact / arm.lengths[1])) * cells
+    doubt = (DOUBT + 2.0 * math.sqrt(contact / arm.lengths[i])) * cells
     to_end = side * (turn - cell_angle(begin, n)) * cells
     count = min(max(math.floor(to_end - doubt) + 1, 0), most)
     while count < most and count <= to_end + doubt:
-        q[1] = cell_angle((begin + count * side) % n, n)
+        q[i] = cell_angle((begin + count * side) % n, n)
         if not meets_part(
-            arm, 1, q, still, corners, parts, j, arm.shape.radius[1] + contact, contact
+            arm, i, q, still, corners, parts, j, arm.shape.radius[i] + contact, contact
         ):
             break
         count += 1
@@ -239,27 +281,27 @@ def cells_in_contact(
 
 
 @compiled
-def last_contact(
-    parts: Parts, j: int, x: float, y: float, length: float, r: float, towards: float, side: int
-) -> float:
-    """The largest angle to one side at which a link comes within `r` of part j; radians, >= 0.
+def last_contacts(
+    parts: Parts, j: int, x: float, y: float, length: float, r: float, towards: float
+) -> tuple[float, float]:
+    """The largest angles to either side at which a link comes within `r` of part j.
 
-    The link turns about (x, y), starting in the direction `towards` of the part's nearest point, to
-    the side 1 or -1. At the last contact its end or its flank touches a circle round a corner, or
-    its end crosses the line parallel to an edge.
+    The first is clockwise, the second counter-clockwise; in radians, at least 0. The link turns
+    about (x, y), starting in the direction `towards` of the part's nearest point. At the last
+    contact its end or its flank touches a circle round a corner, or its end crosses the line
+    parallel to an edge.
     """
-    begin, end, last = parts.first[j], parts.first[j + 1], 0.0
-    before = end - 1
+    begin, end = parts.first[j], parts.first[j + 1]
+    clockwise, counter, before = 0.0, 0.0, end - 1
     for k in range(begin, end):
         ax, ay = parts.points[before, X] - x, parts.points[before, Y] - y
         bx, by = parts.points[k, X] - x, parts.points[k, Y] - y
         before = k
-        last = max(
-            last,
-            side * wrap_angle(math.atan2(by, bx) - towards) + angle_at_corner(bx, by, length, r),
-        )
-        last = max(last, angle_at_edge(ax, ay, bx, by, length, r, towards, side))
-    return last
+        turn, half = wrap_angle(math.atan2(by, bx) - towards), angle_at_corner(bx, by, length, r)
+        clockwise, counter = max(clockwise, half - turn), max(counter, half + turn)
+        right, left = angles_at_edge(ax, ay, bx, by, length, r, towards)
+        clockwise, counter = max(clockwise, right), max(counter, left)
+    return clockwise, counter
 
 
 @compiled
@@ -278,31 +320,28 @@ def angle_at_corner(x: float, y: float, length: float, radius: float) -> float:
 
 
 @compiled
-def angle_at_edge(
-    ax: float,
-    ay: float,
-    bx: float,
-    by: float,
-    length: float,
-    offset: float,
-    towards: float,
-    side: int,
-) -> float:
-    """The angle at which the end of a link crosses the line parallel to the edge a-b.
+def angles_at_edge(
+    ax: float, ay: float, bx: float, by: float, length: float, offset: float, towards: float
+) -> tuple[float, float]:
+    """The angles from `towards` at which the end of a link crosses the line parallel to an edge.
 
-    The link begins at the origin; the line lies at this offset on the origin's side. The angle
-    is measured from `towards` to one side; -inf where the end of the link passes beyond the ends of
-    the edge.
+    The first is clockwise, the second counter-clockwise. The link begins at the origin; the line
+    lies at this offset on the origin's side of the edge a-b. -inf where the end of the link passes
+    beyond the ends of the edge.
     """
     ex, ey = bx - ax, by - ay
     size = math.sqrt(ex * ex + ey * ey)
     if size == 0.0:
-        return -np.inf
+        return -np.inf, -np.inf
     # signed: the foot of the perpendicular on the edge's line is (ey, -ex) * apart / size
     apart = (ax * ey - ay * ex) / size
-    if not 0.0 <= abs(apart) - offset <= length:
-        return -np.inf
-    straight, half = math.atan2(-ex * apart, ey * apart), math.acos((abs(apart) - offset) / length)
-    tip = straight + side * half
-    along = ((length * math.cos(tip) - ax) * ex + (length * math.sin(tip) - ay) * ey) / size
-    return side * wrap_angle(straight - towards) + half if 0.0 <= along <= size else -np.inf
+    d = abs(apart) - offset
+    if not 0.0 <= d <= length:
+        return -np.inf, -np.inf
+    turn, half = wrap_angle(math.atan2(-ex * apart, ey * apart) - towards), math.acos(d / length)
+    foot = -(ax * ex + ay * ey) / size  # from a on, along the edge
+    along = math.copysign(math.sqrt(length * length - d * d), apart)
+    return (
+        half - turn if 0.0 <= foot - along <= size else -np.inf,
+        half + turn if 0.0 <= foot + along <= size else -np.inf,
+    )
