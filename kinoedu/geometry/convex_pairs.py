@@ -179,9 +179,7 @@ def pairs_intersect(P: ConvexPolygonsRecord, Q: ConvexPolygonsRecord) -> NDArray
 def boxes_meet(a: Array, b: Array, i: int) -> bool:
     """Whether the boxes a[i] and b[i] (least x, least y, greatest x, greatest y) share a point."""
     # bitwise, because branches would be mispredicted
-    return (
-        (a[i, 0] <= b[i, 2]) & (b[i, 0] <= a[i, 2]) & (a[i, 1] <= b[i, 3]) & (b[i, 1] <= a[i, 3])
-    )
+    return (a[i, 0] <= b[i, 2]) & (b[i, 0] <= a[i, 2]) & (a[i, 1] <= b[i, 3]) & (b[i, 1] <= a[i, 3])
 
 
 @inlined
