@@ -13,15 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import algorithm, compiled, inlined
 from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
 from ..geometry.checks import Array, as_array
-from ..geometry.exact import height
 from ..geometry.parts import Parts
-from ..geometry.separation import line_towards, nearest_corner, pieces_distance
+from ..geometry.separation import line_towards, nearest_corner
 from ..robots.arm import ArmRobot
 from ..robots.moving import X, Y, place_piece
+from ..robots.round import RoundRobot
 from ..spaces.angles import FULL_TURN, wrap_angle
 from ..support.text import shortened
 from ..worlds.checks import World, check_world
 from ..worlds.nearby import obstacles_near, rim
+from .interface import is_free
 from .turning import box_within, contact_size, first_in_contact, meets_part
 
 # radians: cells so near to the end of an interval are tested for collision; the closed form is far
@@ -131,10 +132,10 @@ def paint_image(arm: ArmRobot, world: World, n: int, contact: float) -> NDArray[
     """`paint_configuration_space` for checked arguments."""
     image, first = np.zeros((n, n), np.int8), np.zeros(n, np.int8)
     corners, q = np.empty((4, 5)), np.zeros(2)
-    if base_in_contact(arm, world, contact):
-        first[:] = 1
-    else:
+    if is_free(RoundRobot(arm.shape.radius[0]), world, arm.base, contact):
         paint_link(arm, 0, world, q, contact, corners, first)
+    else:
+        first[:] = 1  # the base itself is in contact
     for i1 in range(n):
         if first[i1] == 1:
             image[:, i1] = 1
@@ -142,22 +143,6 @@ def paint_image(arm: ArmRobot, world: World, n: int, contact: float) -> NDArray[
             q[0] = cell_angle(i1, n)
             paint_link(arm, 1, world, q, contact, corners, image[:, i1])
     return image
-
-
-@compiled
-def base_in_contact(arm: ArmRobot, world: World, contact: float) -> bool:
-    """Whether link 1 is in contact at every angle, because its base is."""
-    base, ring, reach = arm.base.reshape(1, 2), rim(world), arm.shape.radius[0] + contact
-    x, y = base[0, X], base[0, Y]
-    for i in range(len(ring)):
-        if height(ring[i - 1, X], ring[i - 1, Y], ring[i, X], ring[i, Y], x, y) <= reach:
-            return True
-    parts, near = obstacles_near(world, x - reach, y - reach, x + reach, y + reach)
-    for j in near:
-        apart = pieces_distance(base, 0, 1, parts.points, parts.first[j], parts.first[j + 1])
-        if apart <= reach + parts.radius[j]:
-            return True
-    return False
 
 
 @compiled
@@ -218,16 +203,15 @@ def paint_parts(
     Row 2 i of `corners` is the joint where the link begins; it touches none of the parts.
     """
     n, still = len(cells), np.zeros(2)
-    size, radius = arm.lengths[i], arm.shape.radius[i] + contact
+    length, radius = arm.lengths[i], arm.shape.radius[i] + contact
     x, y = corners[2 * i, X], corners[2 * i, Y]
-    q[i] = 0.0
-    straight = q[0] + q[1]  # the link's direction where its angle is 0
+    straight = q[:i].sum()  # the link's direction where its angle is 0
     for j in near:
         r = radius + parts.radius[j]
         _, a, b, apart = nearest_corner(
             corners, 2 * i, 2 * i + 1, parts.points, parts.first[j], parts.first[j + 1]
         )
-        if apart > size + r + contact:
+        if apart > length + r + contact:
             continue
         _, _, nx, ny = line_towards(
             x, y, parts.points[a, X], parts.points[a, Y], parts.points[b, X], parts.points[b, Y]
@@ -235,7 +219,7 @@ def paint_parts(
         towards = math.atan2(-ny, -nx)
         ahead = wrap_angle(towards - straight)
         below = math.floor((ahead + math.pi) / (FULL_TURN / n) - 0.5)
-        clockwise, counter = last_contacts(parts, j, x, y, size, r, towards)
+        clockwise, counter = last_contacts(parts, j, x, y, length, r, towards)
         for begin, side, half in ((below, -1, clockwise), (below + 1, 1, counter)):
             turn = ahead + side * half
             count = cells_in_contact(
