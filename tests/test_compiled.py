@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from itertools import chain, product
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
@@ -15,7 +16,8 @@ import numpy as np
 import pytest
 
 import kinoedu
-from kinoedu import Disk, Point, PolygonWorld, Problem, Recorder, Terrain, rrt
+from kinoedu import Disk, Point, PolygonWorld, Problem, Recorder, Terrain, TwoLinkArm, rrt
+from kinoedu.boards import arm_board
 from kinoedu.collision import is_free_path
 from kinoedu.compiled import (
     COMPILED_FIRST,
@@ -40,6 +42,7 @@ from kinoedu.geometry.checks import Array
 from kinoedu.planners.trees.rrt import grow
 from kinoedu.robots.round import RoundRobot
 from kinoedu.support.threads import raise_in
+from kinoedu.warm import first_jobs, later_jobs
 from kinoedu.worlds.polygon_world import PolygonWorldRecord
 
 TESTS = Path(__file__).resolve().parent
@@ -406,6 +409,36 @@ class Impatient(WatchedCall):
         if self.waits < 0:
             Impatient.ended += 1
             self.interrupt()
+
+
+def test_algorithms_return_arrays_of_their_own(monkeypatch) -> None:
+    """Machine code borrows its arguments: what it returned of them would soon be lost memory."""
+    called, lending = set(), set()
+    usual = tiers.TieredFunction.__call__
+
+    def call(self: Any, *args: Any) -> Any:
+        result = usual(self, *args)
+        if self.is_algorithm:
+            called.add(self.__name__)
+            if any(
+                np.may_share_memory(*pair) for pair in product(arrays_in(args), arrays_in(result))
+            ):
+                lending.add(self.__name__)
+        return result
+
+    monkeypatch.setattr(tiers.TieredFunction, "__call__", call)
+    for _, job, *given in chain(first_jobs(), later_jobs()):
+        job(*given)
+    arm_board(TwoLinkArm(1.5, 1.2, 0.2, base=(5, 5)), PolygonWorld(BOX, [((6, 7), 0.4)]))
+    assert {"grow", "pose_arm", "paint_image"} <= called
+    assert not lending
+
+
+def arrays_in(value: Any) -> list[np.ndarray]:
+    """The arrays in a value, also within tuples."""
+    if isinstance(value, tuple):
+        return [array for item in value for array in arrays_in(item)]
+    return [value] if isinstance(value, np.ndarray) and value.size else []
 
 
 @needs_compiler
@@ -796,7 +829,8 @@ def ghost_in_terrain(robot, world, a, b, clearance):
 """
 OWN_PLAN = """
 import json, mine, numpy as np
-from kinoedu import Problem, Recorder, Terrain, rrt
+from kinoedu import Problem, Recorder, Terrain, TwoLinkArm, rrt
+from kinoedu.boards import arm_board
 from kinoedu.compiled import COMPILED_FIRST, INTERPRETED, running
 from kinoedu.planners.trees.rrt import grow
 problem = Problem(mine.Ghost(1.0), Terrain(np.ones((10, 10))), START, GOAL)

@@ -165,10 +165,10 @@ def pose_arm(
         ends[1:].copy(),
         name_links(ends, q[1]),
         grips,
-        regions,
+        regions.copy(),
         sights,
         spot,
-        image,
+        image.copy(),
     )
 
 
