@@ -1,10 +1,15 @@
 """A run of all tests begins with compiling what the lessons use, on all cores; a run of some does
-not.
+not. Where a test process crashes, the run's end says in which lines.
 """
 
+import faulthandler
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
+from typing import IO
 
 import pytest
 
@@ -22,6 +27,37 @@ LONGEST = (
     "tests/test_trivial.py",
     "tests/test_attacks.py",
 )
+
+
+WHERE_CRASHED = "KINOEDU_WHERE_CRASHED"  # the folder with a file of each test process
+RUNNERS = {"_pytest", "pluggy", "xdist", "execnet"}  # their lines tell nothing about a crash
+open_files: list[IO[str]] = []
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_configure(config: pytest.Config) -> None:
+    """A test process writes where it crashed into a file, because other output hides it."""
+    if not hasattr(config, "workerinput"):
+        os.environ[WHERE_CRASHED] = tempfile.mkdtemp()
+        return
+    file = Path(os.environ[WHERE_CRASHED]) / config.workerinput["workerid"]
+    open_files.append(file.open("w", encoding="utf-8"))
+    faulthandler.enable(open_files[-1])
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Print where test processes crashed."""
+    for file in sorted(Path(os.environ[WHERE_CRASHED]).iterdir()):
+        where, _, _ = file.read_text(encoding="utf-8").partition("Extension modules:")
+        for line in where.splitlines():
+            if RUNNERS.isdisjoint(line.split("/")):
+                terminalreporter.write_line(f"{file.name} crashed: {line}")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Remove the files."""
+    if not hasattr(config, "workerinput"):
+        shutil.rmtree(os.environ[WHERE_CRASHED], ignore_errors=True)
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
