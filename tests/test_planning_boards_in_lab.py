@@ -88,6 +88,34 @@ def test_a_walk_and_its_plot_are_scrubbed_together(page):
     assert "reached after" in world.shown_text()
 
 
+BESIDE_A_DRAG = """([root, partner]) => {
+    const boards = [...globalThis[Symbol.for("kinoedu.boards")].values()];
+    const of = (it) => boards.find(({ views }) => [...views].some((view) => view.root === it));
+    const [dragged, plot] = [of(root), of(partner)], [view] = plot.views;
+    plot.changed();
+    dragged.lag = 1000;
+    plot.changed();
+    return new Promise((done) => requestAnimationFrame(() => {
+        const before = view.paints;
+        [1, 2, 3].forEach(() => plot.changed());
+        requestAnimationFrame(() => {
+            const during = view.paints - before;
+            setTimeout(() => done([during, view.paints - before]), 1000);
+        });
+    }));
+}"""
+
+
+def test_on_a_slow_page_a_plot_is_painted_seldom_beside_a_drag(page):
+    """Not with each answer, and once more before long."""
+    world, plot = Seen(page, 0), Seen(page, 1)
+    world.drag("handle-1", 0, 20, release=False)
+    roots = [seen.board.element_handle() for seen in (world, plot)]
+    assert page.evaluate(BESIDE_A_DRAG, roots) == [0, 1]
+    page.mouse.up()
+    world.settled()
+
+
 def test_the_sweep_line_is_dragged_and_its_status_listed(page):
     """Farther right more cells are closed, and the list shows other edges."""
     seen = Seen(page, 2)

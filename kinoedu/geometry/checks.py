@@ -31,7 +31,7 @@ def as_array(value: ArrayLike, name: str) -> Array:
             f"{name} must be real numbers in a regular array, got {shortened(value)}"
         )
     # a NaN compares False with both limits
-    if array.size == 0 or np.abs(array).max() <= LIMIT:
+    if array.size == 0 or (-LIMIT <= array.min() and array.max() <= LIMIT):
         return array
     if not np.all(np.isfinite(array)):
         raise InvalidPoint(f"{name} must be finite, got {shortened(value)}")

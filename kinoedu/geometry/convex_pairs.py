@@ -109,7 +109,8 @@ def as_convex_polygons(
     for i in np.flatnonzero(orientations == 0)[:1]:
         as_convex_ring(rings[i], f"{name}[{i}]")  # raises the error that explains it
     clockwise = orientations < 0
-    rings[clockwise] = rings[clockwise, ::-1]
+    if clockwise.any():
+        rings[clockwise] = rings[clockwise, ::-1]
     return ConvexPolygonsRecord(rings, bounding_boxes(rings))
 
 

@@ -29,6 +29,8 @@ const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a 
 const SPACING = 15;           // ms between two questions, in which the page paints
 const SLOW = 100;             // ms: after a slower answer only one question is open at a time
 const VERY_SLOW = 1000;       // ms: after a slower answer a question waits for a release or a rest
+const LATE = 25;              // ms: where answers come later, the page is slow
+const RESTED = 400;           // ms between two paintings beside a dragged board, on a slow page
 const PENDING = 250;          // ms after which an outdated answer is shown pale
 const QUIET = 600;            // ms without change before the text is read out
 const GROWTH = 4000;          // ms to play the whole growth
@@ -163,6 +165,7 @@ class Board {
     Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     Object.assign(this, { held: new Set(), ticking: 0, completing: 0, asked: 0 });
+    Object.assign(this, { lag: 0, painted: -RESTED });   // ms until an answer; when last painted
     this.moved = new Map();                              // the things moved since the last question
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
@@ -173,10 +176,22 @@ class Board {
   stop() {
     this.pause();
     this.release();
-    [this.timer, this.resting, this.completing].forEach(clearTimeout);
+    [this.timer, this.resting, this.completing, this.painting].forEach(clearTimeout);
   }
 
-  changed() { this.views.forEach((view) => view.request()); }
+  // Paint. On a slow page a board is painted seldom while its partner is dragged.
+  changed() {
+    clearTimeout(this.painting);
+    const rest = this.painted + RESTED - performance.now();
+    if (rest > 0 && this.partners().some((other) => other.isDragged() && other.lag > LATE)) {
+      this.painting = setTimeout(() => this.changed(), rest);
+      return;
+    }
+    this.painted = performance.now();
+    this.views.forEach((view) => view.request());
+  }
+
+  isDragged() { return [...this.views].some((view) => view.grabs.size > 0); }
 
   // the scene: the places of things, and moving them
 
@@ -403,6 +418,8 @@ class Board {
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
+    const lag = this.pendingSince === null ? 0 : performance.now() - this.pendingSince;
+    this.lag += (lag - this.lag) / 4;
     this.put();
     this.complete(this.unkept ? 0 : REST);
     this.keep();
@@ -428,9 +445,12 @@ class Board {
 
   team() { return this.model.get("partner") || this.key; }
 
+  partners() {                           // the boards that show more of the same
+    return [...boards.values()].filter((it) => it !== this && it.team() === this.team());
+  }
+
   lead() {                               // scrub the partners that have the same number of steps
-    for (const other of boards.values()) {
-      if (other === this || other.team() !== this.team()) continue;
+    for (const other of this.partners()) {
       if (other.drawing.total !== this.drawing.total) continue;
       Object.assign(other, { step: this.step, playing: null });
       other.changed();
