@@ -55,8 +55,11 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """Remove the files."""
-    if not hasattr(config, "workerinput"):
+    """Close this process's file; the last process removes all files."""
+    if hasattr(config, "workerinput"):
+        faulthandler.disable()
+        open_files.pop().close()
+    else:
         shutil.rmtree(os.environ[WHERE_CRASHED], ignore_errors=True)
 
 
