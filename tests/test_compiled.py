@@ -411,6 +411,7 @@ class Impatient(WatchedCall):
             self.interrupt()
 
 
+@needs_compiler
 def test_algorithms_return_arrays_of_their_own(monkeypatch) -> None:
     """Machine code borrows its arguments: what it returned of them would soon be lost memory."""
     called, lending = set(), set()
@@ -829,8 +830,7 @@ def ghost_in_terrain(robot, world, a, b, clearance):
 """
 OWN_PLAN = """
 import json, mine, numpy as np
-from kinoedu import Problem, Recorder, Terrain, TwoLinkArm, rrt
-from kinoedu.boards import arm_board
+from kinoedu import Problem, Recorder, Terrain, rrt
 from kinoedu.compiled import COMPILED_FIRST, INTERPRETED, running
 from kinoedu.planners.trees.rrt import grow
 problem = Problem(mine.Ghost(1.0), Terrain(np.ones((10, 10))), START, GOAL)
