@@ -105,13 +105,8 @@ def test_occupancy_cells_are_right() -> None:
     rng = np.random.default_rng(2)
     known = WORLD.occupancy
     assert known.reach.shape == (FINE * WORLD.cells.rows, FINE * WORLD.cells.columns)
-    assert np.isin(known.reach, (MIXED, RIM)).mean() < 0.5 and {
-        FREE,
-        FREE + 1,
-        MIXED,
-        RIM,
-        SOLID,
-    } <= set(known.reach.flat)
+    assert (known.reach == MIXED).mean() < 0.5
+    assert {FREE, FREE + 1, MIXED, SOLID} <= set(known.reach.flat)
     for j, i in np.argwhere((known.reach >= FREE) | (known.reach == SOLID)).tolist():
         qs = (
             np.array([known.x, known.y])
@@ -122,9 +117,45 @@ def test_occupancy_cells_are_right() -> None:
 
 def test_the_reach_of_a_cell_is_its_distance_to_what_is_not_free() -> None:
     """Measured in moves of a chess king, up to a limit."""
-    far = distance_transform_cdt(WORLD.occupancy.reach >= FREE, "chessboard")
+    free = np.pad(WORLD.occupancy.reach >= FREE, 1)  # what lies outside is not free
+    far = distance_transform_cdt(free, "chessboard")[1:-1, 1:-1]
     assert far.max() > MOST == WORLD.occupancy.reach.max()
     assert (np.maximum(WORLD.occupancy.reach, 0) == np.minimum(far, MOST)).all()
+
+
+def test_a_box_has_no_doubtful_rim() -> None:
+    """All cells of an empty box are free; at the rim of another hull some are not known."""
+    assert (PolygonWorld(BOX).occupancy.reach >= FREE).all()
+    cut = PolygonWorld([*BOX[:3], (-23, 24), (-24, 23)]).occupancy.reach
+    assert set(cut[[0, -1]].flat) == {RIM}
+    triangle = PolygonWorld(BOX[:3]).occupancy.reach
+    assert {RIM, FREE} < set(triangle.flat)
+
+
+@pytest.mark.parametrize("rows", [1, 3, 8])
+def test_discs_at_the_rim_of_a_box_are_judged_exactly(rows: int) -> None:
+    """Discs of whole and of other numbers of cells, which touch the rim, or almost."""
+    side = 1 / 8
+    world = PolygonWorld(
+        [(0, 0), (1, 0), (1, rows / 8), (0, rows / 8)],
+        [[(x / 64, 0.01), (x / 64 + 0.001, 0.01), (x / 64, 0.011)] for x in range(1, 17)],
+    )
+    unknown = world._replace(occupancy=no_occupancy())
+    cell = world.occupancy.side
+    assert FREE in world.occupancy.reach[[0, -1]] and FREE in world.occupancy.reach[:, [0, -1]]
+    for radius in (0.5 * cell, cell, 1.99 * cell, 2 * cell, 3 * cell):
+        disc = Disk(radius)
+        for gap in (-1e-9, 0.0, 1e-9, cell / 128, cell / 2, cell):
+            d = radius + gap
+            along = np.linspace(0.3, 0.85, 40)
+            top = np.column_stack([along, np.full(40, rows * side - d)])
+            right = np.column_stack([np.full(40, 1.0 - d), along * rows * side])
+            for qs in (top, right):
+                free = free_configurations(disc, world, qs)
+                assert free.tolist() == free_configurations(disc, unknown, qs).tolist()
+                motions = free_motions(disc, world, qs, qs[::-1])
+                assert motions.tolist() == free_motions(disc, unknown, qs, qs[::-1]).tolist()
+                assert free.all() if gap > 0.0 else gap == 0.0 or not free.any()
 
 
 @pytest.mark.parametrize("excess", [0.0, 1e-12, 1e-4, 0.005, 0.0099, 0.3])
@@ -145,9 +176,8 @@ def test_occupancy_cells_are_right_in_oblong_worlds(excess: float, upright: bool
             np.array([(0, 0), (1, 0), (1, height), (0, height)])[:, turned], corners
         )
         judged = world._replace(occupancy=no_occupancy())
-        assert (world.occupancy.reach[[0, -1]] < FREE).all() and (
-            world.occupancy.reach[:, [0, -1]] < FREE
-        ).all()
+        assert (world.occupancy.reach[[0, -1]] <= FREE).all()
+        assert (world.occupancy.reach[:, [0, -1]] <= FREE).all()
         a = rng.uniform((0, height - 0.02), (1, height), (400, 2))[:, turned]
         b = np.clip(a + rng.uniform(-0.1, 0.1, a.shape), 0, 1)
         for robot in (Point(), Disk(0.0005), Disk(0.01), Disk(0.05)):

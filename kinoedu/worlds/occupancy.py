@@ -47,7 +47,8 @@ def make_occupancy(hull: Array, parts: Parts, cells: PartsIndex, lo: Array, hi: 
     """Build the occupancy cells of a world row by row, as polygons are filled on a screen.
 
     A cell is tested with a margin around it, so that rounding cannot assign a point to the wrong
-    cell. Worlds without room for margins have no cells.
+    cell. Worlds without room for margins have no cells. A box keeps its margin outside, since no
+    point outside of it is looked up: all its cells may be free.
     """
     if not has_margins(lo, hi):
         return no_occupancy()
@@ -70,10 +71,30 @@ def classify_cells(hull: Array, parts: Parts, cells: PartsIndex) -> Occupancy:
         fine //= 2
     reach = np.full((fine * cells.rows, fine * cells.columns), RIM, np.int8)
     grid = Occupancy(cells.x, cells.y, cells.cell / fine, fine / cells.cell, reach)
+    if is_box(hull):
+        reach[:] = MIXED
+        hull = grow_box(hull, 2.0 * MARGIN * grid.side)
     fill(stretches_of_polygon(hull, grid), FREE, grid)
     for i in range(len(parts.radius)):
         fill(stretches_of_part(parts, i, cells.boxes[i], grid), SOLID, grid)
     return grid
+
+
+@compiled
+def is_box(ring: Array) -> bool:
+    """Whether a convex ring is its own bounding box."""
+    lo, hi = box_of(ring)
+    for x, y in ring:
+        if (x != lo[0] and x != hi[0]) or (y != lo[1] and y != hi[1]):
+            return False
+    return len(ring) == 4
+
+
+@compiled
+def grow_box(box: Array, margin: float) -> Array:
+    """A box whose sides are moved outwards by a margin."""
+    lo, _ = box_of(box)
+    return box + np.where(box == lo, -margin, margin)
 
 
 class Stretches(NamedTuple):
@@ -199,21 +220,22 @@ def stretches_of_polygon(ring: Array, grid: Occupancy) -> Stretches:
 def measure_reach(reach: NDArray[np.int8]) -> None:
     """Give each FREE cell its distance to the nearest other cell, in cells, up to MOST.
 
-    Diagonal neighbours are at distance 1. A cell along the edge of the grid is never FREE, because
-    it is not entirely inside the hull. So it does not matter that the cells are in one line here,
-    where the neighbour of a row's last cell is the first of the next.
+    Diagonal neighbours are at distance 1. The grid has a rim of cells that are not FREE here, so it
+    does not matter that all cells are in one line, where the neighbour of a row's last cell is the
+    first of the next.
     """
-    free = (reach == FREE).view(np.int8).reshape(-1)
-    far, columns, step = free * np.int8(MOST), reach.shape[1], 1
+    free = (reach == FREE).view(np.int8)
+    with_rim = np.zeros((len(reach) + 2, reach.shape[1] + 2), np.int8)
+    cells = with_rim[1:-1, 1:-1]
+    cells[:] = free * np.int8(MOST)
+    far, columns, step = with_rim.reshape(-1), with_rim.shape[1], 1
     while step < MOST:
         near = least_within(least_within(far, step, 1), step, columns)
         near += np.int8(step)
         inner = far[step * (columns + 1) : -step * (columns + 1)]
         np.minimum(inner, near, out=inner)
         step *= 2
-    flat = reach.reshape(-1)
-    flat += far
-    flat -= free
+    reach += cells - free
 
 
 def least_within(values: NDArray[np.int8], steps: int, stride: int) -> NDArray[np.int8]:
@@ -279,4 +301,6 @@ def occupancy_between(
 @inlined
 def cells_in(radius: float, grid: Occupancy) -> int:
     """The number of cells by which a disc may extend beyond the cell of its centre."""
-    return int(min(np.ceil(radius * grid.per_unit), float(MOST))) if radius > 0.0 else 0
+    if radius == 0.0:
+        return 0
+    return int(min(np.ceil(radius * grid.per_unit + 2.0 * MARGIN), float(MOST)))

@@ -20,13 +20,15 @@ class PartsIndex(NamedTuple):
     """A grid of buckets: cell (i, j) covers (x, y) + (i, j) * cell.
 
     It holds parts[first[j * columns + i] : first[j * columns + i + 1]]. boxes (k, 4) are the
-    bounding boxes of all parts. There are few arrays, because compiled code counts a reference to
+    bounding boxes of all parts. per_unit is 1 / cell, or 0 where one cell holds everything, because
+    a quotient could be too large. There are few arrays, because compiled code counts a reference to
     each of them in every call.
     """
 
     x: float
     y: float
     cell: float
+    per_unit: float
     columns: int
     rows: int
     first: NDArray[np.int64]
@@ -71,8 +73,9 @@ def index_parts(parts: Parts, lo: Array, hi: Array) -> PartsIndex:
             for k in range(j * columns + low[i, 0], j * columns + high[i, 0] + 1):
                 parts_by_cell[at[k + 1]] = i
                 at[k + 1] += 1
-    x, y = float(lo[0]), float(lo[1])
-    return PartsIndex(x, y, float(cell), columns, rows, at[:-1].copy(), parts_by_cell, boxes)
+    x, y, side = float(lo[0]), float(lo[1]), float(cell)
+    per_unit = 1.0 / side if columns * rows > 1 else 0.0
+    return PartsIndex(x, y, side, per_unit, columns, rows, at[:-1].copy(), parts_by_cell, boxes)
 
 
 @compiled
@@ -103,15 +106,17 @@ def motion_touches_any(
     ax: float, ay: float, bx: float, by: float, radius: float, parts: Parts, cells: PartsIndex
 ) -> bool:
     """Whether a disc moved along a-b touches a part; row by row, by the cells it crosses."""
-    ox, oy, cell = cells.x, cells.y, cells.cell
+    ox, oy, cell, per_unit = cells.x, cells.y, cells.cell, cells.per_unit
     y0, y1 = min(ay, by) - radius, max(ay, by) + radius
-    for j in range(
-        clip((y0 - oy) / cell, cells.rows - 1), clip((y1 - oy) / cell, cells.rows - 1) + 1
-    ):
+    row, last = (
+        clip((y0 - oy) * per_unit, cells.rows - 1),
+        clip((y1 - oy) * per_unit, cells.rows - 1),
+    )
+    for j in range(row, last + 1):
         bottom, top = oy + (j - MARGIN) * cell, oy + (j + 1.0 + MARGIN) * cell
         left, right = stretch_in_band(ax, ay, bx, by, bottom - radius, top + radius)
-        begin = clip((left - radius - ox) / cell - MARGIN, cells.columns - 1)
-        end = clip((right + radius - ox) / cell + MARGIN, cells.columns - 1)
+        begin = clip((left - radius - ox) * per_unit - MARGIN, cells.columns - 1)
+        end = clip((right + radius - ox) * per_unit + MARGIN, cells.columns - 1)
         for entry in range(
             cells.first[j * cells.columns + begin], cells.first[j * cells.columns + end + 1]
         ):
@@ -143,9 +148,8 @@ def point_touches_any(x: float, y: float, parts: Parts, cells: PartsIndex) -> bo
     Its cell lists all parts that may contain it.
     """
     boxes = cells.boxes
-    cell = clip((y - cells.y) / cells.cell, cells.rows - 1) * cells.columns + clip(
-        (x - cells.x) / cells.cell, cells.columns - 1
-    )
+    row = clip((y - cells.y) * cells.per_unit, cells.rows - 1)
+    cell = row * cells.columns + clip((x - cells.x) * cells.per_unit, cells.columns - 1)
     for entry in range(cells.first[cell], cells.first[cell + 1]):
         i = cells.parts[entry]
         if x < boxes[i, 0] or x > boxes[i, 2] or y < boxes[i, 1] or y > boxes[i, 3]:
