@@ -27,7 +27,7 @@ from kinoedu.graphs import (
 from kinoedu.graphs.bfs import search_breadth_first
 from kinoedu.graphs.components import label_components
 from kinoedu.graphs.dfs import search_depth_first
-from kinoedu.graphs.search import new_labels, search
+from kinoedu.graphs.search import begin_search, search
 
 graphs = st.integers(1, 12).flatmap(
     lambda n: st.tuples(
@@ -110,8 +110,11 @@ def test_interpreted_search_is_the_same():
         graph = Graph(60, rng.integers(0, 60, (150, 2)), rng.random(150), directed=directed).flat()
         for goal, heuristic in ((-1, np.zeros(60)), (7, rng.random(60))):
             fast, slow = (
-                (*run(graph, 0, goal, heuristic, labels), *labels)
-                for run, labels in ((search, new_labels(60)), (search.py_func, new_labels(60)))
+                (*run(graph, goal, heuristic, labels, queue), *labels)
+                for run, (labels, queue) in (
+                    (search, begin_search(60, 0, heuristic)),
+                    (search.py_func, begin_search(60, 0, heuristic)),
+                )
             )
             assert all(map(np.array_equal, fast, slow))
         calls = [(label_components, (graph, 60))]
@@ -216,7 +219,15 @@ def test_what_is_no_graph_is_refused(search_of, graph):
 
 
 @pytest.mark.parametrize(
-    "estimate", [[0.0], [0.0, np.nan, 0.0], [0.0, -1.0, 0.0], "abc", [[0.0]] * 3, new_labels(3)]
+    "estimate",
+    [
+        [0.0],
+        [0.0, np.nan, 0.0],
+        [0.0, -1.0, 0.0],
+        "abc",
+        [[0.0]] * 3,
+        begin_search(3, 0, np.zeros(3))[0],
+    ],
 )
 def test_a_bad_heuristic_is_refused(estimate):
     """The heuristic must be a number of zero or more for each node."""

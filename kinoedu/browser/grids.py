@@ -6,16 +6,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled
-from ..graphs.search import new_labels, search
+from ..graphs.search import begin_search, search
 from ..planners.grids.grid import (
     Cells,
     Grid,
     Motions,
+    Raster,
     centres,
     find_joined_node,
     octile,
-    parent_positions,
     path_through,
+    tree_of_search,
 )
 from ..planners.grids.jump_points import fill_in, fill_table, pack_bits, points_towards
 from ..problems import ProblemRecord
@@ -48,8 +49,9 @@ def plan_by_motions(problem: ProblemRecord, settings: GridSettings) -> ShownPlan
     refused, first, last = join_ends(problem, grid)
     if first < 0 or last < 0:
         return refused
-    labels = new_labels(grid.columns * grid.rows)
-    expanded, _ = search(grid, first, last, octile(grid, last), labels)
+    heuristic = octile(grid, last)
+    labels, queue = begin_search(grid.columns * grid.rows, first, heuristic)
+    expanded, _ = search(grid, last, heuristic, labels, queue)
     nodes = numbers_to(labels.parent, last) if labels.cost[last] < np.inf else expanded[:0]
     return show_search(problem, grid, expanded, labels.parent, nodes)
 
@@ -69,8 +71,9 @@ def plan_by_cells(
         return refused
     table = fill_table(pack_bits(cells), len(cells), columns)
     points = points_towards(last, table, cells, grid.side, columns)
-    labels = new_labels(len(cells))
-    expanded, _ = search(points, first, last, octile(grid, last), labels)
+    heuristic = octile(grid, last)
+    labels, queue = begin_search(len(cells), first, heuristic)
+    expanded, _ = search(points, last, heuristic, labels, queue)
     jumps = numbers_to(labels.parent, last) if labels.cost[last] < np.inf else expanded[:0]
     nodes = fill_in(jumps, columns) if len(jumps) > 0 else jumps
     return show_search(problem, grid, expanded, labels.parent, nodes)
@@ -105,6 +108,7 @@ def show_search(
     path = np.empty((0, 2))
     if len(nodes) > 0:
         path = path_through(problem, centres(grid, nodes))
-    n, above = len(expanded), parent_positions(expanded, parent, np.empty(len(parent), np.int64))
-    edges = tree_edges(centres(grid, expanded), above, n)
+    n, raster = len(expanded), Raster(grid.x, grid.y, grid.side, grid.columns)
+    tree, above = tree_of_search(raster, expanded, parent, np.empty(len(parent), np.int32))
+    edges = tree_edges(tree, above, n)
     return show_plan(problem, path, edges, no_rows(), n, n, grid.side)

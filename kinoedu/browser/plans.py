@@ -12,7 +12,7 @@ from ..compiled import algorithm, compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.parts import box_of
 from ..graphs.flat import GraphRecord, compress_rows
-from ..graphs.search import new_labels, search
+from ..graphs.search import begin_search, search
 from ..planners.answers import cost_along
 from ..planners.roadmaps.connecting import join_in_order
 from ..planners.roadmaps.prm import distances_to, sample_free
@@ -204,8 +204,9 @@ def plan_by_prm(
     pairs, costs = join_closest(problem, nodes, min(int(settings.k), len(nodes) - 1))
     first, to, weight = compress_rows(len(nodes), pairs, costs, 2)
     graph = GraphRecord(len(nodes), pairs, costs, first, to, weight)
-    labels = new_labels(len(nodes))
-    search(graph, 0, 1, distances_to(problem, nodes, problem.goal), labels)
+    heuristic = distances_to(problem, nodes, problem.goal)
+    labels, queue = begin_search(len(nodes), 0, heuristic)
+    search(graph, 1, heuristic, labels, queue)
     path = branch_to(nodes, labels.parent, 1) if labels.cost[1] < np.inf else nodes[:0]
     edges, dots = np.empty((len(pairs), 7)), np.empty((len(nodes), 4))
     for k in range(len(pairs)):

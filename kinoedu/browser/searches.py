@@ -13,7 +13,7 @@ from ..graphs.checks import compute_distances
 from ..graphs.dfs import depth_first
 from ..graphs.flat import GraphRecord, compress_rows, degree, edge
 from ..graphs.radix_heap import NONE, enlarge, has_room
-from ..graphs.search import begin_search, expand, first_unsettled, new_labels
+from ..graphs.search import begin_search, expand, first_unsettled
 from ..spaces import RealSpace
 from ..spaces.interface import distance
 from .scenes import SceneArrays
@@ -154,8 +154,7 @@ def show_breadth_first(posed: Posed) -> ShownSearch:
 def show_best_first(posed: Posed, informed: bool) -> ShownSearch:
     """A* as it is shown, or Dijkstra's algorithm with a heuristic of zeros."""
     n, graph = posed.graph.size, posed.graph
-    labels = new_labels(n)
-    queue = begin_search(labels, posed.start, posed.heuristic)
+    labels, queue = begin_search(n, posed.start, posed.heuristic)
     one, before, runs, done = np.empty(1, np.int64), -1, begin_runs(n, posed.start), False
     while not done:
         u = first_unsettled(queue, labels.settled)

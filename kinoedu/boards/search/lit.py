@@ -11,7 +11,7 @@ from ...graphs import Graph
 from ...graphs.bfs import breadth_first, search_breadth_first
 from ...graphs.dfs import depth_first, search_depth_first
 from ...graphs.radix_heap import RadixHeap, list_in_order
-from ...graphs.search import expand, new_labels, search
+from ...graphs.search import begin_search, expand, search
 from ..core.drawing import Layer, edges, labels
 from ..tracing.code_run import CodeRun, Look, trace_lines
 
@@ -56,8 +56,9 @@ def trace_search(
         progress="n",
         hidden=ARRAYS,
     )
-    labels = new_labels(flat.size)
-    return trace_lines(expand, look, lambda _: search(flat, *ends, bounds, labels), search)
+    start, goal = ends
+    labels, queue = begin_search(flat.size, start, bounds)
+    return trace_lines(expand, look, lambda _: search(flat, goal, bounds, labels, queue), search)
 
 
 def mark_edge(

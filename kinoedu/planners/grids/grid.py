@@ -6,7 +6,7 @@ because touching is contact.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +46,15 @@ class Grid(NamedTuple):
     def size(self) -> int:
         """How many nodes there are."""
         return self.columns * self.rows
+
+
+class Raster(NamedTuple):
+    """Where a grid's nodes are, whatever its moves."""
+
+    x: float
+    y: float
+    side: float
+    columns: int
 
 
 class Motions(NamedTuple):
@@ -139,7 +148,13 @@ def ends_of_move(grid: Grid, u: int, k: int) -> tuple[Array, Array]:
 @inlined
 def centre(grid: Grid, i: int, j: int) -> Array:
     """The node in column i and row j, shape (2,)."""
-    return np.array([grid.x + (i - 0.5) * grid.side, grid.y + (j - 0.5) * grid.side])
+    return np.array([place(grid.x, i, grid.side), place(grid.y, j, grid.side)])
+
+
+@callable_from_compiled
+def place(origin: float, number: Any, side: float) -> Any:
+    """Where the middle of a column or a row is, by its number; or of many, by an array."""
+    return origin + (number - 0.5) * side
 
 
 def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Plan:
@@ -193,8 +208,9 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     if isinstance(grid.moves, Cells):
         graph = jump_points(grid.moves.free, grid.side, grid.columns, last)
     numbers, found = astar(graph, first, last, octile(grid, last))
-    positions = parent_positions(found.expanded, found.parent, np.empty(grid.size, np.int64))
-    tree = Tree(centres(grid, found.expanded), positions)
+    raster = Raster(grid.x, grid.y, grid.side, grid.columns)
+    order = np.empty(grid.size, np.int32)
+    tree = Tree(*tree_of_search(raster, found.expanded, found.parent, order))
     # directions that were examined by cells, not by the problem
     examined = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
@@ -253,27 +269,30 @@ def path_through(problem: ProblemRecord, nodes: Array) -> Array:
 def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
     """The positions of grid nodes (k,), shape (k, 2)."""
     places = np.empty((len(nodes), 2))
-    places[:, 0] = grid.x + (nodes % grid.columns - 0.5) * grid.side
-    places[:, 1] = grid.y + (nodes // grid.columns - 0.5) * grid.side
+    places[:, 0] = place(grid.x, nodes % grid.columns, grid.side)
+    places[:, 1] = place(grid.y, nodes // grid.columns, grid.side)
     return places
 
 
 @algorithm
-def parent_positions(
-    expanded: NDArray[np.int64], parent: NDArray[np.int64], order: NDArray[np.int64]
-) -> NDArray[np.int64]:
-    """For each expanded node, (k,), the place of its parent in that order; -1 for the start.
+def tree_of_search(
+    grid: Raster, expanded: NDArray[np.int64], parent: NDArray[np.int64], order: NDArray[np.int32]
+) -> tuple[Array, NDArray[np.int64]]:
+    """The expanded nodes, (k,), as a tree: their positions, (k, 2), and each one's parent among
+    them, -1 for the start.
 
-    order : (nodes,), to be filled in for expanded nodes; parents are expanded. Python makes it,
-        because numpy asks for large pages of memory.
+    order : (nodes,), to be filled in for expanded nodes; parents are expanded. Its numbers are
+        short, because new memory costs more than the work on it.
     """
-    positions = np.empty(len(expanded), np.int64)
+    nodes, above = np.empty((len(expanded), 2)), np.empty(len(expanded), np.int64)
     for i in range(len(expanded)):
         order[expanded[i]] = i
+        column, row = moves_between(0, expanded[i], grid.columns)
+        nodes[i, 0], nodes[i, 1] = place(grid.x, column, grid.side), place(grid.y, row, grid.side)
     for i in range(len(expanded)):
-        above = parent[expanded[i]]
-        positions[i] = order[above] if above >= 0 else -1
-    return positions
+        before = parent[expanded[i]]
+        above[i] = order[before] if before >= 0 else -1
+    return nodes, above
 
 
 @callable_from_compiled
