@@ -33,27 +33,34 @@ def kit(tmp_path_factory):
     return folder
 
 
-def find_broken(house):
+@pytest.fixture(scope="module")
+def links():
+    """All links of the repository, each with whether it leads somewhere."""
+    return list(follow(HOUSE))
+
+
+def find_broken(house, links):
     """The files and targets of links that lead nowhere."""
-    links = [link for link, sound in follow(house) if sound is False]
-    return [(link.file.relative_to(house).as_posix(), link.target) for link in links]
+    broken = [link for link, sound in links if sound is False]
+    return [(link.file.relative_to(house).as_posix(), link.target) for link in broken]
 
 
-def test_every_link_of_the_repository_leads_somewhere():
+def test_every_link_of_the_repository_leads_somewhere(links):
     """To a file in it, and a part that this file has."""
-    assert find_broken(HOUSE) == []
-    assert sum(sound is True for _, sound in follow(HOUSE)) > 300
+    assert find_broken(HOUSE, links) == []
+    assert sum(sound is True for _, sound in links) > 300
 
 
 def test_every_link_of_the_kit_leads_somewhere(kit):
     """In README, exercises, lessons and guides."""
-    assert find_broken(kit) == []
-    assert sum(sound is True for _, sound in follow(kit)) > 200
+    links = list(follow(kit))
+    assert find_broken(kit, links) == []
+    assert sum(sound is True for _, sound in links) > 200
 
 
-def test_links_to_other_sites_are_whole_and_encrypted():
+def test_links_to_other_sites_are_whole_and_encrypted(links):
     """python docs/links.py lists them."""
-    outside = {urlsplit(link.target) for link, sound in follow(HOUSE) if sound is None}
+    outside = {urlsplit(link.target) for link, sound in links if sound is None}
     assert len(outside) > 5
     assert all(there.scheme == "https" and "." in there.netloc for there in outside)
 
@@ -80,7 +87,7 @@ def test_a_broken_link_is_found(tmp_path, text, broken):
     house.mkdir()
     (house / "page.md").write_text(text, encoding="utf-8")
     (house / "other.md").write_text("# A part, of `it`!\n", encoding="utf-8")
-    assert sorted(target for _, target in find_broken(house)) == sorted(broken)
+    assert sorted(target for _, target in find_broken(house, follow(house))) == sorted(broken)
 
 
 def test_anchors_are_those_of_github():
