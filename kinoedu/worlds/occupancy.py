@@ -300,7 +300,10 @@ def occupancy_between(
 
 @inlined
 def cells_in(radius: float, grid: Occupancy) -> int:
-    """The number of cells by which a disc may extend beyond the cell of its centre."""
+    """The number of cells by which a disc may extend beyond the cell of its centre.
+
+    With a margin, because free cells may end at the rim of a box, which a disc must not touch.
+    """
     if radius == 0.0:
         return 0
     return int(min(np.ceil(radius * grid.per_unit + 2.0 * MARGIN), float(MOST)))
