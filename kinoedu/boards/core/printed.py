@@ -16,7 +16,7 @@ from PIL import Image, ImageColor
 
 from ...figures import palette
 from ...figures.drawing import HALO, compound
-from ...figures.style import Levels, use_colours
+from ...figures.style import Levels, as_png, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
 from .listing import Listing
@@ -105,9 +105,14 @@ def clip(text: str, room: int) -> str:
 
 def save_with_few_colours(figure: Figure) -> bytes:
     """A figure as a PNG with few colours."""
-    stream = io.BytesIO()
-    figure.savefig(stream, format="png")
-    return keep_own_colours(Image.open(stream))
+    return keep_own_colours(render(figure))
+
+
+def render(figure: Figure) -> Image.Image:
+    """The pixels of a figure."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return Image.fromarray(np.asarray(canvas.buffer_rgba()))
 
 
 def keep_own_colours(picture: Image.Image, shares: Sequence[float] = MIXTURES) -> bytes:
@@ -117,9 +122,7 @@ def keep_own_colours(picture: Image.Image, shares: Sequence[float] = MIXTURES) -
 
     shares : of a colour in its mixtures with white.
     """
-    stream = io.BytesIO()
-    use_colours(picture.convert("RGB"), mix_colours(shares)).save(stream, "png", optimize=True)
-    return stream.getvalue()
+    return as_png(use_colours(picture.convert("RGB"), mix_colours(shares)))
 
 
 def mix_colours(shares: Sequence[float]) -> Levels:

@@ -7,7 +7,6 @@ question is open at a time, and each is answered, also where the answer fails.
 
 from __future__ import annotations
 
-import io
 import logging
 from collections.abc import Callable
 from pathlib import Path
@@ -18,13 +17,12 @@ import anywidget
 import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
-from PIL import Image
 
 from ...c_space import translating_obstacles, turned, turning_obstacle
 from ...errors import InvalidParameter, KinoeduError
 from ...figures import palette
 from ...figures.solid import cut_mesh, draw_mesh, shade_faces
-from ...figures.style import keep_few_colours
+from ...figures.style import as_png, keep_few_colours
 from ...geometry import convex_polygons_intersect
 from ...geometry.checks import Array, as_array, as_point
 from ...geometry.convex import convex_parts
@@ -33,7 +31,7 @@ from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
 from ..core.canvas import add_picture, widget_script
-from ..core.printed import SHARP
+from ..core.printed import SHARP, render
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -272,10 +270,7 @@ class SolidBoard(anywidget.AnyWidget):
         ax.autoscale_view()
         ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
         ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)
-        stream, small = io.BytesIO(), io.BytesIO()
-        figure.savefig(stream, format="png")
-        keep_few_colours(Image.open(stream).convert("RGB")).save(small, "png", optimize=True)
-        return small.getvalue()
+        return as_png(keep_few_colours(render(figure).convert("RGB")))
 
     def record(self) -> list[JsonObject]:
         """Nothing: pages without a kernel show the picture."""
