@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import zipfile
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +40,13 @@ SOURCES = {
     file.relative_to(ROOM).as_posix(): file.read_text(encoding="utf-8")
     for file in sorted(ROOM.rglob("*.py"))
 }
-KIT = take_out_answers(SOURCES)
+
+
+@cache
+def kit_sources():
+    """The same files without the answers."""
+    return take_out_answers(SOURCES)
+
 
 # What answers use and students have: each is a small part of an answer, or needed for any input.
 PARTS = {
@@ -119,7 +126,7 @@ def test_what_answers_use_is_not_in_the_kit_but_for_a_short_list():
     """A helper of an answer that students have is a deliberate choice: the list is exact."""
     functions = {
         (path, node.name)
-        for path, text in KIT.items()
+        for path, text in kit_sources().items()
         for node in ast.parse(text).body
         if isinstance(node, ast.FunctionDef) and not is_marked(node)
     }
@@ -131,7 +138,7 @@ def test_no_body_of_a_withheld_function_is_in_the_kit():
     """Nor a program of a misconception or a variant; the signatures and docstrings are."""
     marked = 0
     for path, text in SOURCES.items():
-        kept = KIT[path]
+        kept = kit_sources()[path]
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.FunctionDef) and is_marked(node):
                 marked += 1
@@ -227,7 +234,7 @@ def test_the_kit_holds_no_secret(kit):
         text = (kit / name).read_bytes()
         assert b"BEGIN SOLUTION" not in text.replace(b'"BEGIN SOLUTION"', b"")
         assert b"@wrong(" not in text.replace(b'`@wrong("name_of_the_exercise")`', b"")
-    for path, text in KIT.items():
+    for path, text in kit_sources().items():
         assert (kit / LESSONS / path).read_text(encoding="utf-8") == text
     assert (kit / RESULTS).stat().st_size < 3e6
 
@@ -246,7 +253,7 @@ def test_lessons_and_exercises_import_nothing_that_is_withheld():
 
 def is_open(path, name):
     """Whether a file of the kit defines or imports a name that is not withheld."""
-    tree = ast.parse(KIT[path])
+    tree = ast.parse(kit_sources()[path])
     marked = {n.name for n in tree.body if isinstance(n, ast.FunctionDef) and is_marked(n)}
     names = {name_defined(node) for node in tree.body}
     for node in tree.body:

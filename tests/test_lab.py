@@ -28,15 +28,23 @@ TOLD = "document.querySelectorAll('.kinoedu-text')"
 SCROLL = "number => jupyterapp.shell.currentWidget.content.scrollToItem(number, 'center')"
 SHOW = """number => jupyterapp.shell.currentWidget.content.widgets[number].node
     .querySelector('.kinoedu-board, .kinoedu-solid').scrollIntoView({block: 'center'})"""
-OPEN = """async path => {
+OPEN = """async ([path, id]) => {
     const { commands, shell } = jupyterapp;
-    await commands.execute('docmanager:open', {path, factory: 'Notebook'});
-    await shell.currentWidget.context.ready; }"""
+    const kernel = id ? {id} : undefined;
+    await commands.execute('docmanager:open', {path, factory: 'Notebook', kernel});
+    await shell.currentWidget.context.ready;
+    await shell.currentWidget.sessionContext.ready;
+    return shell.currentWidget.sessionContext.session.kernel.id; }"""
+# The next lesson gets the same kernel: a new one would have to import everything again.
 CLOSE = """async () => {
-    const widget = jupyterapp.shell.currentWidget;
-    await widget.sessionContext.shutdown();
-    await widget.context.save();
-    widget.close(); }"""
+    const { context, sessionContext } = jupyterapp.shell.currentWidget;
+    const kernel = sessionContext.session.kernel.clone();
+    const run = code => kernel.requestExecute({code}).done;
+    await context.save();
+    await run('pass');  // what was asked before is answered now
+    jupyterapp.shell.currentWidget.close();
+    await run('import ipywidgets; ipywidgets.Widget.close_all(); get_ipython().reset(False)');
+    kernel.dispose(); }"""
 PAINTED = """number => {
     const cell = jupyterapp.shell.currentWidget.content.widgets[number].node;
     const boards = [...cell.querySelectorAll('.kinoedu-board, .kinoedu-solid')]
@@ -64,6 +72,7 @@ def opened(tmp_path_factory):
         lab(course, tmp_path_factory.mktemp("home")) as (address, token),
         notebook_page(address, token, TOUR) as page,
     ):
+        page.kernel = None
         yield page
 
 
@@ -91,7 +100,7 @@ def test_a_lesson_runs_and_its_boards_are_painted(page, lesson):
     """They run without error, without a request to the outside and without a complaint; every board
     shows its answer.
     """
-    page.evaluate(OPEN, f"notebooks/{lesson}")
+    page.kernel = page.evaluate(OPEN, [f"notebooks/{lesson}", page.kernel])
     book = page.evaluate(RUN_ALL)
     code = [cell for cell in book["cells"] if cell["cell_type"] == "code"]
     assert all(cell["execution_count"] for cell in code)

@@ -12,6 +12,7 @@ import pytest
 
 import kinoedu as ke
 from kinoedu.cli import main
+from kinoedu.compiled import modes
 from kinoedu.errors import InvalidParameter, KinoeduError
 from kinoedu.experiments import Experiment, read_experiment, run
 from kinoedu.experiments.cells import kind_of
@@ -81,6 +82,14 @@ def folder(tmp_path):
     (tmp_path / "mine.py").write_text(MINE)
     (tmp_path / "helpers.py").write_text(HELPERS)
     return tmp_path
+
+
+@pytest.fixture
+def interpreted(monkeypatch):
+    """Nothing is compiled, here and in processes that are started; both ways give the same bits."""
+    monkeypatch.setenv("KINOEDU_MACHINE_CODE", modes.INTERPRETED)
+    with modes.running(modes.INTERPRETED):
+        yield
 
 
 def write_experiment(folder, planner, more=""):
@@ -376,7 +385,7 @@ planner = "rrt"
 """
 
 
-def test_a_robot_and_a_world_of_ones_own(folder):
+def test_a_robot_and_a_world_of_ones_own(folder, interpreted):
     """In a file, in other processes; a change of their code is another experiment."""
     (folder / "robots_of_mine.py").write_text(ROBOTS)
     file = folder / "gardens.toml"
@@ -545,7 +554,7 @@ def test_the_guides_planner_is_as_the_guide_says(tmp_path, monkeypatch, capsys):
     assert not rows["potential"][0].found, "the guide says so"
 
 
-def test_the_guides_robot_and_world_are_as_the_guide_says(tmp_path, monkeypatch):
+def test_the_guides_robot_and_world_are_as_the_guide_says(tmp_path, monkeypatch, interpreted):
     """They keep their promises, and planners plan for them."""
     *_, air, checks = blocks("python")
     (tmp_path / "air.py").write_text(air, encoding="utf-8")

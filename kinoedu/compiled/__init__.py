@@ -29,7 +29,7 @@ Without numba, or under NUMBA_DISABLE_JIT=1, the decorators leave functions unch
 """
 
 from .choices import generic, record
-from .modes import COMPILED_FIRST, INTERPRETED, WHEN_IT_PAYS, running
+from .modes import COMPILED_FIRST, INTERPRETED, WHEN_IT_PAYS, compiled_first, running
 from .tiers import (
     HAS_COMPILER,
     Compiled,
@@ -49,6 +49,7 @@ __all__ = [
     "algorithm",
     "callable_from_compiled",
     "compiled",
+    "compiled_first",
     "generic",
     "in_python",
     "inlined",

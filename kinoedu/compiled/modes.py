@@ -46,3 +46,10 @@ def running(new: str) -> Iterator[None]:
         yield
     finally:
         mode = before
+
+
+@contextmanager
+def compiled_first() -> Iterator[None]:
+    """Run the block with each call compiled before it runs, unless nothing is to be compiled."""
+    with running(INTERPRETED if mode is INTERPRETED else COMPILED_FIRST):
+        yield

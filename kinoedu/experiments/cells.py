@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compiled import COMPILED_FIRST, running
+from ..compiled import compiled_first
 from ..geometry.checks import Array
 from ..planners.own import Faults, as_plan, call_planner, find_faults, is_own
 from ..problems import MOTIONS, PLACES, Plan, ProblemRecord
@@ -77,7 +77,7 @@ def kind_of(problem: ProblemRecord, planner: Callable[..., Any], repeat: int) ->
     return digest((version(), problem, planner, repeat))
 
 
-@running(COMPILED_FIRST)
+@compiled_first()
 def run_cell(cell: Cell) -> Outcome:
     """Run the planner as often as the cell says, and return the outcome with the median time.
 

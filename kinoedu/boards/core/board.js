@@ -568,7 +568,7 @@ class View {
     this.theming.disconnect();
     this.darkness.removeEventListener("change", this.redress);
     READING.forEach((kind) => document.removeEventListener(kind, this.read));
-    clearTimeout(this.speaking);
+    [this.speaking, this.settling].forEach(clearTimeout);
     this.board.views.delete(this);
   }
 
