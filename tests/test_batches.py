@@ -314,6 +314,25 @@ def test_a_users_own_robot_is_interpreted() -> None:
     assert free_motions(Bead(), WORLD, [[0.0], [0.0]], [[0.5], [2.0]]).tolist() == [True, False]
 
 
+@pytest.mark.parametrize(
+    "laid",
+    [np.asfortranarray, lambda q: np.repeat(q, 2, axis=0)[::2], lambda q: q.astype(">f8"), list],
+    ids=["by columns", "every second row", "bytes reversed", "list"],
+)
+def test_batches_may_lie_in_memory_in_any_way(laid: Any) -> None:
+    """What is given is only read: it may be write-protected."""
+    qs = np.random.default_rng(5).uniform(-5, 20, (50, 2))
+    given, ends = laid(qs), np.roll(qs, 1, axis=0)
+    if isinstance(given, np.ndarray):
+        given.flags.writeable = False
+    free = free_configurations(Point(), WORLD, given)
+    assert free.tolist() == [bool(is_free(Point(), WORLD, q, 0.0)) for q in qs]
+    assert (
+        free_motions(Point(), WORLD, given, ends) == free_motions(Point(), WORLD, qs, ends)
+    ).all()
+    assert np.array_equal(given, qs)
+
+
 def test_empty_batches_have_empty_results() -> None:
     """Empty arrays and lists give empty results."""
     assert (

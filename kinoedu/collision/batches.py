@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, as_array, nonnegative
+from ..geometry.checks import Array, borrow_array, nonnegative
 from ..robots.arm import ArmRobot
 from ..robots.car import CarRobot
 from ..robots.kinds import Robot
@@ -132,11 +132,12 @@ def judge_motions(
 
 
 def as_configurations(value: ArrayLike, robot: Robot, name: str) -> Array:
-    """Check configurations of a robot, shape (n, d); raise InvalidPoint otherwise.
+    """Check configurations of a robot, shape (n, d), which are only read; raise InvalidPoint
+    otherwise.
 
     An empty list holds no configurations.
     """
-    size, qs = coordinates(robot), as_array(value, name)
+    size, qs = coordinates(robot), borrow_array(value, name)
     if qs.shape == (0,):
         return qs.reshape(0, size)
     if qs.ndim != 2 or qs.shape[1] != size:

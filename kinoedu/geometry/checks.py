@@ -1,5 +1,7 @@
 """Checks of arguments: arrays of float64, numbers and Generators, or a named error."""
 
+from collections.abc import Callable
+from functools import partial
 from numbers import Real
 from typing import Any, TypeGuard
 
@@ -21,9 +23,22 @@ def as_array(value: ArrayLike, name: str) -> Array:
     InvalidPoint
         Where a number is missing, not finite, or larger than 1e150 in absolute value.
     """
+    return convert(value, name, np.array)
+
+
+def borrow_array(value: ArrayLike, name: str) -> Array:
+    """The same for numbers that are only read: an array that compiled code can take is not copied.
+
+    Such an array is of float64, row by row, and can be written to.
+    """
+    return convert(value, name, partial(np.require, requirements="CAW"))
+
+
+def convert(value: ArrayLike, name: str, convert_numbers: Callable[..., Array]) -> Array:
+    """Numbers made an array by a function of numpy, and checked."""
     try:
         given = np.asarray(value)
-        array = np.array(given, dtype=np.float64) if given.dtype.kind in "iufO" else None
+        array = convert_numbers(given, dtype=np.float64) if given.dtype.kind in "iufO" else None
     except (TypeError, ValueError, OverflowError):
         array = None
     if array is None or isinstance(value, np.ma.MaskedArray):
