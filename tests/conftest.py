@@ -1,6 +1,5 @@
 """A run of all tests begins with compiling what the lessons use, on all cores; a run of some does
-not. What else its tests compile is compiled beside them, by a process that does not give way:
-meanwhile they would interpret. Where a test process crashes, the run's end says in which lines.
+not. Where a test process crashes, the run's end says in which lines.
 """
 
 import faulthandler
@@ -33,15 +32,6 @@ LONGEST = (
 WHERE_CRASHED = "KINOEDU_WHERE_CRASHED"  # the folder with a file of each test process
 RUNNERS = {"_pytest", "pluggy", "xdist", "execnet"}  # their lines tell nothing about a crash
 open_files: list[IO[str]] = []
-COMPILER = """
-import os, time
-from kinoedu.compiled import store, worker
-parent = os.getppid()
-while os.getppid() == parent:
-    worker.main([str(store.folder()), "0"])  # until no requests are left for some seconds
-    time.sleep(0.1)
-"""
-compilers: list["subprocess.Popen[bytes]"] = []
 
 
 @pytest.hookimpl(trylast=True)
@@ -70,9 +60,6 @@ def pytest_unconfigure(config: pytest.Config) -> None:
         faulthandler.disable()
         open_files.pop().close()
     else:
-        for compiler in compilers:
-            compiler.kill()
-            compiler.wait()
         shutil.rmtree(os.environ[WHERE_CRASHED], ignore_errors=True)
 
 
@@ -89,7 +76,6 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     runs_all = config.args == config.getini("testpaths") and not config.option.collectonly
     if runs_all and not hasattr(config, "workerinput"):
         subprocess.run([sys.executable, "-P", "-m", "kinoedu", "warm", "--all"], check=True)
-        compilers.append(subprocess.Popen([sys.executable, "-P", "-c", COMPILER]))
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
