@@ -554,6 +554,20 @@ def test_the_guides_planner_is_as_the_guide_says(tmp_path, monkeypatch, capsys):
     assert not rows["potential"][0].found, "the guide says so"
 
 
+def test_a_reader_who_wants_no_machine_code_gets_none(interpreted):
+    """Also in an experiment, which otherwise compiles first."""
+    seen = []
+
+    def planner(problem):
+        seen.append(modes.mode)
+
+    run(Experiment({"room": PROBLEM}, {"mine": planner}, seeds=1), where="here")
+    with modes.running(modes.WHEN_IT_PAYS):
+        run(Experiment({"room": PROBLEM}, {"mine": planner}, seeds=1), where="here")
+    assert set(seen[: len(seen) // 2]) == {modes.INTERPRETED}
+    assert set(seen[len(seen) // 2 :]) == {modes.COMPILED_FIRST}
+
+
 def test_the_guides_robot_and_world_are_as_the_guide_says(tmp_path, monkeypatch, interpreted):
     """They keep their promises, and planners plan for them."""
     *_, air, checks = blocks("python")

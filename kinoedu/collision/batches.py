@@ -132,10 +132,9 @@ def judge_motions(
 
 
 def as_configurations(value: ArrayLike, robot: Robot, name: str) -> Array:
-    """Check configurations of a robot, shape (n, d), which are only read; raise InvalidPoint
-    otherwise.
+    """Check configurations of a robot, shape (n, d); raise InvalidPoint otherwise.
 
-    An empty list holds no configurations.
+    An empty list holds no configurations. The result may be the given array: only read it.
     """
     size, qs = coordinates(robot), borrow_array(value, name)
     if qs.shape == (0,):

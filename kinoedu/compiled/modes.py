@@ -50,6 +50,6 @@ def running(new: str) -> Iterator[None]:
 
 @contextmanager
 def compiled_first() -> Iterator[None]:
-    """Run the block with each call compiled before it runs, unless nothing is to be compiled."""
+    """Run the block in the mode COMPILED_FIRST, or in INTERPRETED where that is the mode now."""
     with running(INTERPRETED if mode is INTERPRETED else COMPILED_FIRST):
         yield

@@ -19,7 +19,7 @@ from PIL import Image
 from . import palette
 
 Levels = NDArray[np.int64]  # (n, 3): red, green and blue, from 0 to 255
-Numbers = NDArray[np.uint32]
+Numbers = NDArray[np.uint32]  # colours as 0xRRGGBB
 INLINE = ("inline", "module://matplotlib_inline.backend_inline")
 SHARP = 2  # pixels of a picture for one of the page
 COLOURS = 256  # of a stored picture; one of more than MANY keeps all of them

@@ -27,15 +27,16 @@ def as_array(value: ArrayLike, name: str) -> Array:
 
 
 def borrow_array(value: ArrayLike, name: str) -> Array:
-    """The same for numbers that are only read: an array that compiled code can take is not copied.
+    """`as_array` for numbers that are only read: a float64 array is not copied.
 
-    Such an array is of float64, row by row, and can be written to.
+    Compiled code has one kind of array, so an array that is not row by row, or is write-protected,
+    is copied.
     """
     return convert(value, name, partial(np.require, requirements="CAW"))
 
 
 def convert(value: ArrayLike, name: str, convert_numbers: Callable[..., Array]) -> Array:
-    """Numbers made an array by a function of numpy, and checked."""
+    """Convert numbers by `convert_numbers`, a function like `np.array`, and check them."""
     try:
         given = np.asarray(value)
         array = convert_numbers(given, dtype=np.float64) if given.dtype.kind in "iufO" else None
