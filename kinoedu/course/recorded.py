@@ -3,6 +3,7 @@
 import builtins
 import hashlib
 import json
+import marshal
 from dataclasses import fields, is_dataclass
 from importlib import import_module
 from typing import Any
@@ -56,6 +57,15 @@ def encode(value: Any) -> Json:
     raise TypeError(f"a withheld function can neither take nor return a {type(value).__name__}")
 
 
+def are_identical(one: Json, other: Json) -> bool:
+    """Whether two values were encoded to the same bits; NaN is the same as NaN.
+
+    >>> are_identical([float("nan"), 1.0], [float("nan"), 1.0]), are_identical(0.0, -0.0)
+    (True, False)
+    """
+    return marshal.dumps(one, 2) == marshal.dumps(other, 2)  # in version 2 equal data look equal
+
+
 def decode(data: Json) -> Any:
     """Decode what `encode` has made of a result; problems and generators are no results.
 
@@ -103,7 +113,12 @@ def key_of(given: Any) -> str:
     >>> key_of((1e-12,)) == key_of((0.0,))
     False
     """
-    text = json.dumps(rounded(encode(given)), separators=(",", ":"))
+    return key_of_encoded(encode(given))
+
+
+def key_of_encoded(data: Json) -> str:
+    """`key_of` for arguments that are encoded already."""
+    text = json.dumps(rounded(data), separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 

@@ -15,7 +15,16 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from ..support.json_fields import Json
-from .recorded import decode, decode_error, encode, encode_error, key_of, rounded
+from .recorded import (
+    are_identical,
+    decode,
+    decode_error,
+    encode,
+    encode_error,
+    key_of,
+    key_of_encoded,
+    rounded,
+)
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 Results = dict[str, dict[str, Json]]  # by the name of a function and the key of its arguments
@@ -99,7 +108,7 @@ def record(
     global recording
     results, recording = recording, None
     assert results is not None
-    key, error, result = key_of((given, more)), None, None
+    arguments, error, result = encode((given, more)), None, None
     try:
         result = function(*given, **more)
     except ERRORS as raised:
@@ -107,9 +116,9 @@ def record(
     finally:
         recording = results
     data = encode(result) if error is None else encode_error(error)
-    if key_of((given, more)) != key:
+    if not are_identical(encode((given, more)), arguments):
         raise RuntimeError(f"{name} is withheld, and must not change its arguments")
-    known = results.setdefault(name, {}).setdefault(key, data)
+    known = results.setdefault(name, {}).setdefault(key_of_encoded(arguments), data)
     if known is not data and rounded(known) != rounded(data):
         raise RuntimeError(f"two calls of {name} have the same key and different results")
     if error is not None:
