@@ -1,5 +1,5 @@
-"""A run of all tests begins with compiling what the lessons use, on all cores; a run of some does
-not. Where a test process crashes, the run's end says in which lines.
+"""A run of all tests begins with compiling what they use, on all cores; a run of some does not.
+Where a test process crashes, the run's end says in which lines.
 """
 
 import faulthandler
@@ -54,6 +54,14 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
                 terminalreporter.write_line(f"{file.name} crashed: {line}")
 
 
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Where it is asked for, write down what this test process wanted to have compiled."""
+    if hasattr(session.config, "workerinput") and (notes := os.environ.get("KINOEDU_NOTES")):
+        from machine_code import note_requests
+
+        note_requests(Path(notes), session.config.workerinput["workerid"])
+
+
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Close this process's file; the last process removes all files."""
     if hasattr(config, "workerinput"):
@@ -75,7 +83,9 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     config = session.config
     runs_all = config.args == config.getini("testpaths") and not config.option.collectonly
     if runs_all and not hasattr(config, "workerinput"):
-        subprocess.run([sys.executable, "-P", "-m", "kinoedu", "warm", "--all"], check=True)
+        subprocess.run(
+            [sys.executable, str(Path(__file__).with_name("machine_code.py"))], check=True
+        )
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
