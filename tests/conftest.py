@@ -3,15 +3,18 @@ Where a test process crashes, the run's end says in which lines.
 """
 
 import faulthandler
+import logging
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
+import nbval.plugin
 import pytest
+from nbval.kernel import RunningKernel
 
 # Files that take longest, begun first, so that at the end of a run no process works alone.
 LONGEST = (
@@ -34,9 +37,22 @@ RUNNERS = {"_pytest", "pluggy", "xdist", "execnet"}  # their lines tell nothing 
 open_files: list[IO[str]] = []
 
 
+def start_kernel(*given: Any, **more: Any) -> RunningKernel:
+    """Start the kernel of a notebook; once more where it does not answer for a minute.
+
+    Of hundreds of kernels on a busy computer one did not, for no reason that was found.
+    """
+    try:
+        return RunningKernel(*given, **more)
+    except RuntimeError as error:
+        logging.getLogger("nbval").warning("a kernel is started once more: %s", error)
+        return RunningKernel(*given, **more)
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config: pytest.Config) -> None:
     """A test process writes where it crashed into a file, because other output hides it."""
+    nbval.plugin.RunningKernel = start_kernel
     if not hasattr(config, "workerinput"):
         os.environ[WHERE_CRASHED] = tempfile.mkdtemp()
         return
