@@ -51,7 +51,9 @@ def start_kernel(*given: Any, **more: Any) -> RunningKernel:
 
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config: pytest.Config) -> None:
-    """A test process writes where it crashed into a file, because other output hides it."""
+    """Kernels are started as above, and a test process writes where it crashed into a file, because
+    other output hides it.
+    """
     nbval.plugin.RunningKernel = start_kernel
     if not hasattr(config, "workerinput"):
         os.environ[WHERE_CRASHED] = tempfile.mkdtemp()
@@ -99,9 +101,8 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     config = session.config
     runs_all = config.args == config.getini("testpaths") and not config.option.collectonly
     if runs_all and not hasattr(config, "workerinput"):
-        subprocess.run(
-            [sys.executable, str(Path(__file__).with_name("machine_code.py"))], check=True
-        )
+        script = Path(__file__).with_name("machine_code.py")
+        subprocess.run([sys.executable, "-P", str(script)], check=True)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -2,16 +2,17 @@
 
 `data/machine_code.json` has a line for each function of the tests: its module, its name, and the
 kinds of its arguments. They are the functions that a run with an empty cache compiles behind the
-tests, which interpret them meanwhile. A line that no longer fits costs only time.
+tests, which interpret them meanwhile. A line that no longer fits is left out, and a test names it:
+remove it, or write the file anew.
 
-To write the file anew: python start.py test, with an empty folder as KINOEDU_CACHE and the name of
+To do that: python start.py test, with an empty folder as KINOEDU_CACHE and the name of
 another folder as KINOEDU_NOTES, and then python tests/machine_code.py NOTES.
 """
 
 import json
 import os
 import sys
-from importlib import import_module
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,8 @@ from kinoedu.compiled import HAS_COMPILER, requests
 from kinoedu.compiled.kinds import Kind, is_tuple_kind
 from kinoedu.compiled.store import Request, folder
 from kinoedu.compiled.tiers import TIERED
+from kinoedu.course.recorded import named
+from kinoedu.support.progress import show_progress
 from kinoedu.warm import warm_all
 
 FILE = Path(__file__).resolve().parent / "data" / "machine_code.json"
@@ -29,18 +32,34 @@ def compile_ahead() -> None:
     warm_all()
     place = folder()
     if place is not None and HAS_COMPILER:
-        requests.compile_all(place, read_requests(), workers=os.cpu_count() or 1)
+        with show_progress("compiling for the tests") as report_progress:
+            requests.compile_all(
+                place,
+                read_requests(),
+                workers=os.cpu_count() or 1,
+                report_progress=report_progress,
+            )
 
 
 def read_requests() -> list[Request]:
-    """The requests of the file whose records exist."""
+    """The requests of the lines whose records exist."""
     found = []
-    for module, function, kinds in json.loads(FILE.read_text(encoding="utf-8")):
-        try:
-            found.append(Request(module, function, tuple(map(decode, kinds))))
-        except (ImportError, AttributeError, ValueError):
-            continue
+    for line in read_lines():
+        with suppress(ImportError, AttributeError, ValueError):
+            found.append(request_of(line))
     return found
+
+
+def read_lines() -> list[Any]:
+    """The lines of the file: [module, function, kinds]."""
+    lines: list[Any] = json.loads(FILE.read_text(encoding="utf-8"))
+    return lines
+
+
+def request_of(line: Any) -> Request:
+    """The request of a line; raises as `decode` where a record does not exist."""
+    module, function, kinds = line
+    return Request(module, function, tuple(map(decode, kinds)))
 
 
 def encode(kind: Kind) -> Any:
@@ -60,10 +79,9 @@ def decode(data: Any) -> Kind:
         return data
     if not isinstance(data[1], list):
         return tuple(data)
-    module, _, name = data[0].partition(":")
-    cls = getattr(import_module(module), name) if name else tuple
+    cls = tuple if data[0] == "tuple" else named(data[0])
     if cls is not tuple and len(cls._fields) != len(data[1]):
-        raise ValueError(f"{name} has other fields")
+        raise ValueError(f"{data[0]} has {len(cls._fields)} fields, not {len(data[1])}")
     return cls, tuple(map(decode, data[1]))
 
 

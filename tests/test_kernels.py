@@ -1,6 +1,7 @@
 """The kernels in which nbval runs notebooks."""
 
 import conftest
+import nbval.plugin
 import pytest
 
 
@@ -15,6 +16,7 @@ def test_a_kernel_that_does_not_answer_is_started_once_more(monkeypatch):
             raise answer
         return answer
 
+    assert nbval.plugin.RunningKernel is conftest.start_kernel
     monkeypatch.setattr(conftest, "RunningKernel", start)
     assert conftest.start_kernel("python3") == "a kernel"
     with pytest.raises(RuntimeError, match="again"):

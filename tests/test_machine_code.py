@@ -1,15 +1,14 @@
 """What is compiled before a run of all tests."""
 
-from machine_code import decode, encode, read_requests
+from machine_code import decode, encode, read_lines, read_requests, request_of
 
 from kinoedu.compiled.tiers import TieredFunction, find_function
 
 
-def test_requests_fit_functions():
-    """Every one names a compiled function, and as many kinds as it has arguments."""
-    found = read_requests()
-    assert len(found) > 20
-    for request in found:
+def test_every_line_fits():
+    """It names a compiled function, as many kinds as that has arguments, and records that exist."""
+    assert len(read_lines()) > 20
+    for request in map(request_of, read_lines()):
         function = find_function(request.module, request.function)
         assert isinstance(function, TieredFunction), request.name
         assert function.py_func.__code__.co_argcount == len(request.kinds), request.name
