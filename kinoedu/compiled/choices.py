@@ -15,9 +15,8 @@ Function = Callable[..., Any]
 F = TypeVar("F", bound=Function)
 C = TypeVar("C", bound=type)
 
-GENERICS: list[
-    tuple[Function, Function]
-] = []  # generic functions, each with the function that selects its implementation
+# generic functions, each with what selects its implementation, by how many records
+GENERICS: list[tuple[Function, Function, int]] = []
 METHODS: dict[str, dict[type, Function]] = {}  # methods by name, then by class
 PROPERTIES: dict[str, dict[type, Function]] = {}  # the same of properties
 CALLABLE: list[Function] = []  # plain functions that compiled code may call
@@ -75,7 +74,7 @@ def generic(records: int) -> Callable[[Function], Any]:
 
         dispatch.register = register  # type: ignore[attr-defined]
         dispatch.is_known = lambda *kinds: kinds in implementations  # type: ignore[attr-defined]
-        GENERICS.append((dispatch, choose))
+        GENERICS.append((dispatch, choose, records))
         return dispatch
 
     return make
