@@ -12,9 +12,10 @@ import tempfile
 from pathlib import Path
 from typing import IO, Any
 
+import nbval.kernel
 import nbval.plugin
 import pytest
-from nbval.kernel import RunningKernel
+from nbval.kernel import RunningKernel, start_new_kernel
 
 # Files that take longest, begun first, so that at the end of a run no process works alone.
 LONGEST = (
@@ -49,12 +50,22 @@ def start_kernel(*given: Any, **more: Any) -> RunningKernel:
         return RunningKernel(*given, **more)
 
 
+def start_silent_kernel(*, stderr: IO[str], **given: Any) -> Any:
+    """Start the process of a kernel, without the file that nbval opens and never closes.
+
+    Python's warning of such a file would be the failure of whichever cell runs when it comes.
+    """
+    stderr.close()
+    return start_new_kernel(stderr=subprocess.DEVNULL, **given)
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config: pytest.Config) -> None:
     """Kernels are started as above, and a test process writes where it crashed into a file, because
     other output hides it.
     """
     nbval.plugin.RunningKernel = start_kernel
+    nbval.kernel.start_new_kernel = start_silent_kernel
     if not hasattr(config, "workerinput"):
         os.environ[WHERE_CRASHED] = tempfile.mkdtemp()
         return

@@ -17,7 +17,7 @@ from numba import _dynfunc, types
 from numba.core import cgutils, cpu
 from numba.core.bytecode import FunctionIdentity
 from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, CompileResult, DefaultPassBuilder
+from numba.core.compiler import Compiler, CompilerBase, CompileResult, DefaultPassBuilder
 from numba.core.lowering import Lower
 from numba.extending import (
     intrinsic,
@@ -48,17 +48,17 @@ def compile_entry(function: TieredFunction, kinds: tuple[Kind, ...]) -> CompileR
 
     Raises numba's error where it cannot be compiled.
     """
-    result = compile_as(EntryCompiler, LeanLibrary, function, kinds)
+    result = compile_as(LeanLibrary, function, kinds, EntryCompiler)
     for environment in result._find_referenced_environments():
         result.library.codegen.set_env(environment.env_name, environment)
     return result
 
 
 def compile_as(
-    pipeline: type[CompilerBase],
     library: type[JITCodeLibrary],
     function: TieredFunction,
     kinds: tuple[Kind, ...],
+    pipeline: type[CompilerBase] = Compiler,
 ) -> CompileResult:
     """Compile a function and those that it calls, by numba's passes, into libraries of a kind."""
     register_choices()

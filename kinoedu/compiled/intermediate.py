@@ -6,8 +6,6 @@ A process that does this compiles nothing for its own processor: functions know 
 
 from typing import Any
 
-from numba.core.compiler import Compiler
-
 from .compiler import LeanLibrary, compile_as
 from .kinds import kinds_of
 from .tiers import Compiled, TieredFunction
@@ -35,7 +33,7 @@ def compile_parts(function: Compiled, arguments: tuple[Any, ...]) -> tuple[str, 
     kinds = kinds_of(arguments)
     if kinds is None or not isinstance(function, TieredFunction):
         raise TypeError("numba cannot compile this function for these arguments")
-    result = compile_as(Compiler, LooseLibrary, function, kinds)
+    result = compile_as(LooseLibrary, function, kinds)
     found, waiting = dict[Any, Any](), [result.library]
     while waiting:
         library = waiting.pop()
