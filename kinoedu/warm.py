@@ -11,7 +11,7 @@ from .compiled import HAS_COMPILER, requests
 from .compiled.store import folder
 from .compiled.tiers import requests_of_called_algorithms
 from .curves import dubins_path, reeds_shepp_path
-from .graphs import Graph, bfs, dfs, dijkstra
+from .graphs import Graph, astar, bfs, dfs, dijkstra
 from .planners import (
     Radius,
     bug2,
@@ -27,6 +27,7 @@ from .planners import (
     rrt_star,
     shortcut,
 )
+from .planners.grids.grid import grid_for, octile
 from .planners.registry import ARM, CAR, DISK, PLANNERS, POINT, TRANSLATING, TURNING
 from .problems import Problem, ProblemRecord
 from .problems.in_time import TimedProblem
@@ -146,6 +147,7 @@ def later_jobs() -> Iterator[Job]:
         Terrain([[1] * 9] * 9, cost=[[2.0] * 9] * 9),
     )
     bare = Problem(Point(), Terrain([[1] * 9] * 9), (1, 1), (8, 8))
+    yield "cells of a terrain, one by one", search_cells, bare
     yield "a tree with spacing on a terrain", partial(rrt, spacing=0.5, max_nodes=50, rng=0), bare
     yield "how well a roadmap serves", survey, problem
     yield (
@@ -176,6 +178,14 @@ def plan_on_priced_terrain(terrain: TerrainRecord) -> None:
 def survey(problem: ProblemRecord) -> None:
     """Measure a roadmap's four properties."""
     roadmap_properties(problem, prm(problem, n=20, rng=0).roadmap, rng=0)
+
+
+def search_cells(problem: ProblemRecord) -> None:
+    """Search the cells of a terrain without jump points, with an estimate and without."""
+    grid = grid_for(problem, None)
+    first, last = grid.columns + 1, grid.size - grid.columns - 2
+    astar(grid, first, last)
+    astar(grid, first, last, octile(grid, last))
 
 
 def plan_among_movers() -> None:
