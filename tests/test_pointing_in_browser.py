@@ -20,6 +20,7 @@ from kinoedu.boards.core.notes import note, with_notes
 from kinoedu.boards.core.page_script import CORE, page_script
 from kinoedu.boards.core.recorded import RECORD
 from kinoedu.boards.core.scene import make_scene
+from kinoedu.boards.geometry.solid import SolidBoard
 from kinoedu.figures import palette
 
 BIG = 10_000
@@ -316,6 +317,45 @@ def test_a_page_that_turns_dark_takes_its_boards_along(light):
             )
             channels = ", ".join(str(int(text[k : k + 2], 16)) for k in (1, 3, 5))
             assert root.evaluate("root => getComputedStyle(root).color") == f"rgb({channels})"
+
+
+LATE = """
+const append = Element.prototype.append;
+Element.prototype.append = function (...nodes) {
+  if (nodes[0]?.className !== "kinoedu-row") return append.apply(this, nodes);
+  setTimeout(() => append.apply(this, nodes), 100); };"""
+
+
+def test_a_board_that_enters_a_page_late_takes_its_theme(tmp_path):
+    """VS Code and JupyterLab make a widget first, and then put it into the page."""
+    needs_chromium()
+    with browser() as page:
+        page.add_init_script(LATE)
+        page.goto(site_page(tmp_path, "dark", board(walled(), step_size=0.5)))
+        assert shown(page).get_attribute("data-theme") == "dark"
+
+
+IN_VS_CODE = """<style>.cell-output-ipywidget-background { background: white !important; }
+body { --vscode-editor-foreground: #cccccc; --jp-widgets-label-color: black; }
+.widget-label { color: var(--jp-widgets-label-color); }</style><body class="vscode-dark">
+<div class="cell-output-ipywidget-background"><label class="widget-label">a</label>BOARD</div>
+<div class="cell-output-ipywidget-background"><label class="widget-label">a</label></div>"""
+COLOURS = """() => [...document.querySelectorAll(".cell-output-ipywidget-background")].map(
+    output => [getComputedStyle(output).backgroundColor,
+               getComputedStyle(output.firstChild).color])"""
+
+
+@pytest.mark.parametrize("kind", ["board", "solid"])
+def test_a_board_in_vs_code_stands_on_the_page_and_not_on_white(kind):
+    """VS Code puts each output with a widget on white; those of others stay so."""
+    needs_chromium()
+    style = {"board": Canvas, "solid": SolidBoard}[kind]._css
+    made = IN_VS_CODE.replace("BOARD", f'<div class="kinoedu-{kind}"></div>')
+    with browser() as page:
+        page.set_content(f"<style>{style}</style>{made}")
+        ours, other = page.evaluate(COLOURS)
+        assert ours == ["rgba(0, 0, 0, 0)", "rgb(204, 204, 204)"]
+        assert other == ["rgb(255, 255, 255)", "rgb(0, 0, 0)"]
 
 
 def test_the_colours_of_words_are_those_of_the_palette():

@@ -574,7 +574,8 @@ class View {
 
   dress() {                              // take the colours of the page's theme; board.css knows it
     const { board, root } = this;
-    const theme = getComputedStyle(root).getPropertyValue("--kinoedu-theme").trim();
+    const page = getComputedStyle(document.body);  // the board may not be in the page yet
+    const theme = page.getPropertyValue("--kinoedu-theme").trim();
     board.palette = board.themes[theme] ?? board.themes.light;
     root.dataset.theme = theme;
     root.style.setProperty("--kinoedu-focus", board.palette.ink);

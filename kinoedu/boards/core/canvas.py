@@ -82,6 +82,11 @@ def widget_script(file: Path) -> str:
     return "\n".join(part.read_text(encoding="utf-8") for part in (common, file))
 
 
+def widget_style(file: Path) -> str:
+    """The style sheet of a widget, with what VS Code needs besides."""
+    return "".join(part.read_text(encoding="utf-8") for part in (file, CORE / "vs_code.css"))
+
+
 class Canvas(anywidget.AnyWidget):
     """A scene to drag, and the drawing that answers it.
 
@@ -112,7 +117,7 @@ class Canvas(anywidget.AnyWidget):
     """
 
     _esm = widget_script(CORE / "board.js")
-    _css = Path(__file__).with_name("board.css")
+    _css = widget_style(CORE / "board.css")
     key = traitlets.Unicode().tag(sync=True)
     partner = traitlets.Unicode().tag(sync=True)
     lane = traitlets.Unicode().tag(sync=True)

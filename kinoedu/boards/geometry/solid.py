@@ -30,7 +30,7 @@ from ...geometry.rings import as_ring
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
-from ..core.canvas import add_picture, widget_script
+from ..core.canvas import add_picture, widget_script, widget_style
 from ..core.printed import SHARP, render
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ class SolidBoard(anywidget.AnyWidget):
     """
 
     _esm = widget_script(Path(__file__).with_name("solid.js"))
-    _css = Path(__file__).with_name("solid.css")
+    _css = widget_style(Path(__file__).with_name("solid.css"))
     vertices = traitlets.Bytes().tag(sync=True)
     faces = traitlets.Bytes().tag(sync=True)
     colours = traitlets.Bytes().tag(sync=True)
