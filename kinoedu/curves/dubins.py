@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..spaces.angles import FULL_TURN
 from .curve import Curve, as_pose, as_radius, relative_pose
@@ -78,7 +78,7 @@ def all_dubins_curves(q0: ArrayLike, q1: ArrayLike, radius: float) -> list[Curve
     ]
 
 
-@compiled
+@inlined
 def shortest_forward(x: float, y: float, phi: float) -> tuple[NDArray[np.int64], Array]:
     """Turns and lengths of the shortest word from (0, 0, 0) to (x, y, phi) for radius 1."""
     turns, lengths, best = np.zeros(3, np.int64), np.zeros(3), np.inf
@@ -93,7 +93,7 @@ def shortest_forward(x: float, y: float, phi: float) -> tuple[NDArray[np.int64],
     return turns, lengths
 
 
-@compiled
+@inlined
 def solve_word(word: int, x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
     """The lengths of one word's pieces, none of them negative, after whether the word exists."""
     if word == 2:  # an arc driven back is replaced by the rest of its circle
