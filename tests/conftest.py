@@ -3,6 +3,7 @@ Where a test process crashes, the run's end says in which lines.
 """
 
 import faulthandler
+import gc
 import logging
 import os
 import shutil
@@ -120,3 +121,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Sort the longest files to the front; all else stays in its order."""
     rank = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: rank.get(item.nodeid.partition("::")[0], len(rank)))
+
+
+def pytest_collection_finish() -> None:
+    """Leave the thousands of collected tests alone when Python looks for unused cycles."""
+    gc.freeze()
