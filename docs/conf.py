@@ -25,7 +25,8 @@ include_patterns += [
     "solutions/README.md",
     "benchmarks/README.md",
 ]
-exclude_patterns = ["docs/contents.md"]  # the entrance has it
+# the entrance has the contents; folders such as .venv have tens of thousands of files to look at
+exclude_patterns = ["docs/contents.md", ".*"]
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas", "rendering"]
 
 # Notebooks are shown as they were stored. A board's picture gives place to the board as it was
