@@ -1,5 +1,6 @@
 """Machine code and the interpreter give identical trees; no call waits, no code is stale."""
 
+import gc
 import hashlib
 import json
 import os
@@ -987,3 +988,14 @@ def test_machine_code_of_two_processes_has_no_symbol_in_common():
         for _ in range(2)
     )
     assert abs(first - second) > 1_000_000
+
+
+@needs_compiler
+def test_python_searches_for_cycles_as_before_after_compiling():
+    """It does so less often while numba works."""
+    from kinoedu.compiled.compiler import few_searches_for_cycles
+
+    before = gc.get_threshold()
+    with few_searches_for_cycles():
+        assert gc.get_threshold()[0] > before[0] > 0
+    assert gc.get_threshold() == before
