@@ -25,7 +25,7 @@ include_patterns += [
     "solutions/README.md",
     "benchmarks/README.md",
 ]
-# the entrance has the contents; folders such as .venv have tens of thousands of files to look at
+# contents.md is a part of the entrance; folders such as .venv have tens of thousands of files
 exclude_patterns = ["docs/contents.md", ".*"]
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas", "rendering"]
 

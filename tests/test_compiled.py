@@ -992,10 +992,17 @@ def test_machine_code_of_two_processes_has_no_symbol_in_common():
 
 @needs_compiler
 def test_python_searches_for_cycles_as_before_after_compiling():
-    """It does so less often while numba works."""
+    """It does so less often while numba works; the number comes back where compiling fails too."""
     from kinoedu.compiled.compiler import few_searches_for_cycles
 
-    before = gc.get_threshold()
-    with few_searches_for_cycles():
-        assert gc.get_threshold()[0] > before[0] > 0
+    before, within = gc.get_threshold(), []
+
+    def fail():
+        with few_searches_for_cycles():
+            within.append(gc.get_threshold()[0])
+            raise TypeError
+
+    with pytest.raises(TypeError):
+        fail()
+    assert within[0] > before[0]
     assert gc.get_threshold() == before

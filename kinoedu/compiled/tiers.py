@@ -341,8 +341,8 @@ def compiled(function: Function) -> Compiled:
 def inlined(function: Function) -> Compiled:
     """`compiled` for a short kernel that takes records: its compiled callers inline its code.
 
-    So no record is passed on. Not for kernels that take numbers only, unless a benchmark gains by
-    it, as for Dubins' curves: mostly the compiler decides better which of those to inline.
+    So no record is passed on. Which kernels that take numbers only are inlined, the compiler mostly
+    decides better. Dubins' curves are an exception; benchmarks/curves.py measures what they gain.
     """
     return make_tiered(function, forceinline=True)
 

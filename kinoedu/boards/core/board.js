@@ -1539,7 +1539,7 @@ class Pointer {
     const text = target ? this.text(target) : this.meaning();
     if (!view.board.drawing.brief) this.button.hidden = !this.layers().length;
     view.root.dataset.pointed = text;
-    if (this.tip.hidden === Boolean(text)) this.tip.hidden = !text;
+    if (this.tip.hidden !== !text) this.tip.hidden = !text;
     if (this.tip.textContent !== text) this.tip.textContent = text;
     if (document.activeElement === this.button && text !== this.said) {
       view.state.textContent = this.said = text;
