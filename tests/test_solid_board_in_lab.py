@@ -3,6 +3,8 @@
 import pytest
 from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
 
+from kinoedu.figures import palette
+
 BOARD = """
 import kinoedu as ke
 robot, obstacle = [(-1, -0.5), (2, -0.5), (2, 0.5), (-1, 0.5)], [(3, 3), (6, 3), (6, 5), (3, 5)]
@@ -49,6 +51,11 @@ def drag(page, canvas, dx, dy):
     page.mouse.down()
     page.mouse.move(x + dx, y + dy, steps=5)
     page.mouse.up()
+    painted(page)
+
+
+def painted(page):
+    """Wait for the next paint."""
     page.evaluate(
         "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
     )
@@ -103,3 +110,19 @@ def test_the_plane_and_the_robot_are_answered(page):
     page.wait_for_function(
         "w => document.querySelector('.kinoedu-solid-text').textContent !== w", arg=words
     )
+
+
+def test_a_page_that_turns_dark_takes_the_solid_along(page):
+    """Ground, cut and text have the colours of dark pages, and come back."""
+    slice_ = page.locator(".kinoedu-solid-slice")
+    before = slice_.screenshot()
+    for light, theme in (("false", "dark"), ("true", "light")):
+        page.evaluate("light => { document.body.dataset.jpThemeLight = light; }", light)
+        page.wait_for_function(
+            "theme => document.querySelector('.kinoedu-solid').dataset.theme === theme", arg=theme
+        )
+        red, green, blue = (int(palette.THEMES[theme]["free"][k : k + 2], 16) for k in (1, 3, 5))
+        ground = slice_.evaluate("canvas => getComputedStyle(canvas).backgroundColor")
+        assert ground == f"rgb({red}, {green}, {blue})"
+        painted(page)
+        assert (slice_.screenshot() == before) == (theme == "light")

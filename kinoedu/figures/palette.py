@@ -85,7 +85,7 @@ DARK = {
     "yours": "#F09B5A",
     "floor": "#2FC79B",
     "ceiling": "#E07AA8",
-    "cut": "#E07AA8",
+    "cut": "#FFC4DD",
     "free_area": "#1F4468",
     "hit_1_area": "#9AA3B2",
     "hit_2_area": "#A14B45",

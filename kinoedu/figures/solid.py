@@ -68,12 +68,12 @@ def draw_mesh(
 
 def dress_axes(ax: Any) -> None:
     """Set names and ticks of the axes x, y, θ, the last in degrees."""
-    ax.set_xlabel("x", fontsize=palette.TEXT_SIZE)
-    ax.set_ylabel("y", fontsize=palette.TEXT_SIZE)
+    ax.set_xlabel("x", fontsize=palette.TEXT_SIZE, labelpad=8)
+    ax.set_ylabel("y", fontsize=palette.TEXT_SIZE, labelpad=8)
     ax.set_zlabel("θ", fontsize=palette.TEXT_SIZE)
     ax.set_zticks(np.radians([-180, -90, 0, 90, 180]), ["-180°", "-90°", "0°", "90°", "180°"])
-    ax.locator_params(axis="x", nbins=4)
-    ax.locator_params(axis="y", nbins=4)
+    ax.locator_params(axis="x", nbins=4, prune="upper")  # the numbers of two axes meet at a corner
+    ax.locator_params(axis="y", nbins=4, prune="lower")
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     ax.view_init(elev=22, azim=-62)
 

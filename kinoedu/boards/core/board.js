@@ -45,7 +45,6 @@ const RING = 13;              // pixels: the radius of a ring round a handle tha
 const ALONG = 300;            // places on a motion at which it is looked for what it meets
 const NAMING = "[class^='ke-']", DIM = 0.2;   // words for things; the strength of the rest
 const READING = ["pointerover", "focusin", "focusout"];   // events at a word of the lesson
-const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const WIDEST = 640, HIGHEST = 560, PAD = 8;   // the size of the picture, in pixels
 
 // The boards by their widgets' keys. They are global, because each widget loads this file again.
@@ -546,11 +545,7 @@ class View {
     this.paints = 0;
     this.build(el);
     this.listen();
-    this.dress();
-    this.theming = new MutationObserver(() => this.dress());
-    this.theming.observe(document.body, { attributeFilter: THEMED });
-    this.darkness = matchMedia("(prefers-color-scheme: dark)");
-    this.darkness.addEventListener("change", this.redress = () => this.dress());
+    this.endTheme = followTheme((theme) => this.dress(theme));
     this.word = null;                    // the colour that a word under the pointer names
     this.read = ({ type, target, relatedTarget }) => {
       this.light(type === "focusout" ? relatedTarget : target);
@@ -565,17 +560,14 @@ class View {
 
   close() {
     this.resizing.disconnect();
-    this.theming.disconnect();
-    this.darkness.removeEventListener("change", this.redress);
+    this.endTheme();
     READING.forEach((kind) => document.removeEventListener(kind, this.read));
     [this.speaking, this.settling].forEach(clearTimeout);
     this.board.views.delete(this);
   }
 
-  dress() {                              // take the colours of the page's theme; board.css knows it
+  dress(theme) {                         // take the colours of the page's theme
     const { board, root } = this;
-    const page = getComputedStyle(document.body);  // the board may not be in the page yet
-    const theme = page.getPropertyValue("--kinoedu-theme").trim();
     board.palette = board.themes[theme] ?? board.themes.light;
     root.dataset.theme = theme;
     root.style.setProperty("--kinoedu-focus", board.palette.ink);

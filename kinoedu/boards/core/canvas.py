@@ -82,9 +82,10 @@ def widget_script(file: Path) -> str:
     return "\n".join(part.read_text(encoding="utf-8") for part in (common, file))
 
 
-def widget_style(file: Path) -> str:
-    """The style sheet of a widget, with what VS Code needs besides."""
-    return "".join(part.read_text(encoding="utf-8") for part in (file, CORE / "vs_code.css"))
+def widget_style(*files: Path) -> str:
+    """The style sheet of all boards, a widget's own files, and what VS Code needs besides."""
+    parts = (CORE / "board.css", *files, CORE / "vs_code.css")
+    return "".join(part.read_text(encoding="utf-8") for part in parts)
 
 
 class Canvas(anywidget.AnyWidget):
@@ -117,7 +118,7 @@ class Canvas(anywidget.AnyWidget):
     """
 
     _esm = widget_script(CORE / "board.js")
-    _css = widget_style(CORE / "board.css")
+    _css = widget_style()
     key = traitlets.Unicode().tag(sync=True)
     partner = traitlets.Unicode().tag(sync=True)
     lane = traitlets.Unicode().tag(sync=True)

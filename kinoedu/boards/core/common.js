@@ -1,6 +1,7 @@
 // What the scripts of all widgets use. It stands at the head of each, because each is one file.
 
 const REST = 300;             // ms: what has not moved for this time is at rest
+const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const ICON = "favicon", SET_ASIDE = "kinoedu-icon";   // classes of JupyterLab's icons of its tab
 
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
@@ -17,6 +18,22 @@ function make(tag, className, parent, attributes = {}) {
 
 // Write a text into an element, unless it is there: a page lays out anew what is written.
 function write(element, text) { if (element.textContent !== text) element.textContent = text; }
+
+// Call `dress` with the theme of the page, "light" or "dark", now and at each change, until the
+// returned function is called. board.css knows the theme.
+function followTheme(dress) {
+  const tell = () => {                   // by the body: the widget may not be in the page yet
+    dress(getComputedStyle(document.body).getPropertyValue("--kinoedu-theme").trim());
+  };
+  const body = new MutationObserver(tell), darkness = matchMedia("(prefers-color-scheme: dark)");
+  body.observe(document.body, { attributeFilter: THEMED });
+  darkness.addEventListener("change", tell);
+  tell();
+  return () => {
+    body.disconnect();
+    darkness.removeEventListener("change", tell);
+  };
+}
 
 // JupyterLab fetches another icon for its tab whenever the kernel begins or ends some work: twice
 // for each question, a quarter of what a drag costs. While questions are asked it finds no icons.

@@ -26,7 +26,7 @@ class Solid {
   constructor(model, el) {
     this.model = model;
     this.words = model.get("words");
-    this.palette = model.get("palette");
+    this.themes = model.get("palette");
     this.box = model.get("box");
     this.theta = model.get("theta");
     this.place = model.get("place");
@@ -40,6 +40,7 @@ class Solid {
     this.build(el);
     this.measure();
     this.listen();
+    this.endTheme = followTheme((theme) => this.dress(theme));
     this.answered = () => this.receive();
     this.replaced = () => this.replace();
     model.on("change:section", this.answered);
@@ -47,14 +48,21 @@ class Solid {
     model.on("change:place", this.replaced);
     this.resizing = new ResizeObserver(() => { this.measure(); this.request(); });
     this.resizing.observe(this.root);
-    this.request();
   }
 
   close() {
     this.resizing.disconnect();
+    this.endTheme();
     this.model.off("change:section", this.answered);
     this.model.off("change:theta", this.replaced);
     this.model.off("change:place", this.replaced);
+  }
+
+  dress(theme) {                         // take the colours of the page's theme
+    this.palette = this.themes[theme] ?? this.themes.light;
+    this.root.dataset.theme = theme;
+    this.root.style.setProperty("--kinoedu-free", this.palette.free);
+    this.request();
   }
 
   receive() {                            // the answer to the open question has come

@@ -182,7 +182,7 @@ class SolidBoard(anywidget.AnyWidget):
             box=mesh.bounds.tolist(),
             theta=float(angle),
             place=here,
-            palette=palette.NAMED,
+            palette=palette.THEMES,
             words={
                 name: get_message(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values})
                 for name, values in FRONT.items()
