@@ -379,6 +379,27 @@ def test_properties_are_read_and_hide_no_fields() -> None:
     assert (paws_of.py_func(cat), paws_of.py_func(fly)) == (12.0, 6.0)
 
 
+@needs_compiler
+def test_kinds_are_assumed_for_a_short_time() -> None:
+    """Arguments of the same classes and other kinds get the same answers; soon they are noticed."""
+
+    def largest(values: Array) -> float:
+        most = values[0]
+        for value in values:
+            most = max(most, value)
+        return most
+
+    ask, arrays = compiled(largest), (np.array([1.0, 3.0]), np.array([2, 5]), np.array([4.0])[::-1])
+    assert [ask(values) for values in arrays] == [3.0, 5, 4.0]
+    (first,) = ask.specializations.values()  # type: ignore[attr-defined]
+    first.assumed_until = 0.0  # as after some interpreting
+    assert [ask(values) for values in arrays[1:]] == [5, 4.0]
+    assert len(ask.specializations) == 2  # type: ignore[attr-defined]
+    with running(COMPILED_FIRST):
+        assert [ask(values) for values in arrays] == [3.0, 5, 4.0]
+    assert all(one.is_loaded for one in ask.specializations.values())  # type: ignore[attr-defined]
+
+
 def test_a_pair_is_implemented_once() -> None:
     """DuplicateKind names the function and the kinds, for this file and for the package."""
     with pytest.raises(DuplicateKind, match=r"noise.*Cat, Dog"):

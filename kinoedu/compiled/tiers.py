@@ -37,6 +37,7 @@ IMPORTING = (
     1.0  # seconds of interpreting in all before numba is imported, which takes about as long
 )
 LOOK_AGAIN = 0.5  # seconds between two looks for machine code on the disk
+ASSUMED = 0.01  # seconds of interpreting before the kinds of arguments are looked at again
 
 BEGUN, DONE = "compiling %s once", "compiled %s"  # log messages of a call that waits
 
@@ -79,6 +80,7 @@ class TieredFunction:
         self.machine: Function | None = None
         self.inner: Any = None  # numba's function for compiled callers, in a process that compiles
         self.specializations: dict[tuple[Kind, ...], Specialization] = {}
+        self.assumed: dict[tuple[type, ...], Specialization] = {}  # by classes of arguments
         TIERED.append(self)
 
     def __call__(self, *args: Any) -> Any:
@@ -88,6 +90,17 @@ class TieredFunction:
         return self.without_machine_code(*args) if machine is None else machine(*args)
 
     def without_machine_code(self, *args: Any) -> Any:
+        """Run a call while no machine code is loaded.
+
+        To find the kinds of arguments takes longer than most short calls. So they are assumed to be
+        those of earlier arguments of the same classes, and are looked at again from time to time.
+        """
+        specialization = self.assumed.get(tuple(map(type, args)))
+        if specialization is None or specialization.spent > specialization.assumed_until:
+            return self.without_machine_code_for_kinds(*args)
+        return specialization.run(args)
+
+    def without_machine_code_for_kinds(self, *args: Any) -> Any:
         """Run a call for whose kinds no machine code is loaded."""
         kinds = kinds_of(args)
         if kinds is None:
@@ -95,6 +108,9 @@ class TieredFunction:
         specialization = self.specializations.get(kinds)
         if specialization is None:
             specialization = self.specializations[kinds] = Specialization(self, kinds)
+        if not self.is_algorithm:
+            specialization.assumed_until = specialization.spent + ASSUMED
+            self.assumed[tuple(map(type, args))] = specialization
         return specialization.run(args)
 
     def __reduce__(self) -> Any:
@@ -139,6 +155,7 @@ class Specialization:
         self.function = function
         self.kinds = kinds
         self.spent = 0.0
+        self.assumed_until = 0.0  # by `spent`
         self.is_loaded = self.is_requested = self.is_tried = False
         self.is_generator = inspect.isgeneratorfunction(function.py_func)
         self.is_never_stored = (
@@ -156,8 +173,7 @@ class Specialization:
             return self.function.machine(*args)
         if self.function.is_algorithm and not self.is_never_stored:
             return self.interpret_or_restart(args)
-        with self.counting_time():
-            return self.function.py_func(*args)
+        return self.interpret(args)
 
     @property
     def to_compile(self) -> store.Request:
@@ -214,7 +230,7 @@ class Specialization:
 
         if self.function.machine is None:
             self.function.machine = new_dispatcher(
-                self.function.py_func, self.function.without_machine_code
+                self.function.py_func, self.function.without_machine_code_for_kinds
             )
         return self.function.machine
 
@@ -267,15 +283,15 @@ class Specialization:
 
     # ---- interpreted ---------------------------------------------------------------------------
 
-    @contextmanager
-    def counting_time(self) -> Iterator[None]:
-        """Count the time of the block; functions called in it are interpreted."""
+    def interpret(self, args: tuple[Any, ...]) -> Any:
+        """Interpret a call and count its time; functions called in it are interpreted."""
+        thread = threading.get_ident()
+        spent = spent_by.get(thread) or spent_by.setdefault(thread, ThreadTime())
         began = time.perf_counter()
-        spent = spent_by.setdefault(threading.get_ident(), ThreadTime())
+        thread_state.interpreting, spent.began = True, began
         try:
-            thread_state.interpreting, spent.began = True, began
             with np.errstate(all="ignore"):  # as machine code, which does not warn
-                yield
+                return self.function.py_func(*args)
         finally:
             thread_state.interpreting, spent.began = False, None
             seconds = time.perf_counter() - began
@@ -293,8 +309,7 @@ class Specialization:
         watch = WatchedCall(self)
         try:
             try:
-                with self.counting_time():
-                    return self.function.py_func(*args)
+                return self.interpret(args)
             finally:
                 watch.close()
         except MachineCodeLoaded as change:

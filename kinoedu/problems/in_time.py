@@ -51,7 +51,8 @@ class TimedProblemRecord(NamedTuple):
 
         It must go forward in time and must not exceed the robot's greatest speed.
         """
-        length = math.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]))
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        length = math.sqrt(dx * dx + dy * dy)
         return length <= self.speed * (b[2] - a[2]) * (1.0 + ROUNDING) and is_free_path(
             self.robot, self.world, a, b, self.clearance
         )

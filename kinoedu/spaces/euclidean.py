@@ -19,7 +19,8 @@ def squared_difference(nodes: Array, node: int, q: Array) -> float:
     """|nodes[node] - q|^2."""
     total = 0.0
     for i in range(len(q)):
-        total += (nodes[node, i] - q[i]) * (nodes[node, i] - q[i])
+        gap = nodes[node, i] - q[i]
+        total += gap * gap
     return total
 
 

@@ -69,7 +69,8 @@ def euclidean_distance(space: RealSpace, a: Array, b: Array) -> float:
     """|b - a|."""
     total = 0.0
     for i in range(len(a)):
-        total += (b[i] - a[i]) * (b[i] - a[i])
+        gap = b[i] - a[i]
+        total += gap * gap
     return math.sqrt(total)
 
 
