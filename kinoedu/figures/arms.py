@@ -18,7 +18,8 @@ from ..messages import get_message
 from ..robots.arm import ArmRobot
 from ..worlds.checks import World
 from . import palette
-from .drawing import HALO, axes_for, draw_world
+from .drawing import axes_for, draw_world
+from .names import HALO
 from .robots import draw_robot
 
 MARKERS = ("o", "s", "^")  # free, link 1, link 2: distinguishable without colours too

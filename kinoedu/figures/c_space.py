@@ -18,7 +18,8 @@ from ..geometry.rings import as_ring
 from ..messages import get_message
 from ..worlds.polygon_world import PolygonWorldRecord
 from . import palette, plane
-from .drawing import HALO, axes_for, compound, draw_world
+from .drawing import axes_for, compound, draw_world
+from .names import HALO
 from .palette import Style
 from .solid import draw_mesh
 

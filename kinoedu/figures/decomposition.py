@@ -12,7 +12,8 @@ from ..decomposition.trapezoidation import corners_of
 from ..geometry.checks import Array
 from ..worlds.checks import World
 from . import palette
-from .drawing import HALO, axes_for, draw_edges, draw_world, line_width
+from .drawing import axes_for, draw_edges, draw_world, line_width
+from .names import HALO
 from .palette import Style
 
 FEW = 60  # the most cells whose numbers can be read

@@ -6,7 +6,6 @@ from functools import singledispatch
 from typing import Any
 
 import numpy as np
-from matplotlib import patheffects
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
@@ -26,6 +25,7 @@ from ..worlds.open_world import OpenWorld
 from ..worlds.polygon_world import PolygonWorldRecord, discs_of, rings_of
 from ..worlds.terrain import TerrainRecord
 from . import palette
+from .names import HALO, label_beside, move_names_off
 from .palette import Style
 from .robots import (
     draw_along,
@@ -41,7 +41,6 @@ from .walks import draw_walk
 
 POINT = Point()
 CLOSE = 0.15  # of the world's size: the names of nearer places would overlap
-HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
 # Name, colour, marker and its size of start and goal.
 ENDS = (("start", palette.START, "o", 9), ("goal", palette.GOAL, "*", 15))
 
@@ -173,20 +172,6 @@ def draw_end(
     return [*ax.plot(*at, marker, zorder=7, **look), label_beside(at, name, colour, world, ax)]
 
 
-def label_beside(q: Array, name: str, colour: str, world: World, ax: Axes) -> Artist:
-    """Write a name next to a place, on the side where there is room."""
-    right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
-    up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
-    beside: Style = {
-        "xytext": (9 if right else -9, 9 if up else -9),
-        "textcoords": "offset points",
-        "ha": "left" if right else "right",
-        "va": "bottom" if up else "top",
-    }
-    style: Style = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
-    return ax.annotate(name, (q[0], q[1]), **beside, **style)
-
-
 def draw_edges(
     segments: ArrayLike, ax: Axes, colour: str, *, width: float, zorder: float
 ) -> list[Artist]:
@@ -270,11 +255,16 @@ def dot_size(n: int) -> float:
 
 
 def draw_path(path: Array, ax: Axes) -> list[Artist]:
-    """Draw a path, shape (n, d), on a dark casing that keeps it visible on any background."""
+    """Draw a path, shape (n, d), on a dark casing that keeps it visible on any background.
+
+    Names of places that it passes through give way.
+    """
     line, style = path[:, :2].T, {"solid_capstyle": "round"}
     casing: Style = {"color": palette.INK, "linewidth": 5.0, "zorder": 4, **style}
     inner: Style = {"color": palette.PATH, "linewidth": 3.0, "zorder": 5, **style}
-    return [*ax.plot(*line, **casing), *ax.plot(*line, **inner)]
+    lines: list[Artist] = [*ax.plot(*line, **casing), *ax.plot(*line, **inner)]
+    move_names_off(path[:, :2], ax)
+    return lines
 
 
 def draw_plan(
@@ -314,9 +304,13 @@ def summary(plan: Plan, shown: int) -> str:
     if shown < total:
         return get_message("figure.growing", shown=f"{shown:,}", **counts)
     if plan.path is None:
+        if plan.reason.startswith(plan.planner):
+            return plan.reason
         return get_message("figure.no_path", planner=plan.planner, reason=plan.reason)
     if plan.walk is not None:
-        counts |= {"total": f"{len(plan.walk.hit):,}", "unit": get_message("figure.hits")}
+        hits = len(plan.walk.hit)
+        unit = get_message("figure.hit" if hits == 1 else "figure.hits")
+        counts |= {"total": f"{hits:,}", "unit": unit}
     return get_message("figure.path", length=f"{plan.cost:.4g}", **counts)
 
 

@@ -4,7 +4,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
 from . import palette
-from .drawing import HALO
+from .names import HALO
 from .palette import Style
 
 GAP = 0.062  # the distance between names, as a fraction of the axes' height

@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..geometry.checks import Array
 from ..graphs import Graph
 from . import palette
-from .drawing import HALO, draw_edges, draw_path
+from .drawing import draw_edges, draw_path
+from .names import HALO
 from .palette import Style
 from .plane import frame
 

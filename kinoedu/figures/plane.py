@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..messages import get_message
 from . import palette
-from .drawing import HALO
+from .names import HALO
 from .palette import Style
 
 SHAPE = 1.5  # the width of the axes over their height
@@ -100,13 +100,15 @@ def segment(
     colour: str = palette.INK,
     style: str = "-",
     width: float = 2.5,
+    offset: tuple[float, float] = (9, 9),
 ) -> list[Artist]:
-    """Draw a segment with words at its midpoint."""
+    """Draw a segment with words beside its midpoint, `offset` points from it."""
     (ax_, ay), (bx, by) = np.asarray(a, float), np.asarray(b, float)
     line = ax.plot([ax_, bx], [ay, by], style, color=colour, linewidth=width, zorder=4)
     if not text:
         return [*line]
-    return [*line, label(((ax_ + bx) / 2, (ay + by) / 2), text, ax, colour=colour)]
+    middle = (ax_ + bx) / 2, (ay + by) / 2
+    return [*line, label(middle, text, ax, colour=colour, offset=offset)]
 
 
 def line(line: ArrayLike, text: str, ax: Axes, *, colour: str, style: str = "-") -> list[Artist]:

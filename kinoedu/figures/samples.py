@@ -19,8 +19,8 @@ from ..messages import get_message
 from ..sampling import largest_empty_ball
 from ..sampling.dispersion import EmptyBall
 from . import palette
-from .drawing import HALO
 from .ends import name_ends
+from .names import HALO
 from .palette import Style
 
 MOST_NUMBERS = 40  # the numbers of more points than this would cover the square

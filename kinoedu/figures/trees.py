@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -120,7 +121,8 @@ def draw_insertion(
         label(places[new], get_message("insertion.new", n=new), left, colour=palette.INK)
     )
     above = [get_message("insertion.before"), get_message("insertion.after", n=new)]
-    titles = [ax.set_title(text, fontsize=palette.TEXT_SIZE + 1) for ax, text in zip(axes, above)]
+    size = palette.TEXT_SIZE + 1
+    titles = [ax.set_title(fill(text, 38), fontsize=size) for ax, text in zip(axes, above)]
     return [*artists, *titles]
 
 

@@ -13,6 +13,7 @@ from matplotlib.collections import LineCollection
 from ..geometry.checks import Array
 from ..problems import Plan, Walk
 from . import palette
+from .names import move_names_off
 from .palette import Style
 
 CASING = [patheffects.withStroke(linewidth=4.5, foreground=palette.INK)]
@@ -28,7 +29,9 @@ def draw_walk(walk: Walk, ax: Axes, *, upto: int | None = None) -> list[Artist]:
     shown = len(walk.points) if upto is None else min(max(upto, 1), len(walk.points))
     artists = draw_stretches(walk.points[:shown], walk.following[:shown], ax)
     artists += draw_arrows(walk, shown, ax)
-    return artists + mark_hits_and_leaves(walk.points, walk, shown, ax)
+    artists += mark_hits_and_leaves(walk.points, walk, shown, ax)
+    move_names_off(walk.points[:shown], ax)
+    return artists
 
 
 def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
@@ -86,7 +89,7 @@ def draw_arrows(walk: Walk, shown: int, ax: Axes) -> list[Artist]:
         i = int(np.searchsorted(walk.travelled, place))
         a, b = walk.points[i - 1], walk.points[i]
         middle = 0.5 * (a + b)
-        head = {"arrowstyle": "-|>,head_width=0.3,head_length=0.5", "color": palette.INK}
+        head = {"arrowstyle": "-|>,head_width=0.26,head_length=0.75", "color": palette.INK}
         style = {**head, "shrinkA": 0, "shrinkB": 0}
         tip = middle + 1e-3 * (b - a)
         artists.append(ax.annotate("", tip, middle, arrowprops=style, zorder=5.5))

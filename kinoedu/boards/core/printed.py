@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from PIL import Image, ImageColor
 
 from ...figures import palette
-from ...figures.drawing import HALO, compound
+from ...figures.drawing import compound
+from ...figures.names import move_names_off, move_names_off_points, write_name
 from ...figures.style import Levels, as_png, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
@@ -44,9 +45,9 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     ax.set_title(drawing.message, fontsize=palette.TEXT_SIZE, wrap=True)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     print_world(scene, free, ax)
+    print_handles(scene, ax)
     for layer in drawing.layers:
         print_layer(layer, ax, drawing)
-    print_handles(scene, ax)
     for x, y, width in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
         half_x, half_y = 0.5 * width * (x1 - x0) / size, 0.5 * width * (y1 - y0) / size
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
@@ -225,11 +226,12 @@ def print_edges(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 
 
 def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
-    """Draw one line through all rows, on a dark line where it has a casing."""
+    """Draw one line through all rows, on a dark line where it has a casing; names give way."""
     if layer.casing:
         casing: palette.Style = {"linewidth": layer.width + 2.0, "solid_capstyle": "round"}
         ax.plot(*rows.T, color=palette.INK, zorder=4, **casing)
     ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=line_style(layer), zorder=5)
+    move_names_off(rows, ax)
 
 
 def print_dots(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
@@ -248,11 +250,10 @@ def print_arrows(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 
 
 def print_labels(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
-    """Draw texts beside their points."""
-    style: palette.Style = {"fontsize": palette.TEXT_SIZE, "color": colour, "path_effects": HALO}
+    """Draw texts beside their points, where they cover no other text."""
     for point, text in zip(rows, layer.texts, strict=True):
-        offset: palette.Style = {"xytext": (7, 7), "textcoords": "offset points"}
-        ax.annotate(text, tuple(point), zorder=8, **offset, **style)
+        write_name(point, text, colour, (1, 1), ax).set(fontweight="normal")
+    move_names_off_points(rows, ax)
 
 
 PRINTERS = {
@@ -314,15 +315,5 @@ def print_handles(scene: Scene, ax: Axes) -> None:
         ax.plot(x, y, marker, color=colour, markersize=size, zorder=7, **rim)
         right = x < scene["lo"][0] + 0.75 * (scene["hi"][0] - scene["lo"][0])
         up = not low and y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1])
-        font: palette.Style = {
-            "fontsize": palette.TEXT_SIZE,
-            "fontweight": "bold",
-            "path_effects": HALO,
-        }
-        beside: palette.Style = {
-            "xytext": (9 if right else -9, 9 if up else -9),
-            "textcoords": "offset points",
-            "ha": "left" if right else "right",
-            "va": "bottom" if up else "top",
-        }
-        ax.annotate(handle["name"], (x, y), color=colour, zorder=8, **font, **beside)
+        side = (1 if right else -1, 1 if up else -1)
+        write_name((x, y), handle["name"], colour, side, ax)

@@ -87,7 +87,7 @@ def draw_square(ax: Axes, others: Array, outline: ArrayLike = CORNERS) -> None:
 def draw_label(text: str, y: float, ax: Axes, *, colour: str) -> None:
     """Write a label to the right of the square."""
     from ....figures import palette
-    from ....figures.drawing import HALO
+    from ....figures.names import HALO
 
     look: palette.Style = {
         "fontsize": palette.TEXT_SIZE,

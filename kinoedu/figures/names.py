@@ -1,0 +1,98 @@
+"""Names of places in figures: beside the place, where there is room, and off the path."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib import patheffects
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.text import Annotation
+from matplotlib.transforms import Transform
+from numpy.typing import ArrayLike
+
+from ..geometry.checks import Array
+from ..worlds.checks import World
+from . import palette
+from .palette import Style
+
+HALO = [patheffects.withStroke(linewidth=3.5, foreground="white")]
+NAME = "name of a place"  # the gid of its text
+OFFSET = "offset points"
+APART = 9.0  # points between a place and its name
+WIDTH = 0.65  # of a letter, by the size of the text
+STEPS = 400  # places of a line that are looked at
+
+Side = tuple[int, int]  # of the place: 1 right or -1 left, 1 above or -1 below
+Box = tuple[Array, Array]  # its lower left and its upper right corner
+
+
+def label_beside(q: Array, name: str, colour: str, world: World, ax: Axes) -> Artist:
+    """Write a name next to a place, on the side where there is room."""
+    right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
+    up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
+    return write_name(q, name, colour, (1 if right else -1, 1 if up else -1), ax)
+
+
+def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> Artist:
+    """Write a name on a side of a place (x, y)."""
+    x, y = np.asarray(q, float)[:2]
+    style: Style = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
+    text = ax.annotate(name, (x, y), (0, 0), textcoords=OFFSET, gid=NAME, **style)
+    put(text, side)
+    return text
+
+
+def put(text: Annotation, side: Side) -> None:
+    """Put a name on a side of its place."""
+    right, up = side
+    text.set(ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top")
+    text.xyann = (APART * right, APART * up)
+
+
+def move_names_off(line: Array, ax: Axes) -> None:
+    """Put names that a line (n, 2) or another text covers on a side where nothing does."""
+    move_names_off_points(spread(line), ax)
+
+
+def move_names_off_points(points: Array, ax: Axes) -> None:
+    """Put names that cover a point of some (n, 2), or another text, on a side where they do not."""
+    ax.apply_aspect()
+    passed = in_points(points, ax.transData, ax)
+    low, high = in_points(np.array([[0, 0], [1, 1]]), ax.transAxes, ax)
+    texts = [text for text in ax.texts if isinstance(text, Annotation) and text.get_text()]
+    beside = [text for text in texts if text.anncoords == OFFSET]
+    for text in beside:
+        if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
+            others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
+            right, up = (int(np.sign(offset)) for offset in text.xyann)
+            for side in ((right, up), (right, -up), (-right, up), (-right, -up)):
+                near, far = box_of(text, (APART * side[0], APART * side[1]), ax)
+                is_inside = (near >= low).all() and (far <= high).all()
+                is_crossed = ((near < passed) & (passed < far)).all(axis=1).any()
+                covers = [(near < b).all() and (a < far).all() for a, b in others]
+                if is_inside and not is_crossed and not any(covers):
+                    put(text, side)
+                    break
+
+
+def in_points(line: Array, transform: Transform, ax: Axes) -> Array:
+    """A line (n, 2) in points of the figure, each 1/72 inch."""
+    pixels: Array = transform.transform(line)
+    return pixels * 72.0 / ax.figure.dpi
+
+
+def spread(line: Array) -> Array:
+    """Places along a line, evenly, (n, 2)."""
+    if len(line) < 2:
+        return line
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
+    at = np.linspace(0.0, along[-1], STEPS)
+    return np.column_stack([np.interp(at, along, values) for values in line.T])
+
+
+def box_of(text: Annotation, offset: tuple[float, float], ax: Axes) -> Box:
+    """About the box that a text fills at an offset from its place, in points."""
+    size = np.array([WIDTH * len(text.get_text()), 1.0]) * text.get_fontsize()
+    corner = in_points(np.array([text.xy]), ax.transData, ax)[0] + offset
+    other = corner + size * np.where(np.array(offset) < 0.0, -1.0, 1.0)
+    return np.minimum(corner, other), np.maximum(corner, other)
