@@ -400,6 +400,22 @@ def test_kinds_are_assumed_for_a_short_time() -> None:
     assert all(one.is_loaded for one in ask.specializations.values())  # type: ignore[attr-defined]
 
 
+@needs_compiler
+def test_calls_stay_interpreted_until_machine_code_is_there(monkeypatch, tmp_path) -> None:
+    """While numba is imported and loads in its thread, no other thread calls it."""
+    from kinoedu.compiled import machine
+
+    ask = cast(Any, compiled(lambda value: value))
+    call = tiers.Specialization(ask, (kind_of(1.0),))
+    call.__dict__["file"] = tmp_path / "any.code"
+    while_loading = []
+    monkeypatch.setattr(machine, "load", lambda *_: while_loading.append(ask.machine))
+    call.load_here()
+    assert while_loading == [None]
+    assert ask.machine is not None
+    assert call.is_loaded
+
+
 def test_a_pair_is_implemented_once() -> None:
     """DuplicateKind names the function and the kinds, for this file and for the package."""
     with pytest.raises(DuplicateKind, match=r"noise.*Cat, Dog"):

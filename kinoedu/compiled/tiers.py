@@ -211,6 +211,7 @@ class Specialization:
 
     def load_here(self) -> None:
         """`load` in this thread."""
+        from . import compiler  # noqa: F401  # teaches numba its types before any call
         from .machine import load
         from .numba_thread import NUMBA_THREAD
 
@@ -218,8 +219,9 @@ class Specialization:
         if self.is_loaded or self.file is None:
             return
         try:
-            load(self.dispatcher(), self.file)
-            self.is_loaded = True
+            machine = self.dispatcher()
+            load(machine, self.file)
+            self.begin_to_use(machine)
         except Exception:  # damaged, or for another computer: made again when it pays
             self.is_never_stored = self.is_requested
             self.file.unlink(missing_ok=True)
@@ -228,11 +230,18 @@ class Specialization:
         """numba's dispatcher, to which machine code is added as it is loaded."""
         from .machine import new_dispatcher
 
-        if self.function.machine is None:
-            self.function.machine = new_dispatcher(
-                self.function.py_func, self.function.without_machine_code_for_kinds
-            )
-        return self.function.machine
+        return self.function.machine or new_dispatcher(
+            self.function.py_func, self.function.without_machine_code_for_kinds
+        )
+
+    def begin_to_use(self, machine: Any) -> None:
+        """Call the dispatcher from now on.
+
+        Not before its machine code is there: while numba loads the first code it still learns
+        types, and a call in another thread fails then.
+        """
+        self.function.machine = machine
+        self.is_loaded = True
 
     def request(self) -> None:
         """Request its compilation by another process."""
@@ -276,8 +285,9 @@ class Specialization:
         from .compiler import compile_entry
 
         try:
-            self.dispatcher().add_overload(compile_entry(self.function, self.kinds))
-            self.is_loaded = True
+            machine = self.dispatcher()
+            machine.add_overload(compile_entry(self.function, self.kinds))
+            self.begin_to_use(machine)
         except Exception as error:
             log.warning("%s stays interpreted: %s", self.function.__name__, error)
 
