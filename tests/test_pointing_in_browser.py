@@ -3,6 +3,7 @@
 The boards are shown as the site shows them, without a kernel.
 """
 
+import io
 import json
 import re
 import shutil
@@ -11,10 +12,19 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
+from PIL import Image
 from test_board import walled
 from test_challenges import SAMPLES
 
-from kinoedu.boards import Canvas, Drawing, board, challenge, challenges, search_board
+from kinoedu.boards import (
+    Canvas,
+    Drawing,
+    board,
+    challenge,
+    challenges,
+    curves_board,
+    search_board,
+)
 from kinoedu.boards.core.drawing import edges
 from kinoedu.boards.core.notes import note, with_notes
 from kinoedu.boards.core.page_script import CORE, page_script
@@ -376,3 +386,27 @@ def test_the_colours_of_words_are_those_of_the_palette():
         key = name.replace("-", "_")
         assert light_colour == palette.THEMES["light"][key]
         assert dark_colour == palette.THEMES["dark"][key]
+
+
+SHARE_OF_DASHES = """canvas => {
+  const { width, height } = canvas, pen = canvas.getContext("2d");
+  const { data } = pen.getImageData(0, 0, width, height);
+  const rows = [...Array(height).keys()].map((y) => [...Array(width).keys()].filter((x) => {
+    const k = 4 * (y * width + x);
+    return data[k] === 0xE6 && data[k + 1] === 0x9F && data[k + 2] === 0;
+  }));
+  const row = rows.reduce((best, one) => (one.length > best.length ? one : best));
+  return row.length / (row.at(-1) - row[0] + 1); }"""
+
+
+def test_what_is_driven_backwards_is_dashed(tmp_path):
+    """Its dashes go on from one of its short segments to the next; a picture has the same."""
+    needs_chromium()
+    made = curves_board((0, 0, 0), (-80, 0, 0), 20)
+    with browser() as page:
+        page.goto(site_page(tmp_path, "light", made))
+        assert 0.4 < shown(page).locator("canvas").evaluate(SHARE_OF_DASHES) < 0.8
+    levels = np.asarray(Image.open(io.BytesIO(made.picture())).convert("RGB"))
+    row = max((levels == (0xE6, 0x9F, 0)).all(axis=2), key=np.count_nonzero)
+    there = np.flatnonzero(row)
+    assert 0.4 < len(there) / (there[-1] - there[0] + 1) < 0.8

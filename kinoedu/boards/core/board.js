@@ -1177,20 +1177,22 @@ class View {
   }
 
   paint_edges(layer) {
-    const { pen, left, bottom } = this, { data, width } = layer;
+    const { pen, left, bottom } = this, { data, width, dash } = layer;
     // lines of one pixel, and without round ends, are painted in a tenth of the time
     const fine = width < FINE && data.length > MANY * this.stride(layer, 4);
     const style = fine ? { ...layer, width: Math.min(width, 1) } : layer;
-    let segments = 0;
-    pen.lineCap = fine ? "butt" : "round";
+    let segments = 0, end = [];           // dashes go on from one segment to the next
+    pen.lineCap = fine || dash.length ? "butt" : "round";
     pen.beginPath();
     this.eachRow(layer, 4, (px, py, x, y) => {
-      pen.moveTo(px, py);
-      pen.lineTo(left + x, bottom - y);
+      if (!dash.length || px !== end[0] || py !== end[1]) pen.moveTo(px, py);
+      end = [left + x, bottom - y];
+      pen.lineTo(...end);
       segments += 1;
       if (segments % BATCH) return;
       this.stroke(style);
       pen.beginPath();
+      end = [];
     });
     this.stroke(style);
     pen.lineCap = "round";

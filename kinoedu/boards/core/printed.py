@@ -215,14 +215,22 @@ def print_bodies(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 
 
 def print_edges(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
-    """Draw segments."""
-    segments, cap = list(rows.reshape(-1, 2, 2)), "butt" if layer.dash else "round"
+    """Draw segments; dashes go on from one segment to the next."""
+    segments = join_segments(rows) if layer.dash else list(rows.reshape(-1, 2, 2))
+    cap = "butt" if layer.dash else "round"
     style: palette.Style = {
         "linewidths": layer.width,
         "linestyles": line_style(layer),
         "capstyle": cap,
     }
     ax.add_collection(LineCollection(segments, colors=colour, zorder=zorder_of(layer), **style))
+
+
+def join_segments(rows: Array) -> list[Array]:
+    """Lines (k, 2) of segments (m, 4) that begin where the one before them ends."""
+    breaks = np.flatnonzero((rows[1:, :2] != rows[:-1, 2:]).any(axis=1)) + 1
+    runs = np.split(rows, breaks)
+    return [np.vstack([run[:, :2], run[-1:, 2:]]) for run in runs]
 
 
 def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
