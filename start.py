@@ -295,7 +295,7 @@ def make_venv(lock):
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         env=environment(),
-        **shared(lock),
+        **shared(lock)
     )
     if made.returncode:
         raise Stop(explain(made.stdout.decode("utf-8", "replace")))
@@ -425,7 +425,7 @@ def finish(line, lock, show_progress):
                 stderr=log,
                 cwd=HERE,
                 env=environment(),
-                **shared(lock),
+                **shared(lock)
             )
         except OSError as error:
             log.write(str(error).encode("utf-8", "replace"))

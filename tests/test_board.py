@@ -19,7 +19,7 @@ from kinoedu.boards import Canvas, Drawing, board, car_board, distance_board
 from kinoedu.boards.car.car import ON_BOARD as ON_CAR_BOARD
 from kinoedu.boards.core.drawing import edges, encode_drawing, path
 from kinoedu.boards.core.printed import fit_page
-from kinoedu.boards.core.scene import make_scene, move_parts
+from kinoedu.boards.core.scene import handle, make_scene, move_parts
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.own import draw_questions, try_planner
 from kinoedu.boards.planning.plans import make_problem_scene, problem_in
@@ -502,3 +502,41 @@ def test_distance_board_tells_distance_nearest_point_and_inside():
     assert page.moves(("handle", 0, [7, 9]))["text"] == "distance 1.414; nearest: vertex 2"
     assert page.moves(("handle", 0, [5, 4]))["text"] == "q is in the polygon: distance 0"
     assert "crosses" in page.moves(("polygon", 0, [[[4, 0], [6, 8], [6, 0], [4, 8]]]))["warning"]
+
+
+@pytest.mark.parametrize("wrong", [KeyboardInterrupt(), ZeroDivisionError(), None])
+def test_a_page_has_a_reply_whatever_happens(wrong):
+    """Also where the answer is interrupted, fails, or is no drawing; the next one is right."""
+    failing = []
+
+    def answer(scene):
+        if not failing:
+            return Drawing([], text="here")
+        failing.clear()
+        if wrong is not None:
+            raise wrong
+        return None
+
+    canvas = Canvas(
+        make_scene((0, 0), (9, 9), handles=[handle("q", (1, 1), colour="start")]), answer
+    )
+    failing.append("once")
+    page = Page(canvas)
+    message = {"kind": "scene", "from": "p", "seq": 3, "moved": [["handle", 0, [2, 2]]]}
+    if isinstance(wrong, KeyboardInterrupt):
+        with pytest.raises(KeyboardInterrupt):
+            page.says(message)
+        assert canvas.shown["handles"][0]["at"] == [1, 1]  # as it was answered last
+        assert [content["seq"] for content, _ in page.sent] == [3]
+    else:
+        (drawing,) = page.says(message)
+        assert drawing["seq"] == 3
+        assert "could not answer" in drawing["warning"]
+    drawing = page.moves(("handle", 0, [3, 3]), seq=4)
+    assert (drawing["seq"], drawing["text"]) == (4, "here")
+
+
+def test_a_bitmap_can_be_taken_away():
+    canvas = Canvas(make_scene((0, 0), (2, 2)), lambda scene: Drawing(), free=np.ones((2, 2), bool))
+    canvas.set_bitmap(None)
+    assert canvas.bitmap == b""

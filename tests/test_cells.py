@@ -229,18 +229,23 @@ def test_a_statement_that_fails_costs_itself(run):
     assert failures[0][4] == ["x"]
 
 
-class TimeUp(BaseException):
-    """Like that of a time limit."""
-
-
 def test_a_time_limit_passes_through():
     """What failed before it is known already."""
-    space = {"TimeUp": TimeUp}
+    space = {"TimeUp": cells.TimeUp}
     running = cells.run_cell("1 / 0\nraise TimeUp\nx = 1", "cell 1", space, cells.Compiler())
     assert next(running).line == 1
-    with pytest.raises(TimeUp):
+    with pytest.raises(cells.TimeUp):
         next(running)
     assert "x" not in space
+
+
+def test_an_exception_of_ones_own_costs_its_statement_alone():
+    """Also one that is no Exception."""
+    space = {}
+    source = "class Mine(BaseException): pass\ndef f(): return 1\nraise Mine\nx = f()"
+    (failure,) = cells.run_cell(source, "cell 1", space, cells.Compiler())
+    assert failure.line == 3
+    assert space["x"] == 1
 
 
 def test_errors_are_as_they_were_raised_with_the_lines_of_the_cell():

@@ -1,6 +1,7 @@
 """Lines traced as they run, and the board that shows them beside their picture."""
 
 import io
+import itertools
 import sys
 
 import numpy as np
@@ -16,7 +17,7 @@ from kinoedu.boards.core.drawing import dots, encode_drawing
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.lit import CODE
 from kinoedu.boards.tracing.moments import rows_over_time
-from kinoedu.boards.tracing.variables import Variable, note_variables
+from kinoedu.boards.tracing.variables import Variable, format_short, note_variables
 from kinoedu.errors import InvalidParameter
 from kinoedu.geometry.segments import closest_on_segment
 from kinoedu.support.line_trace import RAISED, RETURNED, LineTrace
@@ -661,3 +662,38 @@ def test_a_board_that_shows_its_code_does_not_answer_in_a_page():
     made.code.value = True
     made.planner.value = "rrt"
     assert "live" not in made.record()[0]
+
+
+def test_to_show_values_uses_none_of_them_up():
+    """An iterator is as it was, also one that never ends; of many items a few are looked at."""
+    numbers, ones = iter([1.0, 2.0]), itertools.count()
+    assert [format_short(numbers), format_short(ones)] == ["list_iterator", "count"]
+    assert (next(numbers), next(ones)) == (1.0, 0)
+    assert format_short(zip([1], [2])) == "zip"
+    assert format_short({1: 2}.values()) == "[2]"
+    seen = []
+
+    class Noted(float):
+        def __float__(self):
+            seen.append(1)
+            return 0.5
+
+    assert format_short([Noted(k) for k in range(1, 500)]).endswith("(499)")
+    assert len(seen) < 10
+
+
+class Spoken:
+    def words(self):
+        """A method whose text begins at the left margin."""
+        text = """
+at the margin
+"""
+        if text:
+            return len(text)
+        return 0
+
+
+def test_lines_are_traced_where_a_text_begins_at_the_margin():
+    with LineTrace(Spoken.words, lambda local, _: dict(local), most=10) as trace:
+        assert Spoken().words() == 15
+    assert [moment.holds for moment in trace.moments if moment.holds is not None] == [True]

@@ -542,6 +542,27 @@ def test_an_error_is_raised_though_machine_code_is_loaded(monkeypatch) -> None:
         specialization.interpret_or_restart((1.0,))
 
 
+@needs_compiler
+def test_an_exception_that_the_caller_handles_is_not_raised_again(monkeypatch) -> None:
+    """A call within `except` is restarted as any other."""
+    import kinoedu.compiled.numba_thread as keeper
+
+    @tiers.algorithm
+    def twice(x):
+        return x + x
+
+    def told_at_the_end(self):
+        raise keeper.MachineCodeLoaded
+
+    monkeypatch.setattr(WatchedCall, "close", told_at_the_end)
+    monkeypatch.setattr(twice, "machine", lambda x: 2.0 * x)
+    specialization = tiers.Specialization(cast(Any, twice), (kind_of(1.0),))
+    try:
+        raise KeyError("handled")
+    except KeyError:
+        assert specialization.interpret_or_restart((1.0,)) == 2.0
+
+
 # ---- kinds -------------------------------------------------------------------------------------
 
 VALUES = [
@@ -1043,3 +1064,31 @@ def test_python_searches_for_cycles_as_before_after_compiling():
         fail()
     assert within[0] > before[0]
     assert gc.get_threshold() == before
+
+
+def test_blocks_of_several_threads_leave_the_mode_as_it_was() -> None:
+    """The mode is that of the last block that has not ended, in whatever order they end."""
+    before = modes.mode
+    first, second = running(COMPILED_FIRST), running(INTERPRETED)
+    first.__enter__()
+    second.__enter__()
+    first.__exit__(None, None, None)
+    assert modes.mode == INTERPRETED
+    second.__exit__(None, None, None)
+    assert modes.mode == before
+
+
+def test_only_folders_of_machine_code_are_removed(tmp_path) -> None:
+    """A user's own folder beside them stays, whatever the length of its name."""
+    ours, theirs = tmp_path / "0123456789abcdef-01234567", tmp_path / "my-thesis-2023ab"
+    for place in (ours, theirs, tmp_path / "0123456789abcdef"):
+        place.mkdir()
+        os.utime(place, (0, 0))
+    (ours / "wanted").mkdir()
+    os.utime(ours, (0, 0))
+    store.remove_stale(tmp_path / "fedcba9876543210-01234567")
+    assert (ours.exists(), theirs.exists(), (tmp_path / "0123456789abcdef").exists()) == (
+        False,
+        True,
+        True,
+    )

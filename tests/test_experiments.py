@@ -37,6 +37,7 @@ from kinoedu.experiments.files import planners_by_name
 from kinoedu.experiments.places import run_in_this_process
 from kinoedu.experiments.plots import save_plots
 from kinoedu.experiments.summaries import success_fraction
+from kinoedu.problems import Plan
 
 HOUSE = Path(__file__).resolve().parent.parent
 PROBLEM = scattered_polygons(6, rng=1)
@@ -681,3 +682,56 @@ def test_the_example_is_read_and_names_what_there_is():
         planners_by_name()
     )
     assert "query" not in planners_by_name()
+
+
+def counting(problem):
+    """A planner without a path that counts with numpy."""
+    return Plan(None, np.inf, stats={"nodes": np.int64(5), "iterations": "many"})
+
+
+def test_counts_of_ones_own_planner_are_stored(tmp_path):
+    """A number of numpy is a number, and a text is none; a second run finds the same."""
+    experiment = Experiment({"rubble": PROBLEM}, {"counting": counting})
+    for _ in range(2):
+        ran = run(experiment, where="here", out=tmp_path)
+        assert (ran.column("status"), ran.column("nodes")) == (["no path"], [5])
+
+
+def test_here_a_run_without_a_path_is_timed_as_often_as_others():
+    """The first call, which loads, is not the one that counts."""
+    calls = []
+
+    def slow_at_first(problem):
+        calls.append(1)
+        if len(calls) == 1:
+            time.sleep(0.5)
+        return Plan(None, np.inf, reason="no way")
+
+    experiment = Experiment({"rubble": PROBLEM}, {"slow": slow_at_first}, repeat=3)
+    ran = run(experiment, where="here")
+    assert len(calls) == 4
+    assert ran.column("seconds")[0] < 0.4
+
+
+def test_what_took_longer_than_the_limit_is_run_again(tmp_path):
+    """A table does not depend on the limits of earlier runs."""
+
+    def slow(problem):
+        time.sleep(0.3)
+        return Plan(None, np.inf, reason="no way")
+
+    statuses = []
+    for limit in (5.0, 0.05):
+        experiment = Experiment({"rubble": PROBLEM}, {"slow": slow}, time_limit=limit)
+        statuses += run(experiment, where="here", out=tmp_path).column("status")
+    assert statuses == ["no path", "out of time"]
+
+
+def test_a_planner_that_calls_itself_has_a_digest():
+    def make():
+        def again(problem, depth=0):
+            return None if depth > 2 else again(problem, depth + 1)
+
+        return again
+
+    assert digest(make()) == digest(make())

@@ -234,3 +234,34 @@ def test_generators_pass_with_their_states():
         here.random(5)
         state = json.loads(json.dumps(wire.encode_state(here.bit_generator.state)))
         assert wire.generator_of(state).random() == here.random()
+
+
+@needs_sandbox
+def test_errors_of_the_library_are_caught_by_their_names(box):
+    """As in a notebook: by its class, and by that of all errors of the library."""
+    source = """
+import json
+from kinoedu.errors import InvalidPoint, KinoeduError
+from kinoedu.geometry import convex_hull
+said = []
+for kind in (InvalidPoint, KinoeduError, ValueError):
+    try:
+        convex_hull([(0, float('nan'))])
+    except kind as error:
+        said.append(type(error).__name__)
+raise ValueError(json.dumps(said))
+"""
+    assert say(box, source, ("kinoedu.geometry:convex_hull",)) == ["InvalidPoint"] * 3
+
+
+def test_data_deeper_than_any_value_is_no_value():
+    """Whoever sends it is told so, instead of ending the reader."""
+    data = []
+    for _ in range(700):
+        data = [data]
+    with pytest.raises(wire.Unfit, match="deep"):
+        wire.decode(data, lambda mark, content: None)
+    value: object = 1
+    for k in range(wire.MOST_DEEP - 1):
+        value = {"a": value} if k % 2 else [value]
+    assert wire.decode(wire.encode(value, lambda value: None), lambda mark, content: None) == value

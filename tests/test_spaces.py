@@ -526,3 +526,9 @@ def test_matrices_that_are_not_displacements_are_refused(bad: Any) -> None:
     for ask in (inverse, configuration, lambda matrix: displaced((0, 0), matrix)):
         with pytest.raises(InvalidPoint, match="displacement"):
             ask(bad)
+
+
+def test_a_configuration_of_another_size_is_refused():
+    for wrong in ((0.5,), 0.5, (0.1, 0.2, 0.3)):
+        with pytest.raises(InvalidPoint, match="2 coordinates"):
+            wrapped_configuration(Torus(2), wrong)

@@ -1,6 +1,7 @@
 """The three modes in which calls run, for a process or a block."""
 
 import os
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -19,11 +20,13 @@ def _mode_of_process() -> str:
 
 
 mode = _mode_of_process()  # read as modes.mode; set by running()
+_blocks: list[list[str]] = []  # the mode before the first block, and that of each block
+_lock = threading.Lock()
 
 
 @contextmanager
 def running(new: str) -> Iterator[None]:
-    """Run the block, in all threads, in another mode.
+    """Run the block, in all threads, in another mode: that of the last block that has not ended.
 
     Raises
     ------
@@ -41,11 +44,20 @@ def running(new: str) -> Iterator[None]:
     global mode
     if new not in MODES:
         raise ValueError(f"a mode is one of {', '.join(MODES)}, got {new!r}")
-    before, mode = mode, next(name for name in MODES if name == new)
+    block = [next(name for name in MODES if name == new)]
+    with _lock:
+        if not _blocks:
+            _blocks.append([mode])
+        _blocks.append(block)
+        mode = block[0]
     try:
         yield
     finally:
-        mode = before
+        with _lock:
+            _blocks[:] = [one for one in _blocks if one is not block]
+            mode = _blocks[-1][0]
+            if len(_blocks) == 1:
+                _blocks.clear()
 
 
 @contextmanager

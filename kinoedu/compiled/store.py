@@ -16,6 +16,7 @@ import hashlib
 import os
 import pickle
 import platform
+import re
 import shutil
 import sys
 import tempfile
@@ -44,6 +45,7 @@ UPPER_ROOMS = (
     "grading",
     "slides",
 )
+VERSION = re.compile(r"[0-9a-f]{16}(-[0-9a-f]{8})?")  # the name of a folder
 STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
 IMPORTED = time.time()  # sources changed later than this do not run in this process
 
@@ -159,8 +161,8 @@ def make_folder(place: Path) -> None:
 def remove_stale(place: Path) -> None:
     """Remove the folders of other versions in which nothing was compiled for a month."""
     for other in place.parent.iterdir():
-        is_version = len(other.name) in (16, 25) and other != place
-        if is_version and time.time() - other.stat().st_mtime > STALE:
+        is_version = VERSION.fullmatch(other.name) and (other / "wanted").is_dir()
+        if is_version and other != place and time.time() - other.stat().st_mtime > STALE:
             shutil.rmtree(other, ignore_errors=True)
 
 

@@ -17,6 +17,7 @@ import importlib.util
 import inspect
 import logging
 import os
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -33,9 +34,7 @@ from .kinds import Kind, kinds_of
 from .saved_state import copy_state, restore_state
 
 BUDGET = 2.0  # seconds of interpreting one kind of call before it is compiled
-IMPORTING = (
-    1.0  # seconds of interpreting in all before numba is imported, which takes about as long
-)
+IMPORTING = 1.0  # seconds of interpreting before numba is imported, which takes about as long
 LOOK_AGAIN = 0.5  # seconds between two looks for machine code on the disk
 ASSUMED = 0.01  # seconds of interpreting before the kinds of arguments are looked at again
 
@@ -75,7 +74,7 @@ class TieredFunction:
         self.is_algorithm = is_algorithm
         self.options = options
         self.can_be_stored = store.is_digested(function)
-        self.is_traced = False  # see in_python
+        self.traces = 0  # blocks of in_python that have not ended
         # the dispatcher, once machine code is loaded
         self.machine: Function | None = None
         self.inner: Any = None  # numba's function for compiled callers, in a process that compiles
@@ -84,7 +83,7 @@ class TieredFunction:
         TIERED.append(self)
 
     def __call__(self, *args: Any) -> Any:
-        if thread_state.interpreting or self.is_traced or modes.mode is modes.INTERPRETED:
+        if thread_state.interpreting or self.traces or modes.mode is modes.INTERPRETED:
             return self.py_func(*args)
         machine = self.machine
         return self.without_machine_code(*args) if machine is None else machine(*args)
@@ -135,12 +134,12 @@ def in_python(*functions: Any) -> Iterator[None]:
     """
     tiered = [function for function in functions if isinstance(function, TieredFunction)]
     for function in tiered:
-        function.is_traced = True
+        function.traces += 1
     try:
         yield
     finally:
         for function in tiered:
-            function.is_traced = False
+            function.traces -= 1
 
 
 def find_function(module: str, name: str) -> Any:
@@ -235,11 +234,7 @@ class Specialization:
         )
 
     def begin_to_use(self, machine: Any) -> None:
-        """Call the dispatcher from now on.
-
-        Not before its machine code is there: while numba loads the first code it still learns
-        types, and a call in another thread fails then.
-        """
+        """Call the dispatcher from now on; another thread's call while numba loads would fail."""
         self.function.machine = machine
         self.is_loaded = True
 
@@ -315,7 +310,7 @@ class Specialization:
         """Interpret an algorithm; if its machine code is loaded meanwhile, restart with that."""
         from .numba_thread import MachineCodeLoaded, WatchedCall
 
-        saved = copy_state(args)
+        saved, handled = copy_state(args), sys.exc_info()[1]  # what the caller handles already
         watch = WatchedCall(self)
         try:
             try:
@@ -323,8 +318,9 @@ class Specialization:
             finally:
                 watch.close()
         except MachineCodeLoaded as change:
-            if change.__context__ is not None:  # raised while the call was already failing
-                raise change.__context__ from None
+            failing = change.__context__
+            if failing is not None and failing is not handled:  # raised while the call was failing
+                raise failing from None
         restore_state(args, saved)
         return self.function.machine(*args)  # type: ignore[misc]  # it was loaded just now
 

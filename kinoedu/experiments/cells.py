@@ -109,11 +109,19 @@ def outcome_of(plan: Plan, faults: Faults, query_counts: Any, seconds: float) ->
         seconds,
         int(query_counts[MOTIONS]),
         int(query_counts[PLACES]),
-        plan.stats.get("nodes"),
-        plan.stats.get("iterations"),
+        count_of(plan, "nodes"),
+        count_of(plan, "iterations"),
         faults.text or plan.reason,
         digest_of(plan.path) if found else "",
     )
+
+
+def count_of(plan: Plan, name: str) -> int | None:
+    """A count of a plan, which may be a reader's own; None where it is no number."""
+    try:
+        return int(plan.stats[name])
+    except (KeyError, TypeError, ValueError, OverflowError):
+        return None
 
 
 def digest_of(path: Array | None) -> str:

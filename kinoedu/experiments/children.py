@@ -227,7 +227,7 @@ def run_next_cell(tasks: BinaryIO, warmed_up: set[str]) -> Outcome:
         if difference := find_difference(cell):
             return Outcome(NOT_RUN, reason=difference)
         with Watch(cell.time_limit + LOADING):
-            first = run_cell(cell)
+            first = run_cell(cell._replace(repeat=1))
         if first.status == NOT_RUN:
             return first
         warmed_up.add(cell.kind)

@@ -116,7 +116,8 @@ def function_parts(function: Any) -> tuple[Any, ...]:
     module = sys.modules.get(function.__module__)
     if is_ours(function.__module__):
         return ()
-    held = [cell.cell_contents for cell in function.__closure__ or ()]
+    cells = function.__closure__ or ()
+    held = [one.cell_contents for one in cells if one.cell_contents is not function]
     about = (held, function.__defaults__, function.__kwdefaults__)
     if module is not None and own_file(module.__name__) is not None:
         check_unchanged(module)

@@ -10,7 +10,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import integer
 from ..support.text import shortened
 from ..support.time_limit import TimeUp, run_within
-from .cells import Cell, Outcome, out_of_time, run_cell
+from .cells import NOT_RUN, Cell, Outcome, out_of_time, run_cell
 from .children import Answer, Batch, Children, run_batch, run_in_children
 
 LOADING = 300.0  # extra seconds for the first of two runs, which compiles
@@ -87,7 +87,7 @@ def run_in_this_process(cell: Cell) -> Outcome:
     try:
         limit = cell.time_limit * cell.repeat
         first = run_within(limit + LOADING, lambda: run_cell(cell._replace(repeat=1)))
-        if first.reason and not first.path:
+        if first.status == NOT_RUN:
             return first
         return run_within(limit, lambda: run_cell(cell))
     except TimeUp:

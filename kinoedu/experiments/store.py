@@ -27,8 +27,8 @@ class Store:
     def read(self, cell: Cell) -> Outcome | None:
         """Outcome of an earlier run, or None.
 
-        None stands for a missing or damaged file, and for a run that was stopped after less time
-        than it has now.
+        None stands for a missing or damaged file, for a run that was stopped after less time than
+        it has now, and for one that took longer than that.
         """
         if self.folder is None:
             return None
@@ -37,8 +37,9 @@ class Store:
             outcome = Outcome(**json.loads(text))
         except (OSError, ValueError, TypeError):
             return None
-        had_less_time = outcome.status == OUT_OF_TIME and outcome.seconds < cell.time_limit
-        return None if had_less_time else outcome
+        if outcome.status == OUT_OF_TIME:
+            return outcome if outcome.seconds >= cell.time_limit else None
+        return outcome if outcome.seconds <= cell.time_limit else None
 
     def write(self, cell: Cell, outcome: Outcome) -> None:
         """Store an outcome, except of a cell that could not be run. Raises OSError."""

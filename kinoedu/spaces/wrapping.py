@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array, integer, positive
 from ..support.constructors import with_type_names
 from .angles import FULL_TURN, angle_difference, wrap_angle
@@ -111,7 +112,7 @@ def wrapped_configuration(space: WrappingSpace, q: ArrayLike) -> Array:
     Raises
     ------
     InvalidPoint
-        Where a coordinate is not finite.
+        Where a coordinate is not finite, or their number is not that of the space.
 
     Examples
     --------
@@ -119,6 +120,10 @@ def wrapped_configuration(space: WrappingSpace, q: ArrayLike) -> Array:
     [0.5, 0.0]
     """
     inside = np.array(as_array(q, "configuration"))
+    if inside.shape[-1:] != space.lo.shape:
+        raise InvalidPoint(
+            f"a configuration has {len(space.lo)} coordinates here, got shape {inside.shape}"
+        )
     for i in np.flatnonzero(space.wraps):
         inside[..., i] = np.vectorize(wrap_angle.py_func, otypes=[np.float64])(inside[..., i])
     return inside

@@ -6,7 +6,7 @@ import ast
 import inspect
 import sys
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from traceback import walk_tb
 from types import CodeType, FrameType, TracebackType
@@ -173,11 +173,24 @@ def find_conditions(source: Source) -> dict[int, range]:
     """The lines with the condition of an `if` or a `while`, each with the first lines below it."""
     return {
         node.lineno - 1: range(node.body[0].lineno - 1, node.body[0].end_lineno or 0)
-        for node in ast.walk(ast.parse("\n".join(source.lines)))
+        for node in ast.walk(parse_lines(source.lines))
         if isinstance(node, ast.If | ast.While)
         and node.lineno == node.test.end_lineno
         and node.lineno < node.body[0].lineno
     }
+
+
+def parse_lines(lines: Sequence[str]) -> ast.Module:
+    """The syntax tree of a function's lines, which may be indented.
+
+    They are where a text in them begins at the left margin, because `dedent` then removes nothing.
+    """
+    text = "\n".join(lines)
+    try:
+        return ast.parse(text)
+    except IndentationError:
+        tree: Any = ast.parse("if 1:\n" + text)
+        return ast.increment_lineno(ast.Module(tree.body[0].body, []), -1)
 
 
 def source_of(function: Callable[..., object]) -> Source:

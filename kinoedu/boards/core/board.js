@@ -564,6 +564,7 @@ class View {
     READING.forEach((kind) => document.removeEventListener(kind, this.read));
     [this.speaking, this.settling].forEach(clearTimeout);
     this.board.views.delete(this);
+    if (!this.board.views.size) document.removeEventListener("keydown", offerWords, true);
   }
 
   dress(theme) {                         // take the colours of the page's theme

@@ -31,7 +31,8 @@ import base64
 import logging
 import threading
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -188,7 +189,8 @@ class Canvas(anywidget.AnyWidget):
         Every page receives it now and paints it together with the next drawing.
         """
         with _answering:
-            self._free = np.asarray(bitmap, None if self._free is None else self._free.dtype)
+            kind = None if self._free is None else self._free.dtype
+            self._free = None if bitmap is None else np.asarray(bitmap, kind)
             self.bitmap = pack_bitmap(self._free)
 
     def set_state(self, sync_data: JsonObject) -> None:
@@ -219,25 +221,37 @@ class Canvas(anywidget.AnyWidget):
             elif message.get("kind") == "code" and self._code is not None:
                 self.send({"kind": "code", "to": page, "text": self._code()})
             elif message.get("kind") == "scene" and isinstance(seq, int):
-                self._show(page, seq, self._move(message.get("moved")))
+                with self._replying(page, seq):
+                    self._move(message.get("moved"))
             elif message.get("kind") == "keys" and isinstance(seq, int) and self._drive is not None:
                 held = message.get("held")
                 keys = held if isinstance(held, list) else []
-                self._drive({key for key in ARROWS if key in keys})
-                self._draw()
-                self._show(page, seq, self._reply.brief)
+                with self._replying(page, seq):
+                    self._drive({key for key in ARROWS if key in keys})
+                    self._draw()
 
-    def _move(self, parts: object) -> Message:
-        """Move parts of the scene and answer it, unless nothing changed; or say why not."""
+    @contextmanager
+    def _replying(self, page: str, seq: int) -> Iterator[None]:
+        """Reply to a page after the block, whatever happens in it: the page waits for a reply."""
+        before = self._shown
         try:
-            scene = move_parts(self._shown, parts)
+            yield
+            message = self._reply.brief
         except KinoeduError as error:
             warning = Drawing(warning=str(error))
-            return Reply(lambda: warning, self._shown).brief
+            message = Reply(lambda: warning, self._shown).brief
+        except BaseException:  # interrupted, or a fault in what the board was given
+            self._shown = before
+            self._show(page, seq, self._reply.brief)
+            raise
+        self._show(page, seq, message)
+
+    def _move(self, parts: object) -> None:
+        """Move parts of the scene and answer it, unless nothing changed. Raises KinoeduError."""
+        scene = move_parts(self._shown, parts)
         if scene != self._shown:
             self._shown = scene
             self._draw()
-        return self._reply.brief
 
     def _draw(self) -> None:
         """Answer the scene, or show what is wrong with it."""

@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from ...support.json_fields import JsonObject
-from ...support.line_trace import Source
+from ...support.line_trace import Source, parse_lines
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def read_code(source: Source) -> dict[int, str]:
     Decorators, docstring and the types of parameters are left out.
     """
     lines = dict(enumerate(source.lines))
-    function = ast.parse("\n".join(source.lines)).body[0]
+    function = parse_lines(source.lines).body[0]
     if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
         return lines
     body = function.body

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from ...errors import KinoeduError
 from ...messages import get_message
 from ...support.json_fields import JsonObject
+from ...support.text import shortened
 from .drawing import Drawing, encode_drawing
 from .scene import Scene, frame_of
 
@@ -79,6 +80,8 @@ def draw_in_time(answer: Callable[[], Drawing]) -> tuple[Drawing, float]:
     began = time.perf_counter()
     try:
         drawing = answer()
+        if not isinstance(drawing, Drawing):
+            raise TypeError(f"expected a Drawing, got {shortened(drawing)}")
     except KinoeduError as error:
         drawing = Drawing(warning=str(error))
     except Exception as error:

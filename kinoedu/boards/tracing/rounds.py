@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from types import CodeType
 
+from ...support.line_trace import parse_lines
+
 Names = frozenset[str]
 
 
@@ -63,7 +65,7 @@ def find_rounds(lines: tuple[str, ...]) -> Rounds:
     >>> rounds.find_old([1, 2, 1, 2], [["i"], ["j"], ["i"], ["j"]])
     [frozenset(), frozenset(), frozenset({'j'}), frozenset()]
     """
-    tree = ast.parse("\n".join(lines))
+    tree = parse_lines(lines)
     assigned = dict[int, Names]()
     for statement in ast.walk(tree):
         if isinstance(statement, ast.stmt):

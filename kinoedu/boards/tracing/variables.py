@@ -1,6 +1,6 @@
 """The variables of a running function: each as a short text, and as points if it is that."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple
 
@@ -89,26 +89,36 @@ def format_short(value: object) -> str:
             return f"({', '.join(map(format_short, value))})"
         return f"{' x '.join(map(str, value.shape))} numbers"
     if isinstance(value, dict):
-        pairs = (f"{format_short(key)}: {format_short(item)}" for key, item in value.items())
-        return join_items(pairs, len(value), "{}")
+        return join_items(value.items(), format_pair, "{}")
     if hasattr(value, "_fields"):
         return type(value).__name__
     if isinstance(value, tuple):
-        return join_items(map(format_short, value), len(value), "()")
+        return join_items(value, format_short, "()")
+    if isinstance(value, Iterator) or not isinstance(value, Iterable) or not is_sized(value):
+        return type(value).__name__  # to read an iterator would use it up, or never end
+    return join_items(value, format_short, "[]")
+
+
+def is_sized(value: object) -> bool:
+    """Whether a value knows how many items it has."""
     try:
-        items = list(value)  # type: ignore[call-overload]
+        return len(value) >= 0  # type: ignore[arg-type]
     except TypeError:
-        return type(value).__name__
-    return join_items(map(format_short, items), len(items), "[]")
+        return False
 
 
-def join_items(texts: Iterable[str], number: int, brackets: str) -> str:
+def format_pair(pair: tuple[object, object]) -> str:
+    """A key and its value."""
+    return ": ".join(map(format_short, pair))
+
+
+def join_items(items: Iterable[Any], write: Callable[[Any], str], brackets: str) -> str:
     """Items in brackets; of many only the first ones and the last, and how many there are."""
-    found = list(texts)
-    if number <= 2 * ENDS:
-        return f"{brackets[0]}{', '.join(found)}{brackets[1]}"
-    written = [*found[:ENDS], "...", found[-1]]
-    return f"{brackets[0]}{', '.join(written)}{brackets[1]} ({number})"
+    found = list(items)
+    if len(found) <= 2 * ENDS:
+        return f"{brackets[0]}{', '.join(map(write, found))}{brackets[1]}"
+    written = [*map(write, found[:ENDS]), "...", write(found[-1])]
+    return f"{brackets[0]}{', '.join(written)}{brackets[1]} ({len(found)})"
 
 
 def compile_expressions(expressions: Mapping[str, str]) -> dict[str, CodeType]:

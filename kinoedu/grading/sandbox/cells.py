@@ -63,11 +63,15 @@ class Compiler:
         return code
 
 
+class TimeUp(BaseException):
+    """A cell or a call computed for too long: seconds used, allowed, and passed on the clock."""
+
+
 def run_cell(source: str, name: str, space: Space, compiler: Compiler) -> Iterator[Failure]:
     """Run a cell in the namespace `space`, and yield each failure when it happens.
 
-    Exceptions of the program are yielded; other kinds of BaseException, such as that of a time
-    limit, pass through. The cell runs only as far as its failures are asked for.
+    Exceptions of the program are yielded, of whatever kind; only TimeUp passes through. The cell
+    runs only as far as its failures are asked for.
 
     Parameters
     ----------
@@ -89,7 +93,9 @@ def run_cell(source: str, name: str, space: Space, compiler: Compiler) -> Iterat
             continue
         try:
             run_statement(compiler.compile(statement, name), space)
-        except (Exception, SystemExit, KeyboardInterrupt) as error:
+        except TimeUp:
+            raise
+        except BaseException as error:
             yield Failure(error, find_line(error, name, statement), find_names(statement))
 
 

@@ -9,6 +9,7 @@ import importlib
 import importlib.machinery
 import sys
 from collections.abc import Callable
+from functools import cache
 from types import ModuleType
 from typing import Any, ClassVar
 
@@ -137,7 +138,16 @@ def find_exception(kinds: list[str]) -> type[Exception]:
         ),
         RuntimeError,
     )
+    if "KinoeduError" in kinds:
+        return error_of_library(kinds[0])
     return base if base.__name__ == kinds[0] else type(kinds[0], (base,), {})
+
+
+@cache
+def error_of_library(name: str) -> type[Exception]:
+    """The class of the library's errors of this name: the same one raised, imported and caught."""
+    base = ValueError if name == "KinoeduError" else error_of_library("KinoeduError")
+    return type(name, (base,), {})
 
 
 class NotLent:
@@ -172,7 +182,7 @@ class LentModule(ModuleType):
             return Silent()
         full_name = f"{self.__name__}.{name}"
         if self.__name__ == "kinoedu.errors":
-            return type(name, (ValueError,), {})
+            return error_of_library(name)
         finder = self.__loader__
         assert isinstance(finder, LentModules)
         return (

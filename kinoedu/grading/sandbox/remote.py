@@ -73,7 +73,7 @@ class RemoteFunction:
         except Ended as end:
             self.student.end = end.reason
             outcome = Late(False)
-        except (wire.Unfit, KeyError, IndexError, TypeError, ValueError, OverflowError):
+        except (wire.Unfit, LookupError, TypeError, ValueError, AttributeError, ArithmeticError):
             self.student.end = "unasked"
             outcome = Late(False)
         raise Elsewhere(outcome)
@@ -235,7 +235,7 @@ class Student:
             number, name, given, named = question
             lent = self.lent[number]
             values = self.decode(given, used), self.decode(named, used)
-        except (wire.Unfit, TypeError, ValueError, LookupError, OverflowError) as error:
+        except (wire.Unfit, TypeError, ValueError, LookupError, ArithmeticError) as error:
             raise Ended("unasked") from error
         try:
             if not lent.is_for(self.module):

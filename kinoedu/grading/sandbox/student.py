@@ -21,6 +21,7 @@ import importlib
 import io
 import linecache
 import os
+import pickle
 import random
 import signal
 import socket
@@ -58,6 +59,7 @@ import numpy as np  # noqa: E402
 
 from kinoedu.course.exceptions import describe_exception  # noqa: E402
 from kinoedu.grading.sandbox import cells, imports, shut_in, stand_ins, wire  # noqa: E402
+from kinoedu.grading.sandbox.cells import TimeUp  # noqa: E402
 from kinoedu.grading.sandbox.lent import (  # noqa: E402
     LentModules,
     LentValues,
@@ -141,10 +143,6 @@ def discard_output() -> None:
         os.dup2(null, number)
     os.close(null)
     sys.stdout = sys.stderr = io.TextIOWrapper(io.BufferedWriter(Nowhere()), encoding="utf-8")
-
-
-class TimeUp(BaseException):
-    """A cell or a call computed for too long: seconds used, allowed, and passed on the clock."""
 
 
 class Program:
@@ -285,9 +283,8 @@ class Program:
 
 
 def generators_state() -> Any:
-    """The state of the generators that all of Python and of numpy share."""
-    state: Any = np.random.get_state(legacy=False)
-    return random.getstate(), state["state"]["key"].tobytes(), state["state"]["pos"]
+    """The state of the generators that all of Python and of numpy share, of whatever kind."""
+    return random.getstate(), pickle.dumps(np.random.get_state(legacy=False))
 
 
 def is_students(file: str) -> bool:

@@ -19,6 +19,7 @@ DTYPES = {"f": np.float64, "i": np.int64, "u": np.uint64, "b": np.bool_}  # by n
 TEXT = (str, bytes, bytearray, memoryview)  # sequences that are not lists of values
 MOST_BITS = 4000  # of an integer
 MOST_DEEP = 40  # lists within lists
+DEEPEST = 2 * MOST_DEEP + 10  # lists within lists as JSON, where a dict is two lists
 
 
 class Unfit(ValueError):
@@ -83,13 +84,15 @@ def encode_integer(value: int) -> Any:
     return int(value) if value.bit_length() < MOST_BITS else {OTHER: "int"}
 
 
-def decode(data: Any, find: Callable[[str, Any], Any]) -> Any:
-    """The value of JSON data. Raises Unfit.
+def decode(data: Any, find: Callable[[str, Any], Any], deep: int = 0) -> Any:
+    """The value of JSON data. Raises Unfit, also where it is deeper than `encode` writes.
 
     find : gives the value of the marks LENT and GENERATOR.
     """
+    if deep > DEEPEST:
+        raise Unfit("too deep")
     if isinstance(data, list):
-        return [decode(item, find) for item in data]
+        return [decode(item, find, deep + 1) for item in data]
     if not isinstance(data, dict):
         return data
     if len(data) != 1:
@@ -100,7 +103,7 @@ def decode(data: Any, find: Callable[[str, Any], Any]) -> Any:
     if mark == OTHER:
         return make_other(content)
     if mark in (TUPLE, DICT) and isinstance(content, list):
-        items = [decode(item, find) for item in content]
+        items = [decode(item, find, deep + 1) for item in content]
         return tuple(items) if mark == TUPLE else as_dict(items)
     if mark == ARRAY:
         return as_array(content)
