@@ -64,15 +64,29 @@ def move_names_off_points(points: Array, ax: Axes) -> None:
     for text in beside:
         if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
             others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
-            right, up = (int(np.sign(offset)) for offset in text.xyann)
-            for side in ((right, up), (right, -up), (-right, up), (-right, -up)):
-                near, far = box_of(text, (APART * side[0], APART * side[1]), ax)
-                is_inside = (near >= low).all() and (far <= high).all()
-                is_crossed = ((near < passed) & (passed < far)).all(axis=1).any()
-                covers = [(near < b).all() and (a < far).all() for a, b in others]
-                if is_inside and not is_crossed and not any(covers):
+            for side in sides_of(text):
+                box = box_of(text, (APART * side[0], APART * side[1]), ax)
+                if is_within(box, (low, high)) and not covers(box, passed, others):
                     put(text, side)
                     break
+
+
+def sides_of(text: Annotation) -> list[Side]:
+    """The four sides of a name's place, its present one first."""
+    right, up = (1 if offset > 0.0 else -1 for offset in text.xyann)
+    return [(right, up), (right, -up), (-right, up), (-right, -up)]
+
+
+def is_within(inner: Box, outer: Box) -> bool:
+    """Whether a box lies in another."""
+    return bool((inner[0] >= outer[0]).all() and (inner[1] <= outer[1]).all())
+
+
+def covers(box: Box, points: Array, others: list[Box]) -> bool:
+    """Whether a box covers one of some points (n, 2), or a part of another box."""
+    low, high = box
+    is_met = ((low < points) & (points < high)).all(axis=1).any()
+    return bool(is_met) or any((low < b).all() and (a < high).all() for a, b in others)
 
 
 def in_points(line: Array, transform: Transform, ax: Axes) -> Array:
