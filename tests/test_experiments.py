@@ -37,6 +37,7 @@ from kinoedu.experiments.files import planners_by_name
 from kinoedu.experiments.places import run_in_this_process
 from kinoedu.experiments.plots import save_plots
 from kinoedu.experiments.summaries import success_fraction
+from kinoedu.experiments.table import Row, Table
 from kinoedu.problems import Plan
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -735,3 +736,17 @@ def test_a_planner_that_calls_itself_has_a_digest():
         return again
 
     assert digest(make()) == digest(make())
+
+
+def test_a_run_that_was_stopped_takes_no_planner_from_the_curves():
+    """It has no nodes, and infinite cost: the median of the others' nodes counts."""
+    row = Row("p", "rrt", "", 0, True, "found", 5.0, 0.1, 1, 1, 10, 10, "", "")
+    rows = [
+        row._replace(tuning=tuning, seed=seed, nodes=nodes + seed, cost=cost)
+        for tuning, nodes, cost in (("few", 10, 9.0), ("many", 100, 6.0))
+        for seed in range(3)
+    ]
+    rows[-1] = rows[-1]._replace(found=False, status="out of time", nodes=None, cost=math.inf)
+    nodes, costs = Table(tuple(rows)).growth()["rrt"]
+    assert nodes.tolist() == [11.0, 100.5]
+    assert costs.tolist() == [[9.0] * 3, [6.0, 6.0, math.inf]]

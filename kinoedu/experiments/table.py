@@ -126,7 +126,8 @@ class Table:
         """Costs over nodes for each planner of several tunings, from few nodes to many.
 
         A planner is left out where no tuning found a path with at least half of the seeds: then no
-        median can be drawn.
+        median can be drawn. A run that was stopped has infinite cost, and does not count for the
+        median of nodes.
 
         Returns
         -------
@@ -135,13 +136,17 @@ class Table:
         """
         grown: dict[str, dict[str, list[Row]]] = {}
         for row in self:
-            if row.status != NOT_RUN and row.nodes is not None:
+            if row.status != NOT_RUN:
                 grown.setdefault(row.planner, {}).setdefault(row.tuning, []).append(row)
         curves = {}
         for planner, tunings in grown.items():
+            counts = [
+                [n for row in rows if (n := row.nodes) is not None] for rows in tunings.values()
+            ]
             columns = sorted(
-                (float(np.median([row.nodes for row in rows])), [row.cost for row in rows])
-                for rows in tunings.values()
+                (float(np.median(nodes)), [row.cost for row in rows])
+                for nodes, rows in zip(counts, tunings.values())
+                if nodes
             )
             complete = len(columns) > 1 and len({len(costs) for _, costs in columns}) == 1
             if complete and any(2 * np.isfinite(costs).sum() >= len(costs) for _, costs in columns):
