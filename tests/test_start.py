@@ -716,3 +716,9 @@ def test_pins_satisfy_pyproject_on_every_platform(machine):
             if requirement.marker is None or requirement.marker.evaluate(machine):
                 version = held.get(canonicalize_name(requirement.name))
                 assert version is not None and requirement.specifier.contains(version), requirement
+
+
+def test_old_pythons_can_read_the_script_that_refuses_them():
+    """They know no comma after ** in a call."""
+    text = (ROOT / "start.py").read_text(encoding="utf-8")
+    assert re.findall(r"\*\*\w+(?:\([^()]*\))?,\s*\)", text) == []

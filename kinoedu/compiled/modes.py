@@ -20,7 +20,8 @@ def _mode_of_process() -> str:
 
 
 mode = _mode_of_process()  # read as modes.mode; set by running()
-_blocks: list[list[str]] = []  # the mode before the first block, and that of each block
+# The mode before the first block, and that of each block: a list of its own, known by identity.
+_blocks: list[list[str]] = []
 _lock = threading.Lock()
 
 

@@ -45,7 +45,7 @@ UPPER_ROOMS = (
     "grading",
     "slides",
 )
-VERSION = re.compile(r"[0-9a-f]{16}(-[0-9a-f]{8})?")  # the name of a folder
+VERSION = re.compile(r"[0-9a-f]{16}(-[0-9a-f]{8})?")  # the name of a folder of machine code
 STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
 IMPORTED = time.time()  # sources changed later than this do not run in this process
 

@@ -28,9 +28,13 @@ Box = tuple[Array, Array]  # its lower left and its upper right corner
 
 def label_beside(q: Array, name: str, colour: str, world: World, ax: Axes) -> Artist:
     """Write a name next to a place, on the side where there is room."""
-    right = q[0] < world.lo[0] + 0.75 * (world.hi[0] - world.lo[0])
-    up = q[1] < world.lo[1] + 0.85 * (world.hi[1] - world.lo[1])
-    return write_name(q, name, colour, (1 if right else -1, 1 if up else -1), ax)
+    return write_name(q, name, colour, roomy_side(q, world.lo, world.hi), ax)
+
+
+def roomy_side(q: ArrayLike, low: ArrayLike, high: ArrayLike) -> Side:
+    """The side of a place where a box from `low` to `high` has room for a name."""
+    share = (np.asarray(q)[:2] - np.asarray(low)) / (np.asarray(high) - np.asarray(low))
+    return (1 if share[0] < 0.75 else -1, 1 if share[1] < 0.85 else -1)
 
 
 def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> Artist:

@@ -1182,18 +1182,19 @@ class View {
     // lines of one pixel, and without round ends, are painted in a tenth of the time
     const fine = width < FINE && data.length > MANY * this.stride(layer, 4);
     const style = fine ? { ...layer, width: Math.min(width, 1) } : layer;
-    let segments = 0, end = [];           // dashes go on from one segment to the next
+    let segments = 0, endX = NaN, endY = NaN;  // dashes go on from one segment to the next
     pen.lineCap = fine || dash.length ? "butt" : "round";
     pen.beginPath();
     this.eachRow(layer, 4, (px, py, x, y) => {
-      if (!dash.length || px !== end[0] || py !== end[1]) pen.moveTo(px, py);
-      end = [left + x, bottom - y];
-      pen.lineTo(...end);
+      if (!dash.length || px !== endX || py !== endY) pen.moveTo(px, py);
+      endX = left + x;
+      endY = bottom - y;
+      pen.lineTo(endX, endY);
       segments += 1;
       if (segments % BATCH) return;
       this.stroke(style);
       pen.beginPath();
-      end = [];
+      endX = NaN;
     });
     this.stroke(style);
     pen.lineCap = "round";

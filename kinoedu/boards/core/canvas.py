@@ -120,6 +120,7 @@ class Canvas(anywidget.AnyWidget):
 
     _esm = widget_script(CORE / "board.js")
     _css = widget_style()
+    _reply: Reply
     key = traitlets.Unicode().tag(sync=True)
     partner = traitlets.Unicode().tag(sync=True)
     lane = traitlets.Unicode().tag(sync=True)
@@ -233,7 +234,7 @@ class Canvas(anywidget.AnyWidget):
     @contextmanager
     def _replying(self, page: str, seq: int) -> Iterator[None]:
         """Reply to a page after the block, whatever happens in it: the page waits for a reply."""
-        before = self._shown
+        before = self._shown, self._reply
         try:
             yield
             message = self._reply.brief
@@ -241,7 +242,7 @@ class Canvas(anywidget.AnyWidget):
             warning = Drawing(warning=str(error))
             message = Reply(lambda: warning, self._shown).brief
         except BaseException:  # interrupted, or a fault in what the board was given
-            self._shown = before
+            self._shown, self._reply = before
             self._show(page, seq, self._reply.brief)
             raise
         self._show(page, seq, message)

@@ -16,7 +16,7 @@ from PIL import Image, ImageColor
 
 from ...figures import palette
 from ...figures.drawing import compound
-from ...figures.names import move_names_off, move_names_off_points, write_name
+from ...figures.names import move_names_off, move_names_off_points, roomy_side, write_name
 from ...figures.style import Levels, as_png, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
@@ -321,7 +321,5 @@ def print_handles(scene: Scene, ax: Axes) -> None:
         marker, size = ("*", 15) if handle["marker"] == "star" else ("o", 9)
         rim: palette.Style = {"markeredgecolor": "white", "markeredgewidth": 1.2}
         ax.plot(x, y, marker, color=colour, markersize=size, zorder=7, **rim)
-        right = x < scene["lo"][0] + 0.75 * (scene["hi"][0] - scene["lo"][0])
-        up = not low and y < scene["lo"][1] + 0.85 * (scene["hi"][1] - scene["lo"][1])
-        side = (1 if right else -1, 1 if up else -1)
-        write_name((x, y), handle["name"], colour, side, ax)
+        right, up = roomy_side((x, y), scene["lo"], scene["hi"])
+        write_name((x, y), handle["name"], colour, (right, -1 if low else up), ax)

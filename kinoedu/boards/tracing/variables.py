@@ -1,6 +1,6 @@
 """The variables of a running function: each as a short text, and as points if it is that."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sized
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple
 
@@ -94,17 +94,9 @@ def format_short(value: object) -> str:
         return type(value).__name__
     if isinstance(value, tuple):
         return join_items(value, format_short, "()")
-    if isinstance(value, Iterator) or not isinstance(value, Iterable) or not is_sized(value):
-        return type(value).__name__  # to read an iterator would use it up, or never end
-    return join_items(value, format_short, "[]")
-
-
-def is_sized(value: object) -> bool:
-    """Whether a value knows how many items it has."""
-    try:
-        return len(value) >= 0  # type: ignore[arg-type]
-    except TypeError:
-        return False
+    if isinstance(value, Iterable) and isinstance(value, Sized) and not isinstance(value, Iterator):
+        return join_items(value, format_short, "[]")
+    return type(value).__name__  # to read an iterator would use it up, or never end
 
 
 def format_pair(pair: tuple[object, object]) -> str:

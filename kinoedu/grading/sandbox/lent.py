@@ -128,7 +128,12 @@ class LentValues:
 
 
 def find_exception(kinds: list[str]) -> type[Exception]:
-    """The first of Python's own exceptions among some names, under the first name."""
+    """The first of Python's own exceptions among some names, under the first name.
+
+    An error of the library is the class that the program imports.
+    """
+    if "KinoeduError" in kinds:
+        return error_of_library(kinds[0])
     known = vars(sys.modules["builtins"])
     base = next(
         (
@@ -138,8 +143,6 @@ def find_exception(kinds: list[str]) -> type[Exception]:
         ),
         RuntimeError,
     )
-    if "KinoeduError" in kinds:
-        return error_of_library(kinds[0])
     return base if base.__name__ == kinds[0] else type(kinds[0], (base,), {})
 
 
