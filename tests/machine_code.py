@@ -88,7 +88,7 @@ def decode(data: Any) -> Kind:
 def note_requests(notes: Path, process: str) -> None:
     """Write down for which functions this process has requested machine code."""
     kinds = [one for function in TIERED for one in function.specializations.values()]
-    wanted = [one.to_compile for one in kinds if one.is_requested and not one.is_never_stored]
+    wanted = [one.to_compile for one in kinds if one.requested_after and not one.is_never_stored]
     lines = [[one.module, one.function, list(map(encode, one.kinds))] for one in wanted]
     notes.mkdir(parents=True, exist_ok=True)
     (notes / f"{process}.json").write_text(json.dumps(lines), encoding="utf-8")

@@ -35,11 +35,12 @@ from kinoedu.compiled import (
     tiers,
 )
 from kinoedu.compiled.kinds import kind_of, kinds_of, spell_kind
-from kinoedu.compiled.numba_thread import WatchedCall
+from kinoedu.compiled.numba_thread import NUMBA_THREAD, WatchedCall
 from kinoedu.compiled.store import UPPER_ROOMS, Request, is_digested, source_digest
 from kinoedu.course.exercise import Exercise
 from kinoedu.errors import DuplicateKind, InvalidParameter
 from kinoedu.geometry.checks import Array
+from kinoedu.geometry.exact import orientation_sign
 from kinoedu.planners.trees.rrt import grow
 from kinoedu.robots.round import RoundRobot
 from kinoedu.support.threads import raise_in
@@ -726,9 +727,20 @@ while True:
     if call.is_loaded or time.monotonic() > last:
         break
     time.sleep(0.05)
-print(json.dumps([sorted(answers), call.is_loaded, call.is_requested]))
+print(json.dumps([sorted(answers), call.is_loaded, call.requested_after > 0]))
 """
     assert orient(cache=tmp_path, code=code) == [[1], True, True]
+
+
+@needs_compiler
+def test_a_request_that_is_lost_is_repeated(monkeypatch) -> None:
+    """A worker that ends may leave a request behind; it is repeated as the time spent doubles."""
+    asked: list[float] = []
+    call = tiers.Specialization(orientation_sign, ("f8",) * 6)
+    monkeypatch.setattr(NUMBA_THREAD, "submit", lambda _: asked.append(call.requested_after))
+    for tenths in range(200):
+        call.request_after(tenths / 10)
+    assert asked == [2.1, 4.3, 8.7, 17.5]
 
 
 @pytest.mark.skipif(not hasattr(os, "nice"), reason="priorities of Windows have no numbers")

@@ -42,15 +42,15 @@ class WatchedCall:
 
     def check(self) -> None:
         """Load, interrupt or request compilation, depending on the time that the call has taken."""
-        from .tiers import BUDGET, IMPORTING
+        from .tiers import IMPORTING
 
         call, seconds = self.specialization, time.perf_counter() - self.began
         if seconds > IMPORTING and not call.is_loaded and call.is_on_disk():
             call.load_here()
         if call.is_loaded:
             self.interrupt()
-        elif call.spent + seconds > BUDGET:
-            call.request()
+        else:
+            call.request_after(call.spent + seconds)
 
     def interrupt(self) -> None:
         """Interrupt the interpreted call, unless it has ended."""

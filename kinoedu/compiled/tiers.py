@@ -153,9 +153,9 @@ class Specialization:
     def __init__(self, function: TieredFunction, kinds: tuple[Kind, ...]) -> None:
         self.function = function
         self.kinds = kinds
-        self.spent = 0.0
+        self.spent = self.requested_after = 0.0  # seconds of interpreting
         self.assumed_until = 0.0  # by `spent`
-        self.is_loaded = self.is_requested = self.is_tried = False
+        self.is_loaded = self.is_tried = False
         self.is_generator = inspect.isgeneratorfunction(function.py_func)
         self.is_never_stored = (
             self.is_generator or not function.can_be_stored or not store.are_digested(kinds)
@@ -222,7 +222,7 @@ class Specialization:
             load(machine, self.file)
             self.begin_to_use(machine)
         except Exception:  # damaged, or for another computer: made again when it pays
-            self.is_never_stored = self.is_requested
+            self.is_never_stored = self.requested_after > 0.0
             self.file.unlink(missing_ok=True)
 
     def dispatcher(self) -> Any:
@@ -238,16 +238,19 @@ class Specialization:
         self.function.machine = machine
         self.is_loaded = True
 
-    def request(self) -> None:
-        """Request its compilation by another process."""
-        from .numba_thread import NUMBA_THREAD
+    def request_after(self, seconds: float) -> None:
+        """Request its compilation by another process if interpreting has taken long.
 
-        if not self.is_requested and not self.is_never_stored:
-            self.is_requested = True
+        Request it again if the time has doubled: the worker may have ended without a look at it.
+        """
+        if seconds > max(BUDGET, 2.0 * self.requested_after) and not self.is_never_stored:
+            from .numba_thread import NUMBA_THREAD
+
+            self.requested_after = seconds
             NUMBA_THREAD.submit(self.request_here)
 
     def request_here(self) -> None:
-        """`request` in this thread."""
+        """Request its compilation, in this thread."""
         from .requests import request_compilation
 
         place = store.folder()
@@ -303,8 +306,7 @@ class Specialization:
             spent.seconds += seconds
             interpreted.seconds += seconds
             self.spent += seconds
-            if self.spent > BUDGET:
-                self.request()
+            self.request_after(self.spent)
 
     def interpret_or_restart(self, args: tuple[Any, ...]) -> Any:
         """Interpret an algorithm; if its machine code is loaded meanwhile, restart with that."""
