@@ -219,7 +219,7 @@ def test_cut_off_places_are_crosses_and_components_have_styles():
     made = properties_board(problem_of(), n=40)
     assert made.survey.properties.connected and not layers_of(made.canvas, "edges", "robot")
     made.controls.k.value = 1
-    assert "delta is infinite" in repr(made) and layers_of(made.canvas, "edges", "robot")
+    assert "δ is infinite" in repr(made) and layers_of(made.canvas, "edges", "robot")
     made.controls.n.value = 2
     (crosses,) = layers_of(made.canvas, "edges", "hit")
     assert len(crosses.rows) == 2 * np.count_nonzero(~made.survey.reached[:, 0]) > 0
@@ -416,6 +416,17 @@ def test_an_exploration_is_shown_as_it_was_known():
         assert shown(robot, 8 * k)[0] == pytest.approx(look.scan.origin)
         assert len(shown(region, 8 * k + 3)) == 1
     assert shown(robot, made.canvas.drawing.total)[0].tolist() == [9, 1]
+
+
+def test_a_browsers_rounding_moves_no_slider():
+    """Of a board that would answer otherwise: a page sends back what it has rounded to a notch."""
+    made = exploring_board(problem_of(), 6.0)
+    asked, answer = [], made.canvas._answer
+    made.canvas._answer = lambda scene: asked.append(scene) or answer(scene)
+    made.horizon.set_state({"value": 10 * 0.3 - 1e-15})
+    assert made.horizon.value == 3.0 and not asked
+    made.horizon.set_state({"value": 3.3})
+    assert made.horizon.value == 3.3 and len(asked) == 1
 
 
 def test_looks_add_up_to_the_plan():

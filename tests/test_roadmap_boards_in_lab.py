@@ -67,7 +67,7 @@ def test_the_rule_is_chosen_from_the_menu(page):
 def test_properties_are_measured_while_an_obstacle_is_dragged(page):
     """The text gives all four, before and after."""
     seen = Seen(page, 1)
-    assert "accessible" in seen.shown_text() and "delta at least" in seen.shown_text()
+    assert "accessible" in seen.shown_text() and "δ at least" in seen.shown_text()
     answers = int(seen.data("answers"))
     seen.drag("polygon-1", 60, 30)
     assert int(seen.data("answers")) > answers and "departable" in seen.shown_text()

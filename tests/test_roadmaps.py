@@ -16,6 +16,7 @@ from kinoedu.errors import (
     InvalidWorld,
     KinoeduError,
 )
+from kinoedu.planners.exploring.receding_horizon import SeenMap
 from kinoedu.planners.roadmaps.connecting import join_in_order
 from kinoedu.planners.roadmaps.neighbours import k_closest, visiting_order
 from kinoedu.problems import MOTIONS, ProblemRecord, Roadmap
@@ -348,6 +349,25 @@ def test_a_receding_horizon_finds_its_way_through_an_unknown_world(robot):
         plan.cost >= ke.plan_by_visibility(problem_of(world=ke.PolygonWorld(SQUARE, [WALL]))).cost
     )
     assert plan.stats["looks"] == len(plan.tree.nodes) - 1  # the last node is the goal
+
+
+def seen_walls(world, q, **sensor):
+    """The walls that one scan adds to an empty map, as shapely's union of segments."""
+    seen_map = SeenMap([], set())
+    seen_map.add(ke.scan(world, q, **sensor))
+    return shapely.union_all(shapely.linestrings(seen_map.triangles()[:, :2]))
+
+
+def test_a_map_shows_walls_without_gaps_and_passages_without_walls():
+    """All of a wall that is near is seen. Between a corner and the wall behind it there is room,
+    although the rays that hit them are neighbours.
+    """
+    seen = seen_walls(ke.PolygonWorld(SQUARE, []), (2, 3), rays=180, reach=8)
+    for wall in ([(0.3, 0), (8.7, 0)], [(0, 0.3), (0, 9.7)], [(0.3, 10), (5, 10)]):
+        assert seen.buffer(1e-6).contains(shapely.LineString(wall))
+    overhang = ke.PolygonWorld(SQUARE, [[(6, 1), (9, 2), (8, 5)]])
+    for q in ((3, 4), (2, 6), (4, 4.5), (1, 3)):
+        assert not seen_walls(overhang, q).intersects(shapely.LineString([(5, 0.4), (7, 0.4)]))
 
 
 def test_a_receding_horizon_says_why_it_stops():

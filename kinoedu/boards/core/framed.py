@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -114,7 +115,21 @@ def make_counter(name: str, value: int, least: int, most: int) -> widgets.IntSli
     return widgets.IntSlider(value, min(least, value), max(most, value), **control_style(name))
 
 
-def make_length_slider(key: str, size: float, given: float | None) -> widgets.FloatSlider:
+class NotchedSlider(widgets.FloatSlider):
+    """A slider that keeps its value where a browser rounds it to a notch.
+
+    Browsers compute 10 notches of 0.3 as 2.9999999999999996; a planner may answer this otherwise.
+    """
+
+    def set_state(self, sync_data: JsonObject) -> None:
+        """Accept a page's value only if it is another one."""
+        value = sync_data.get("value")
+        if isinstance(value, int | float) and math.isclose(value, self.value, rel_tol=1e-9):
+            sync_data = {name: given for name, given in sync_data.items() if name != "value"}
+        super().set_state(sync_data)
+
+
+def make_length_slider(key: str, size: float, given: float | None) -> NotchedSlider:
     """A slider for a length, named by the message under a key.
 
     Parameters
@@ -129,7 +144,7 @@ def make_length_slider(key: str, size: float, given: float | None) -> widgets.Fl
     """
     first = size / 20.0 if given is None else positive(given, key.rpartition(".")[2])
     notch = first / 20.0  # browsers round to notches, so the first value must be a multiple
-    return widgets.FloatSlider(
+    return NotchedSlider(
         first,
         min=min(first, notch * max(1, round(size / 200.0 / notch))),
         max=notch * max(20, round(size / 4.0 / notch)),

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-import ipywidgets as widgets
 import numpy as np
 
 from ...errors import InvalidParameter, KinoeduError
@@ -23,7 +22,7 @@ from ...support.text import shortened
 from ...worlds.moving import MovingWorldRecord, movers_at
 from ..core.canvas import Canvas
 from ..core.drawing import Drawing, Layer, bodies, dots, edges, path_edges, segments_along
-from ..core.framed import Framed, control_style, make_code_box, make_counter
+from ..core.framed import Framed, NotchedSlider, control_style, make_code_box, make_counter
 from ..core.scene import Scene, handle, place_of
 from ..planning.plans import GOAL, START, make_world_scene, world_in
 from ..tracing.code_run import Look, trace_lines
@@ -88,9 +87,7 @@ class MovingBoard(Framed):
         self._given, self._nodes = problem, integer(nodes, "nodes", least=0)
         notch = problem.speed / 10.0
         span = {"min": 3 * notch, "max": 30 * notch, "step": notch, "readout_format": ".3g"}
-        self.speed = widgets.FloatSlider(
-            problem.speed, **span, **control_style("moving_board.speed")
-        )
+        self.speed = NotchedSlider(problem.speed, **span, **control_style("moving_board.speed"))
         self.seed = make_counter("board.seed", integer(rng, "rng", least=0), 0, 99)
         self.code = make_code_box()
         self.plan: Plan | None = None

@@ -68,7 +68,7 @@ def properties_board(
     >>> board = properties_board(Problem(Point(), world, start=(1, 1), goal=(9, 1)), n=20)
     >>> print(board.canvas.drawing.text)
     accessible 100 of 100 places sampled, departable 100; components 1
-    efficient: delta at least 1.94, for u and v, the worst pair sampled
+    efficient: δ at least 1.94, for u and v, the worst pair sampled
     """
     return PropertiesBoard(problem, n, rule, sampler, rng)
 
