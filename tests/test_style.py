@@ -206,6 +206,15 @@ def test_a_picture_with_many_colours_keeps_them():
     assert style.keep_few_colours(Image.fromarray(levels)).mode == "RGB"
 
 
+def test_a_part_in_rare_shades_keeps_its_colour():
+    """Each of its shades is rarer than those of the rest; black would be nearest of those."""
+    x, y = np.meshgrid(np.arange(400), np.arange(400))
+    levels = np.stack([0 * x, x // 8, 16 + (x + y) // 8], axis=2).astype(np.uint8)
+    levels[:40, :40] = np.stack([200 + 0 * x, x, y], axis=2)[:40, :40]
+    kept = np.asarray(style.keep_few_colours(Image.fromarray(levels)).convert("RGB"), int)
+    assert np.abs(kept - levels).max() < 40
+
+
 def test_a_script_keeps_its_own_style():
     """Outside a notebook nothing is changed."""
     style.apply_style()

@@ -104,7 +104,7 @@ def show_cut(edges: Array, x: float, lo: Array, hi: Array) -> ShownSweep:
         with_neighbours(state, done, corners),
         sides_of(corners),
         sides_of(corners_of_open(state, crossed, heights, x)),
-        numbers_in(corners, 0.015 * size),
+        numbers_in(corners, 0.024 * size),
         line,
         rows[::2].copy(),
         rows[1::2].copy(),

@@ -27,6 +27,8 @@ TICKS = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * np.pi
 TICK_NAMES = (r"$-\pi$", r"$-\pi/2$", "0", r"$\pi/2$", r"$\pi$")
 
 ANSWERS = (palette.FREE_LINK, palette.INK, palette.HIT)  # free, link 1, link 2, as in the square
+LETTER, HIGH = 0.016, 0.045  # a letter's width and a line's height, shares of the square's side
+SMALL = 0.03  # the depth of a region without a name, a share of that side
 LINK_WORDS = "figure.link_0", "figure.link_1", "figure.link_2"
 
 
@@ -101,29 +103,32 @@ def draw_configuration_space(image: NDArray[np.int8], ax: Axes | None = None) ->
 
 
 def name_region(region: NDArray[np.bool_], name: str, ax: Axes) -> list[Artist]:
-    """Write a name where a region is widest; nothing where it is too small for a name."""
-    found = find_widest(region)
-    if found is None:
-        return []
-    x, y = found
-    margin = 0.22 * np.pi
-    inside = min(max(x, margin - np.pi), np.pi - margin)
-    style: palette.Style = {**palette.CENTRED, **palette.TEXT, "path_effects": HALO}
-    return [ax.text(inside, y, name, color=palette.INK, zorder=5, **style)]
+    """Write a name where a region has room for it, lying or upright; else where it is widest.
+
+    Nothing is written where the region is too small.
+    """
+    from scipy.ndimage import minimum_filter
+
+    high, long = (round(share * len(region)) for share in (HIGH, LETTER * len(name)))
+    look: palette.Style = {**palette.CENTRED, **palette.TEXT, "path_effects": HALO, "zorder": 5}
+    for turned, box in ((0, (high, long)), (90, (long, high))):
+        room = minimum_filter(region, box, mode="constant")
+        if room.any():
+            return [ax.text(*find_widest(room)[0], name, rotation=turned, **look)]
+    (x, y), depth = find_widest(region)
+    return [ax.text(x, y, name, **look)] if depth > SMALL else []
 
 
-def find_widest(region: NDArray[np.bool_]) -> tuple[float, float] | None:
-    """The angles at which a region of an image is widest; None where it is too small for a name."""
+def find_widest(region: NDArray[np.bool_]) -> tuple[tuple[float, float], float]:
+    """The angles at which a region of an image is widest, and its depth there, a share of 2 pi."""
     from scipy.ndimage import distance_transform_edt
 
     depth = distance_transform_edt(np.pad(region, 1))[1:-1, 1:-1]
     widest = np.argwhere(depth > depth.max() - 0.5)
     off_centre = np.abs(widest - len(region) / 2).sum(axis=1)
     row, column = widest[off_centre.argmin()]  # in a stripe, the middle
-    if depth[row, column] < 0.03 * len(region):
-        return None
     x, y = ((float(index) + 0.5) * 2.0 * np.pi / len(region) - np.pi for index in (column, row))
-    return x, y
+    return (x, y), depth[row, column] / len(region)
 
 
 def torus_axes(ax: Axes | None) -> Axes:

@@ -134,10 +134,13 @@ def draw_runs(
     ax = palette.axes_or_new(ax, (8.0, 4.8))
     places = range(len(np.asarray(x)))
     values = np.where(np.isfinite(runs), runs, np.nan)
-    artists: list[Artist] = []
-    for k, row in enumerate(values):
-        colour = palette.METHODS[k % len(palette.METHODS)]
-        artists += ax.plot(places, row, "-o", color=colour, alpha=0.7, linewidth=2.0)
+    look: palette.Style = {
+        "color": palette.METHODS[0],
+        "alpha": 0.55,
+        "linewidth": 2.5,
+        "markersize": 8,
+    }
+    artists: list[Artist] = [line for row in values for line in ax.plot(places, row, "-o", **look)]
     label_axes(along, up, ax)
     ax.set_xticks(places, [f"{n:,}" for n in np.asarray(x).tolist()])
     return artists

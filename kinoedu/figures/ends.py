@@ -1,5 +1,6 @@
 """Names at the ends of curves, in the curves' colours, without overlaps."""
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
@@ -29,17 +30,20 @@ def name_ends(x: float, ends: list[tuple[str, float, str]], ax: Axes) -> list[Ar
 
 
 def spread_out(places: list[float]) -> list[float]:
-    """Heights from low to high, moved up where two are close, and down where they pass the top.
+    """Heights from low to high, moved apart where two are close, as little as possible.
+
+    Heights that are too close form a group, which stays around its middle, within the axes.
 
     Examples
     --------
-    >>> [round(place, 3) for place in spread_out([0.0, 0.03, 1.0, 1.0])]
-    [0.0, 0.062, 0.938, 1.0]
+    >>> [round(place, 3) for place in spread_out([0.1, 0.102, 0.5, 1.0, 1.0])]
+    [0.07, 0.132, 0.5, 0.938, 1.0]
     """
-    moved: list[float] = []
-    for place in places:
-        moved.append(max(place, moved[-1] + GAP) if moved else place)
-    top = 1.0
-    for i in range(len(moved) - 1, -1, -1):
-        moved[i], top = min(moved[i], top), min(moved[i], top) - GAP
-    return moved
+    groups: list[list[float]] = []
+    for k, place in enumerate(places):
+        groups.append([place - GAP * k])  # so that those of a group are equal
+        while len(groups) > 1 and np.mean(groups[-2]) > np.mean(groups[-1]):
+            groups[-2:] = [groups[-2] + groups[-1]]
+    middles = np.repeat([np.mean(group) for group in groups], [len(group) for group in groups])
+    top = 1.0 - GAP * (len(places) - 1)
+    return [float(height) for height in np.clip(middles, 0.0, top) + GAP * np.arange(len(places))]

@@ -23,7 +23,7 @@ def draw_distance_levels(polygon: ArrayLike, levels: ArrayLike, ax: Axes) -> lis
     look: palette.Style = {"colors": palette.TREE, "linewidths": 1.8, "zorder": 1.5}
     curves = ax.contour(x, y, np.reshape(distance, x.shape), levels=levels, **look)
     numbers = ax.clabel(curves, fmt="%g", **palette.TEXT)
-    return [curves, *numbers, *plane.polygon(polygon, ax)]
+    return [curves, *numbers, *plane.polygon(polygon, ax, numbers=False)]
 
 
 def draw_tangents(polygon: ArrayLike, spacing: float, ax: Axes) -> list[Artist]:

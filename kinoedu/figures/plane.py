@@ -10,12 +10,15 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from numpy.typing import ArrayLike
 
+from ..geometry.checks import Array
 from ..messages import get_message
 from . import palette
 from .names import HALO
 from .palette import Style
 
 SHAPE = 1.5  # the width of the axes over their height
+MOST_NUMBERS = 40  # of vertices
+FLATTEST = 2.2  # the same, for axes as flat as what they show
 TOUCHING: Style = {"shrinkA": 0, "shrinkB": 0}  # an arrow that reaches both its ends
 
 
@@ -27,21 +30,26 @@ def plane_figure() -> tuple[Figure, Axes]:
 
 
 def axes(points: ArrayLike, text: str) -> Axes:
-    """New axes in the notebook that show all points, shape (n, 2), under a title."""
-    ax = palette.axes_or_new(None, (7.0, 5.0))
-    frame(points, ax, margin=0.3)
+    """New axes in the notebook that show all points, shape (n, 2), under a title.
+
+    They are as flat as the points are, within bounds.
+    """
+    width, height = np.ptp(np.asarray(points, float), axis=0)
+    shape = float(np.clip(width / height, SHAPE, FLATTEST)) if height > 0.0 else FLATTEST
+    ax = palette.axes_or_new(None, (7.0, 6.2 / shape + 0.9))
+    frame(points, ax, margin=0.3, shape=shape)
     title(text, ax)
     return ax
 
 
-def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2) -> None:
-    """Set equal axes that show all finite points, shape (n, 2), with a margin."""
+def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2, shape: float = SHAPE) -> None:
+    """Set equal axes of a shape that show all finite points, shape (n, 2), with a margin."""
     shown = np.asarray(points, float)
     shown = shown[np.isfinite(shown).all(axis=1)]
     lo, hi = shown.min(axis=0), shown.max(axis=0)
     middle, reach = (lo + hi) / 2, (hi - lo) / 2 * (1.0 + 2.0 * margin)
-    height = max(reach[1], reach[0] / SHAPE) or 1.0
-    reach = np.array([SHAPE * height, height])
+    height = max(reach[1], reach[0] / shape) or 1.0
+    reach = np.array([shape * height, height])
     ax.set_aspect("equal")
     ax.set_xlim(middle[0] - reach[0], middle[0] + reach[0])
     ax.set_ylim(middle[1] - reach[1], middle[1] + reach[1])
@@ -187,11 +195,33 @@ def polygon(vertices: ArrayLike, ax: Axes, *, numbers: bool = True) -> list[Arti
     points = np.asarray(vertices, float)
     look: Style = {"facecolor": palette.SHAPE, "edgecolor": palette.OBSTACLE, "linewidth": 2.0}
     artists: list[Artist] = [ax.add_patch(Polygon(points, zorder=2, **look))]
-    middle = points.mean(axis=0)
-    for number, point in enumerate(points if numbers and len(points) <= 40 else []):
-        inward = middle - point
-        size = float(np.sqrt((inward * inward).sum())) or 1.0
-        dx, dy = 13.0 * inward / size
-        place: Style = {"colour": palette.OBSTACLE, "offset": (dx - 4, dy - 5)}
-        artists.append(label(point, str(number), ax, **place))
+    if numbers and len(points) <= MOST_NUMBERS:
+        for number, (point, (dx, dy)) in enumerate(zip(points, 13.0 * inward(points))):
+            place: Style = {"colour": palette.OBSTACLE, "offset": (dx - 4, dy - 5)}
+            artists.append(label(point, str(number), ax, **place))
     return artists
+
+
+def inward(ring: Array) -> Array:
+    """Unit vectors from the vertices of a ring (n, 2) into it; 0 where it turns back.
+
+    Examples
+    --------
+    >>> inward(np.array([(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)])).round(1)
+    array([[ 0.7,  0.7],
+           [ 0.7, -0.7],
+           [-0.7, -0.7],
+           [-0.7,  0.7]])
+    """
+    x, y = ring.T
+    turns_left = (x * np.roll(y, -1) - np.roll(x, -1) * y).sum() > 0.0
+    along = unit(np.roll(ring, -1, axis=0) - ring)
+    along = unit(along + np.roll(along, 1, axis=0))
+    left = np.column_stack([-along[:, 1], along[:, 0]])
+    return left if turns_left else -left
+
+
+def unit(vectors: Array) -> Array:
+    """Vectors (n, 2) divided by their lengths; 0 stays 0."""
+    lengths = np.hypot(*vectors.T)[:, None]
+    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0)

@@ -16,7 +16,7 @@ from PIL import Image, ImageColor
 
 from ...figures import palette
 from ...figures.drawing import compound
-from ...figures.names import move_names_off, move_names_off_points, roomy_side, write_name
+from ...figures.names import move_names_off_points, roomy_side, spread, write_name
 from ...figures.style import Levels, as_png, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
@@ -31,7 +31,7 @@ LINE_HEIGHT = 0.2  # inches, of a line of code
 TITLE_HEIGHT = 0.4  # inches
 ENOUGH = 80_000  # bytes, so that a notebook with a dozen boards stays below a megabyte
 MOST = 100_000
-MIXTURES = (1.0, 0.75, 0.5, 0.25, 0.1)  # shares of a colour mixed with white
+MIXTURES = (1.0, 0.75, 0.5, 0.35, 0.1)  # shares of a colour mixed with white; 0.35 is of bodies
 FEWER = ((1.0, 0.5), (1.0,))  # the same for pictures with too many bytes
 
 
@@ -46,8 +46,8 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     print_world(scene, free, ax)
     print_handles(scene, ax)
-    for layer in drawing.layers:
-        print_layer(layer, ax, drawing)
+    passed = [print_layer(layer, ax, drawing) for layer in drawing.layers]
+    move_names_off_points(np.concatenate([np.empty((0, 2)), *passed]), ax)
     for x, y, width in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
         half_x, half_y = 0.5 * width * (x1 - x0) / size, 0.5 * width * (y1 - y0) / size
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
@@ -174,20 +174,31 @@ def orient_ring(ring: np.ndarray, *, inner: bool) -> np.ndarray:
     return ring[::-1] if left == inner else ring
 
 
-def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> None:
-    """Draw one layer as it is at the step that is shown first."""
+def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> Array:
+    """Draw one layer as it is at the step that is shown first; returns what names keep off."""
     step = drawing.total if drawing.first is None else drawing.first
-    if layer.last and step < drawing.total:
-        return
     there = np.ones(len(layer.rows), np.bool_)
     if layer.when is not None:
         there &= layer.when <= step
     if layer.until is not None:
         there &= layer.until > step
+    there &= not layer.last or step >= drawing.total
     if there.any() and layer.kind in PRINTERS:
         texts = tuple(text for text, is_there in zip(layer.texts, there) if is_there)
         shown = layer._replace(texts=texts)
         PRINTERS[layer.kind](shown, layer.rows[there], palette.NAMED[layer.colour], ax)
+    return passed_places(layer.kind, layer.rows[there])
+
+
+def passed_places(kind: str, rows: Array) -> Array:
+    """Places that names keep off, (n, 2): of a path, of arrows, and where other names belong."""
+    if kind == "labels" or len(rows) == 0:
+        return rows[:, :2]
+    if kind == "arrows":
+        return np.concatenate(
+            [spread(np.array([at, at + by])) for at, by in rows.reshape(-1, 2, 2)]
+        )
+    return spread(rows) if kind == "path" else rows[:0, :2]
 
 
 def zorder_of(layer: Layer) -> float:
@@ -234,12 +245,11 @@ def join_segments(rows: Array) -> list[Array]:
 
 
 def print_path(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
-    """Draw one line through all rows, on a dark line where it has a casing; names give way."""
+    """Draw one line through all rows, on a dark line where it has a casing."""
     if layer.casing:
         casing: palette.Style = {"linewidth": layer.width + 2.0, "solid_capstyle": "round"}
         ax.plot(*rows.T, color=palette.INK, zorder=4, **casing)
     ax.plot(*rows.T, color=colour, linewidth=layer.width, linestyle=line_style(layer), zorder=5)
-    move_names_off(rows, ax)
 
 
 def print_dots(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
@@ -258,10 +268,9 @@ def print_arrows(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 
 
 def print_labels(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
-    """Draw texts beside their points, where they cover no other text."""
+    """Draw texts beside their points."""
     for point, text in zip(rows, layer.texts, strict=True):
         write_name(point, text, colour, (1, 1), ax).set(fontweight="normal")
-    move_names_off_points(rows, ax)
 
 
 PRINTERS = {

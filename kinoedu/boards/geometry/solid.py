@@ -267,6 +267,10 @@ class SolidBoard(anywidget.AnyWidget):
             ax.add_patch(Polygon(part["points"], edgecolor=named[part["line"]], **style))
         for line in self.cut:
             ax.plot(*np.transpose(line), color=palette.CUT, linewidth=2.0)
+        if self.place is not None:
+            dot: palette.Style = {"color": palette.INK, "markersize": 9, "zorder": 9}
+            left.plot(*self.place, self.theta, "o", **dot)
+            ax.plot(*self.place, "o", **dot, **palette.RIM)
         ax.autoscale_view()
         ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
         ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)
