@@ -18,6 +18,7 @@ from ..spaces import SE2, distance
 from . import palette
 from .cars import draw_pose
 from .drawing import draw_tree, draw_world
+from .plane import label
 
 MOMENTS = 60  # the moments at which a drive is compared with its target
 
@@ -78,7 +79,9 @@ def draw_driving_steps(
         if number == 2:
             colour = palette.CLEAR if free else palette.HIT
             artists += ax.plot(*way[:, :2].T, color=colour, linewidth=4.0, zorder=5)
-            artists += draw_pose(way[-1], size, "q_new", ax, colour=colour)
+            artists += draw_pose(way[-1], size, "", ax, colour=colour)
+            beside: palette.Style = {"offset": (-10, 10), "ha": "right"}
+            artists.append(label(way[-1][:2], "q_new", ax, colour=colour, **beside))
     return artists
 
 

@@ -19,6 +19,7 @@ from .palette import Style
 CASING = [patheffects.withStroke(linewidth=4.5, foreground=palette.INK)]
 HALO = [patheffects.withStroke(linewidth=3.0, foreground="white")]
 ARROWS = 12  # about the number of arrows that show the direction of a walk
+STRAIGHT = 0.3  # of the way between two arrows: the walk must be straight so long before a tip
 
 
 def draw_walk(walk: Walk, ax: Axes, *, upto: int | None = None) -> list[Artist]:
@@ -53,7 +54,7 @@ def draw_distance_to_goal(plan: Plan, ax: Axes | None = None) -> list[Artist]:
     curve = np.column_stack([walk.travelled, walk.distance_to_goal])
     artists = draw_stretches(curve, walk.following, ax)
     artists += mark_hits_and_leaves(curve, walk, len(curve), ax, above=True)
-    ax.set_xlim(0.0, max(1.02 * walk.travelled[-1], 1e-9))
+    ax.set_xlim(0.0, max(1.1 * walk.travelled[-1], 1e-9))
     ax.set_ylim(0.0, 1.15 * walk.distance_to_goal.max() or 1.0)
     ax.set_xlabel("way travelled", fontsize=palette.TEXT_SIZE)
     ax.set_ylabel("distance to goal", fontsize=palette.TEXT_SIZE)
@@ -84,16 +85,22 @@ def draw_arrows(walk: Walk, shown: int, ax: Axes) -> list[Artist]:
     every = walk.travelled[-1] / ARROWS
     if every == 0.0:
         return []
+    head = {"arrowstyle": "-|>,head_width=0.26,head_length=0.75", "color": palette.INK}
+    style = {**head, "shrinkA": 0, "shrinkB": 0}
     artists: list[Artist] = []
     for place in np.arange(0.5 * every, walk.travelled[shown - 1], every):
-        i = int(np.searchsorted(walk.travelled, place))
-        a, b = walk.points[i - 1], walk.points[i]
-        middle = 0.5 * (a + b)
-        head = {"arrowstyle": "-|>,head_width=0.26,head_length=0.75", "color": palette.INK}
-        style = {**head, "shrinkA": 0, "shrinkB": 0}
-        tip = middle + 1e-3 * (b - a)
-        artists.append(ax.annotate("", tip, middle, arrowprops=style, zorder=5.5))
+        back, tip = (place_at(walk, way) for way in (place - STRAIGHT * every, place))
+        if np.hypot(*(tip - back)) > 0.98 * STRAIGHT * every:  # no corner is beneath the head
+            tail = tip - 1e-3 * (tip - back)
+            artists.append(
+                ax.annotate("", (tip[0], tip[1]), (tail[0], tail[1]), arrowprops=style, zorder=5.5)
+            )
     return artists
+
+
+def place_at(walk: Walk, way: float) -> Array:
+    """The place of a walk after a way, (2,)."""
+    return np.array([np.interp(way, walk.travelled, values) for values in walk.points.T])
 
 
 def mark_hits_and_leaves(

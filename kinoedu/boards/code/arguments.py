@@ -28,7 +28,7 @@ from ..search.ground import place_nodes
 from ..tracing.questions import FirstQuestions
 from ..tracing.variables import find_points
 
-COLOURS = ("start", "goal", "robot", "hit")  # of points and poses that can be dragged
+COLOURS = ("start", "goal", "robot", "ink")  # of points and poses that can be dragged
 PLANE, POSE = 2, 3  # coordinates
 LOOKS = 0.25  # how far before the body the point is that turns a pose, of the body's length
 

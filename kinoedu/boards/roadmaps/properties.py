@@ -178,6 +178,7 @@ def draw_worst_pair(
     line = np.array([u, v]) if best is None else best
     return [
         path(nodes[survey.path], "path"),
+        edges(segments_along(line), "free", width=5.0),
         edges(segments_along(line), "ink", width=2.2, dash=(7.0, 5.0)),
         dots([u, v], "ink", radius=6.0),
         labels(

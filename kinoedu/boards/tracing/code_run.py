@@ -42,7 +42,7 @@ T = TypeVar("T")
 Draw = Callable[[dict[str, Any]], Iterable[Layer]]
 SECONDS = 1.0  # of processor time for the lines of one of this library's functions
 FEW = 3  # questions of a line that are drawn thick
-COLOURS = ("tree", "path", "hit", "robot", "roadmap")  # of variables, in the order they appear
+COLOURS = ("tree", "path", "cut", "robot", "roadmap")  # of variables, in the order they appear
 
 
 @dataclass(frozen=True)

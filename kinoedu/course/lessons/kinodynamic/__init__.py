@@ -1,4 +1,4 @@
-"""Lesson 13: Planning with controls. Its exercises, in the order of the notebook."""
+"""Lesson 13: Planning by driving. Its exercises, in the order of the notebook."""
 
 from .best_control import BestControl
 from .fastest_drive import FastestDrive
