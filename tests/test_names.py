@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 
-from kinoedu import Point, PolygonWorld, Problem
+from kinoedu import Point, PolygonWorld, Problem, Terrain
 from kinoedu.figures import draw_plan, draw_problem
 from kinoedu.figures.names import move_names_off, write_name
 from kinoedu.problems import Plan
@@ -39,6 +39,24 @@ def test_names_keep_off_the_path(ax, corner, start, goal):
     line = np.concatenate([np.linspace(a, b, 500) for a, b in zip(pixels, pixels[1:])])
     for text in ax.texts:
         assert not any(text.get_window_extent().contains(*pixel) for pixel in line)
+
+
+def test_names_keep_off_obstacles(ax):
+    """Of polygons and of a bitmap; beside a place that is walled in the name stays."""
+    walls = [[(1, 4), (4, 4), (4, 6), (1, 6)], [(9, 2), (11, 2), (11, 4), (9, 4)]]
+    world = PolygonWorld([(0, 0), (12, 0), (12, 8), (0, 8)], walls)
+    draw_problem(Problem(Point(), world, start=(1, 3.5), goal=(11, 4.5)), ax)
+    assert sides(ax) == {"start": (1, -1), "goal": (-1, 1)}
+    ax.clear()
+    free = np.ones((24, 36), bool)
+    free[7:9, 3:12] = False
+    draw_problem(Problem(Point(), Terrain(free), start=(3.5, 6.5), goal=(20.5, 12.5)), ax)
+    assert sides(ax) == {"start": (1, -1), "goal": (1, 1)}
+    ax.clear()
+    free[:] = False
+    free[5, 5] = free[6, 5] = True
+    draw_problem(Problem(Point(), Terrain(free), start=(5.5, 5.5), goal=(5.5, 6.5)), ax)
+    assert sides(ax)["start"] == (1, 1)
 
 
 def test_two_names_do_not_cover_each_other(ax):

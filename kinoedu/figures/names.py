@@ -10,8 +10,12 @@ from matplotlib.text import Annotation
 from matplotlib.transforms import Transform
 from numpy.typing import ArrayLike
 
+from ..collision import free_configurations
 from ..geometry.checks import Array
+from ..robots import Point
 from ..worlds.checks import World
+from ..worlds.polygon_world import PolygonWorldRecord
+from ..worlds.terrain import TerrainRecord
 from . import palette
 from .palette import Style
 
@@ -21,14 +25,31 @@ OFFSET = "offset points"
 APART = 9.0  # points between a place and its name
 WIDTH = 0.65  # of a letter, by the size of the text
 STEPS = 400  # places of a line that are looked at
+GRID = (13, 4)  # places of a name's box that are looked at, across and up
 
 Side = tuple[int, int]  # of the place: 1 right or -1 left, 1 above or -1 below
 Box = tuple[Array, Array]  # its lower left and its upper right corner
 
 
 def label_beside(q: Array, name: str, colour: str, world: World, ax: Axes) -> Artist:
-    """Write a name next to a place, on the side where there is room."""
-    return write_name(q, name, colour, roomy_side(q, world.lo, world.hi), ax)
+    """Write a name next to a place, on a side without obstacles, or else where there is room."""
+    text = write_name(q, name, colour, roomy_side(q, world.lo, world.hi), ax)
+    ax.apply_aspect()
+    for side in sides_of(text):
+        if is_in_the_open(box_of(text, offset_on(side), ax), world, ax):
+            put(text, side)
+            break
+    return text
+
+
+def is_in_the_open(box: Box, world: World, ax: Axes) -> bool:
+    """Whether a box lies in a world and covers no obstacle, as far as a grid of places tells."""
+    if not isinstance(world, PolygonWorldRecord | TerrainRecord):
+        return True
+    x, y = (np.linspace(low, high, n) for low, high, n in zip(*box, GRID))
+    grid = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    places = ax.transData.inverted().transform(grid * ax.figure.dpi / 72.0)
+    return bool(free_configurations(Point(), world, places).all())
 
 
 def roomy_side(q: ArrayLike, low: ArrayLike, high: ArrayLike) -> Side:
@@ -37,7 +58,7 @@ def roomy_side(q: ArrayLike, low: ArrayLike, high: ArrayLike) -> Side:
     return (1 if share[0] < 0.75 else -1, 1 if share[1] < 0.85 else -1)
 
 
-def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> Artist:
+def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> Annotation:
     """Write a name on a side of a place (x, y)."""
     x, y = np.asarray(q, float)[:2]
     style: Style = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
@@ -50,7 +71,13 @@ def put(text: Annotation, side: Side) -> None:
     """Put a name on a side of its place."""
     right, up = side
     text.set(ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top")
-    text.xyann = (APART * right, APART * up)
+    text.xyann = offset_on(side)
+
+
+def offset_on(side: Side) -> tuple[float, float]:
+    """The offset of a name on a side of its place, in points."""
+    right, up = side
+    return APART * right, APART * up
 
 
 def move_names_off(line: Array, ax: Axes) -> None:
@@ -69,7 +96,7 @@ def move_names_off_points(points: Array, ax: Axes) -> None:
         if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
             others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
             for side in sides_of(text):
-                box = box_of(text, (APART * side[0], APART * side[1]), ax)
+                box = box_of(text, offset_on(side), ax)
                 if is_within(box, (low, high)) and not covers(box, passed, others):
                     put(text, side)
                     break
