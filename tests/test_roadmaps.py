@@ -16,7 +16,7 @@ from kinoedu.errors import (
     InvalidWorld,
     KinoeduError,
 )
-from kinoedu.planners.exploring.receding_horizon import SeenMap
+from kinoedu.planners.exploring.seen_map import SeenMap
 from kinoedu.planners.roadmaps.connecting import join_in_order
 from kinoedu.planners.roadmaps.neighbours import k_closest, visiting_order
 from kinoedu.problems import MOTIONS, ProblemRecord, Roadmap
