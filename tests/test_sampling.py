@@ -288,7 +288,7 @@ def test_figures_show_points_holes_and_rates():
     _, ax = plt.subplots()
     draw_dispersion([4, 9], {"one": [0.3, 0.2], "other": [0.3, 0.2]}, ax)
     named = [text.get_text() for text in ax.texts]
-    assert sorted(named) == ["n^(-1/2)", "one", "other"]
+    assert sorted(named) == ["like n^(-1/2)", "one", "other"]
     heights = sorted(text.xy[1] for text in ax.texts)
     assert min(np.diff(heights)) > 0
     with pytest.raises(InvalidPoint, match="shape"):
