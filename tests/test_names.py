@@ -1,12 +1,17 @@
-"""Names of places in figures keep off paths and off each other."""
+"""Names in figures keep off paths, obstacles, arrows and each other, and lie where they belong."""
 
 import numpy as np
 import pytest
+import shapely
 from matplotlib import pyplot as plt
 
 from kinoedu import Point, PolygonWorld, Problem, Terrain
+from kinoedu.boards.core.drawing import Drawing, arrows
+from kinoedu.boards.core.printed import print_layer
 from kinoedu.figures import draw_plan, draw_problem
-from kinoedu.figures.names import move_names_off, write_name
+from kinoedu.figures.arms import name_region
+from kinoedu.figures.names import move_names_off, move_names_off_points, write_name
+from kinoedu.figures.plane import inward
 from kinoedu.problems import Plan
 
 ROOM = PolygonWorld([(0, 0), (20, 0), (20, 12), (0, 12)])
@@ -57,6 +62,32 @@ def test_names_keep_off_obstacles(ax):
     free[5, 5] = free[6, 5] = True
     draw_problem(Problem(Point(), Terrain(free), start=(5.5, 5.5), goal=(5.5, 6.5)), ax)
     assert sides(ax)["start"] == (1, 1)
+
+
+def test_names_on_boards_keep_off_arrows(ax):
+    """Of all arrows of a layer at once."""
+    draw_problem(PROBLEM, ax)
+    write_name((10, 6), "p", "black", (1, 1), ax)
+    layer = arrows([(10, 6), (10, 6)], [(4, 3), (-4, 3)], "tree")
+    move_names_off_points(print_layer(layer, ax, Drawing([])), ax)
+    assert sides(ax)["p"] == (1, -1)
+
+
+@pytest.mark.parametrize("step", [1, -1])
+def test_numbers_of_vertices_are_inside(step):
+    """Also where the polygon is not convex, whichever way its vertices go round."""
+    ring = np.array([(0, 0), (6, 0), (6, 4), (4, 4), (4, 2), (2, 2), (2, 5), (0, 5)], float)[::step]
+    beside = ring + 0.1 * inward(ring)
+    assert shapely.contains_xy(shapely.Polygon(ring), *beside.T).all()
+
+
+def test_the_name_of_a_region_lies_or_stands_where_it_fits(ax):
+    """In a narrow stripe it stands; in a region without room it is missing."""
+    stripe, tiny = np.zeros((200, 200), bool), np.zeros((200, 200), bool)
+    stripe[:, 30:56] = tiny[50:54, 50:54] = True
+    (lying,), (standing,) = (name_region(one, "link 1 hits", ax) for one in (~stripe, stripe))
+    assert (lying.get_rotation(), standing.get_rotation()) == (0.0, 90.0)
+    assert name_region(tiny, "link 1 hits", ax) == []
 
 
 def test_two_names_do_not_cover_each_other(ax):

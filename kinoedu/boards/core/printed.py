@@ -182,7 +182,7 @@ def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> Array:
         there &= layer.when <= step
     if layer.until is not None:
         there &= layer.until > step
-    there &= not layer.last or step >= drawing.total
+    there &= step >= drawing.total or not layer.last
     if there.any() and layer.kind in PRINTERS:
         texts = tuple(text for text, is_there in zip(layer.texts, there) if is_there)
         shown = layer._replace(texts=texts)
