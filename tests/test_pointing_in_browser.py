@@ -25,11 +25,11 @@ from kinoedu.boards import (
     curves_board,
     search_board,
 )
-from kinoedu.boards.core.drawing import edges
+from kinoedu.boards.core.drawing import arrows, edges, path
 from kinoedu.boards.core.notes import note, with_notes
 from kinoedu.boards.core.page_script import CORE, page_script
 from kinoedu.boards.core.recorded import RECORD
-from kinoedu.boards.core.scene import make_scene
+from kinoedu.boards.core.scene import handle, make_scene
 from kinoedu.boards.geometry.solid import SolidBoard
 from kinoedu.figures import palette
 
@@ -285,6 +285,44 @@ def test_a_word_of_the_lesson_lights_what_it_names(light):
         page.locator(".ke-frontier").hover()
         frames(page)
         assert picture.screenshot() == before
+
+
+WRITTEN = """window.written = {};
+    const write = CanvasRenderingContext2D.prototype.strokeText;
+    CanvasRenderingContext2D.prototype.strokeText = function (text, x, y) {
+        written[text] = [this.textAlign, y];
+        write.call(this, text, x, y);
+    };"""
+
+
+def test_names_keep_off_paths_and_arrows(tmp_path):
+    """Each stands to the upper right, unless a path or an arrow passes there; 30 pixels lower, and
+    then to the left.
+    """
+    needs_chromium()
+    spots = {"A": (1, 5), "B": (3, 5), "C": (5, 5), "D": (7, 5)}
+    scene = make_scene(
+        (0, 0), (10, 10), handles=[handle(*one, colour="goal") for one in spots.items()]
+    )
+    ways = [
+        path([(3, 5), (4.5, 6)], "path"),
+        arrows([(5, 5), (7, 5)], [(1, 0.7), (1, -0.7)], "tree"),
+        path([(7, 5), (8, 5.7)], "path"),
+    ]
+    named = Canvas(scene, lambda _: Drawing(ways, text="four names"))
+    address = site_page(tmp_path, "light", named)
+    with browser() as page:
+        page.add_init_script(WRITTEN)
+        page.goto(address)
+        shown(page)
+        written = page.evaluate("written")
+    level = written["A"][1]
+    assert {name: [align, y - level] for name, (align, y) in written.items()} == {
+        "A": ["left", 0],
+        "B": ["left", 30],
+        "C": ["left", 30],
+        "D": ["right", 0],
+    }
 
 
 def test_a_word_is_chosen_by_keys(light):

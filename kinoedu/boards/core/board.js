@@ -72,6 +72,16 @@ const SPOTS = [28, 44].reduce((spots, away) => [
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+// Whether a segment passes through a box (Liang and Barsky, 1984).
+function passes([ax, ay, bx, by], [left, top, right, bottom]) {
+  let from = 0, to = 1;
+  for (const [a, d, low, high] of [[ax, bx - ax, left, right], [ay, by - ay, top, bottom]]) {
+    const enters = (low - a) / d, leaves = (high - a) / d;   // infinite, or NaN, where d is 0
+    from = Math.max(from, Math.min(enters, leaves));
+    to = Math.min(to, Math.max(enters, leaves));
+  }
+  return from < to;
+}
 // A number in words: four digits, or three where it has been added up.
 const short = (x, digits = 4) => {
   const rounded = Math.abs(x) < 1e4 ? Number(x.toPrecision(digits)) : Math.round(x);
@@ -976,7 +986,10 @@ class View {
     if (canvas.height !== down) canvas.height = down;
     pen.setTransform(across / this.width, 0, 0, down / this.height, 0, 0);
     pen.lineJoin = pen.lineCap = "round";
-    if (!this.grabs.size) this.look();   // the view does not move during a drag
+    if (!this.grabs.size) {              // the view and the names' sides stay during a drag
+      this.look();
+      this.chooseSides();
+    }
     const { brief, total } = board.drawing, pale = board.isPale();
     const complete = brief || board.step >= total;
     const layers = board.drawing.layers.filter((layer) => complete || !layer.last);
@@ -987,8 +1000,7 @@ class View {
       });
       pen.globalAlpha = 1;
     };
-    const named = board.scene.handles.filter(({ stop, drawn }) => !stop && !drawn);
-    this.taken = named.map(({ name, at }) => this.boxOf(name, ...this.nameSpot(at), "bold"));
+    this.taken = this.namedHandles().map((handle) => this.nameBox(handle));
     this.paintGround();
     paint(layers.filter((layer) => layer.kind === "cells"));
     pen.globalAlpha = this.strength("obstacle");
@@ -999,7 +1011,7 @@ class View {
       this.taken.push([px - 6, py - 6, px + 6, py + 6]);
     }));
     paint(texts);
-    board.scene.handles.forEach((handle) => {
+    this.namedHandles().forEach((handle) => {
       pen.globalAlpha = this.strength(handle.colour);
       this.paintHandle(handle);
     });
@@ -1009,9 +1021,7 @@ class View {
 
   // A ring in the colour of each dot that a handle hides, such as q_near where it is the start.
   paintRings(layer) {
-    const { pen, board } = this;
-    const handles = board.scene.handles.filter(({ stop, drawn }) => !stop && !drawn);
-    const spots = handles.map(({ at }) => this.toPixels(at));
+    const { pen } = this, spots = this.namedHandles().map(({ at }) => this.toPixels(at));
     pen.beginPath();
     this.eachRow(layer, 2, (px, py) => {
       if (!spots.some(([x, y]) => Math.hypot(x - px, y - py) < 6)) return;
@@ -1088,8 +1098,12 @@ class View {
     this.pen.drawImage(this.bitmap, x0, y0, x1 - x0, y1 - y0);
   }
 
-  paintHandle({ name, at, colour, marker, radius, stop, drawn }) {
-    if (stop || drawn) return;
+  namedHandles() {                       // those that the answer does not draw
+    return this.board.scene.handles.filter(({ stop, drawn }) => !stop && !drawn);
+  }
+
+  paintHandle(handle) {
+    const { name, at, colour, marker, radius } = handle;
     const { pen } = this, { palette } = this.board;
     const [px, py] = this.toPixels(at), paint = palette[colour];
     if (radius) {
@@ -1101,17 +1115,55 @@ class View {
       pen.globalAlpha /= TINT;
     }
     if (marker === "star") this.star(px, py, 12, paint); else this.dot(at, 7, paint, palette.free);
-    const [x, y, align] = this.nameSpot(at);
+    const [x, y, align] = this.nameSpot(handle);
     this.write(name, x, y, paint, align, "bold");
   }
 
-  nameSpot(at) {                         // where the name of a handle is written, and its alignment
-    const { lo, hi, handles } = this.board.scene, [px, py] = this.toPixels(at);
-    const right = at[0] < lo[0] + 0.75 * (hi[0] - lo[0]);
-    const room = at[1] < lo[1] + 0.85 * (hi[1] - lo[1]);
-    const up = room && !handles.some((handle) => handle.stop);             // stops' names are above
-    return [px + (right ? 11 : -11), py + (up ? -15 : 15), right ? "left" : "right"];
+  // The names of handles stand on the first side where they cover no path, no arrow and no other
+  // name; where there is none, on the side with most room.
+  chooseSides() {
+    const passed = this.passedSegments(), names = [];
+    this.sides = new Map();
+    for (const handle of this.namedHandles()) {
+      const sides = this.sidesOf(handle);
+      const best = sides.find((side) => {
+        const box = this.nameBox(handle, side);
+        const inside = box[0] > 0 && box[1] > 0 && box[2] < this.width && box[3] < this.height;
+        return inside && !passed.some((segment) => passes(segment, box))
+          && !names.some((other) => overlap(other, box));
+      });
+      this.sides.set(handle.name, best ?? sides[0]);
+      names.push(this.nameBox(handle));
+    }
   }
+
+  passedSegments() {                     // of paths and of arrows, in pixels
+    const segments = [], kinds = { path: 2, arrows: 4 };
+    for (const layer of this.board.drawing.layers.filter(({ kind }) => kind in kinds)) {
+      let before = null;
+      this.eachRow(layer, kinds[layer.kind], (px, py, dx, dy) => {
+        if (layer.kind === "arrows") segments.push([px, py, px + dx, py - dy]);
+        else if (before) segments.push([...before, px, py]);
+        before = [px, py];
+      });
+    }
+    return segments;
+  }
+
+  sidesOf({ at }) {                      // right 1 or left -1, above 1 or below -1; most room first
+    const { lo, hi, handles } = this.board.scene;
+    const right = at[0] < lo[0] + 0.75 * (hi[0] - lo[0]) ? 1 : -1;
+    if (handles.some(({ stop }) => stop)) return [[right, -1], [-right, -1]];   // stops are above
+    const up = at[1] < lo[1] + 0.85 * (hi[1] - lo[1]) ? 1 : -1;
+    return [[right, up], [right, -up], [-right, up], [-right, -up]];
+  }
+
+  nameSpot(handle, side = this.sides.get(handle.name)) {   // where a name is written, and how
+    const [px, py] = this.toPixels(handle.at), [right, up] = side ?? this.sidesOf(handle)[0];
+    return [px + 11 * right, py - 15 * up, right > 0 ? "left" : "right"];
+  }
+
+  nameBox(handle, side) { return this.boxOf(handle.name, ...this.nameSpot(handle, side), "bold"); }
 
   boxOf(text, x, y, align, weight = "normal") {  // the box of a text that is written
     this.pen.font = `${weight} 14px system-ui, sans-serif`;
