@@ -17,6 +17,7 @@ from kinoedu.boards import (
 from kinoedu.boards.core.drawing import dots, edges, encode_drawing, labels, nodes
 from kinoedu.boards.core.framed import find_canvases
 from kinoedu.boards.core.notes import note, with_notes
+from kinoedu.boards.core.reply import Reply
 from kinoedu.boards.core.scene import frame_of, handle, make_scene
 from kinoedu.boards.exploring.exploring import DRAGGED
 from kinoedu.boards.tracing import code_run
@@ -74,6 +75,16 @@ def test_a_drawing_without_steps_is_answered_once():
     heard = hear(canvas)
     drag_goal(canvas, 3.0, 3.0)
     assert [content["brief"] for content, _ in heard] == [False]
+
+
+def test_a_drag_waits_for_brief_answers_only():
+    """The time that a page is told is that of a brief answer, however long the whole one takes."""
+    reply = Reply(
+        lambda: Drawing(text="there").completed_by(lambda: Drawing(text="all")), two_points()
+    )
+    brief, whole = reply.brief.content, reply.whole.content
+    assert (brief["text"], whole["text"]) == ("there", "all")
+    assert whole["took"] == brief["took"]
 
 
 def test_a_drag_is_answered_briefly_and_a_rest_wholly():

@@ -40,14 +40,16 @@ class Reply:
     Attributes
     ----------
     brief : the message while something is dragged. Its `brief` says whether `whole` is another one.
+    took : the milliseconds of the brief answer. Both messages say it, because a drag waits for the
+        brief one only.
     """
 
     def __init__(self, answer: Callable[[], Drawing], scene: Scene) -> None:
         self._frame = frame_of(scene)
-        self._drawing, took = draw_in_time(answer)
+        self._drawing, self.took = draw_in_time(answer)
         last = self._drawing.at_end()
         is_brief = last is not self._drawing or last.whole is not None
-        self.brief = self._encode(last, took, is_brief=is_brief)
+        self.brief = self._encode(last, is_brief=is_brief)
         self._whole = None if is_brief else self.brief
 
     @property
@@ -55,8 +57,8 @@ class Reply:
         """The message when everything is at rest."""
         if self._whole is None:
             drawing = self._drawing
-            self._drawing, took = draw_in_time(lambda: drawing.completed)
-            self._whole = self._encode(self._drawing, took, is_brief=False)
+            self._drawing, _ = draw_in_time(lambda: drawing.completed)
+            self._whole = self._encode(self._drawing, is_brief=False)
         return self._whole
 
     @property
@@ -70,9 +72,9 @@ class Reply:
         _ = self.whole
         return self._drawing
 
-    def _encode(self, drawing: Drawing, took: float, *, is_brief: bool) -> Message:
+    def _encode(self, drawing: Drawing, *, is_brief: bool) -> Message:
         content, buffers = encode_drawing(drawing, *self._frame)
-        return Message({**content, "took": took, "brief": is_brief}, buffers)
+        return Message({**content, "took": self.took, "brief": is_brief}, buffers)
 
 
 def draw_in_time(answer: Callable[[], Drawing]) -> tuple[Drawing, float]:
