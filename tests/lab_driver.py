@@ -143,6 +143,27 @@ def notebook_page(address: str, token: str, notebook: str):
             browser.close()
 
 
+@contextmanager
+def run_in_lab(factory, *cells: str):
+    """A page of a JupyterLab of its own, with a notebook whose cells have run.
+
+    No cell fails, the browser reports no error, and nothing is asked of other computers. `factory`
+    is pytest's tmp_path_factory.
+    """
+    needs_chromium()
+    course, home = factory.mktemp("course"), factory.mktemp("home")
+    (course / "boards.ipynb").write_text(written_notebook(*cells))
+    with (
+        lab(course, home) as (address, token),
+        notebook_page(address, token, "boards.ipynb") as page,
+    ):
+        book = page.evaluate(RUN_ALL)
+        outputs = [output for cell in book["cells"] for output in cell["outputs"]]
+        assert [one["evalue"] for one in outputs if one["output_type"] == "error"] == []
+        yield page
+        assert page.outside == [] and page.errors == []
+
+
 def keep(page, name: str) -> None:
     """Save a screenshot in the folder KINOEDU_SCREENSHOTS, where it is set."""
     if folder := os.environ.get("KINOEDU_SCREENSHOTS"):

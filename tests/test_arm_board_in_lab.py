@@ -4,7 +4,7 @@ import math
 import re
 
 import pytest
-from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
+from lab_driver import keep, run_in_lab
 from test_board_in_lab import Seen
 
 ARM = """import kinoedu as ke
@@ -21,19 +21,8 @@ WORKSPACE, SQUARE, SLIDING = 0, 1, 4  # the numbers of the pictures; 2 and 3 bel
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """One JupyterLab for all."""
-    needs_chromium()
-    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    (course / "arms.ipynb").write_text(written_notebook(ARM, PLAN, SLIDE))
-    with lab(course, home) as (address, token), notebook_page(address, token, "arms.ipynb") as page:
-        book = page.evaluate(RUN_ALL)
-        assert [
-            o.get("evalue")
-            for cell in book["cells"]
-            for o in cell["outputs"]
-            if o["output_type"] == "error"
-        ] == []
+    with run_in_lab(tmp_path_factory, ARM, PLAN, SLIDE) as page:
         yield page
-        assert page.outside == [] and page.errors == []
 
 
 @pytest.fixture

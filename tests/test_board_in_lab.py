@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
+from lab_driver import keep, run_in_lab
 
 YARD = """
 import kinoedu as ke
@@ -35,22 +35,8 @@ DISTANCE = "ke.boards.distance_board([(2, 1), (6, 1), (7, 4), (4, 3), (2, 5)], q
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """One JupyterLab for all: the yard twice, a planner that hangs, distances, a slow planner."""
-    needs_chromium()
-    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    (course / "boards.ipynb").write_text(written_notebook(YARD, "board", HANGS, DISTANCE, SLOW))
-    with (
-        lab(course, home) as (address, token),
-        notebook_page(address, token, "boards.ipynb") as page,
-    ):
-        book = page.evaluate(RUN_ALL)
-        assert [
-            o.get("evalue")
-            for cell in book["cells"]
-            for o in cell["outputs"]
-            if o["output_type"] == "error"
-        ] == []
+    with run_in_lab(tmp_path_factory, YARD, "board", HANGS, DISTANCE, SLOW) as page:
         yield page
-        assert page.outside == [] and page.errors == []
 
 
 class Seen:

@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
+from lab_driver import keep, run_in_lab
 from test_board_in_lab import Seen
 from test_planning_boards_in_lab import scrub
 
@@ -24,19 +24,8 @@ ASK = """async code => {
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """One JupyterLab for both boards: one with a planner, one driven by keys."""
-    needs_chromium()
-    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    (course / "car.ipynb").write_text(written_notebook(YARD, DRIVEN))
-    with lab(course, home) as (address, token), notebook_page(address, token, "car.ipynb") as page:
-        book = page.evaluate(RUN_ALL)
-        assert [
-            o.get("evalue")
-            for cell in book["cells"]
-            for o in cell["outputs"]
-            if o["output_type"] == "error"
-        ] == []
+    with run_in_lab(tmp_path_factory, YARD, DRIVEN) as page:
         yield page
-        assert page.outside == [] and page.errors == []
 
 
 @pytest.fixture(params=[0, 1], ids=["planned", "driven"])

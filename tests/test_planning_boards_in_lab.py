@@ -4,7 +4,7 @@ import io
 
 import numpy as np
 import pytest
-from lab_driver import RUN_ALL, keep, lab, needs_chromium, notebook_page, written_notebook
+from lab_driver import keep, run_in_lab
 from PIL import Image, ImageColor
 from test_board_in_lab import Seen
 
@@ -47,23 +47,8 @@ SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), sear
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """One JupyterLab for all; the bugs' world is board 0, its plot board 1."""
-    needs_chromium()
-    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    book = written_notebook(BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS, LINES)
-    (course / "planning.ipynb").write_text(book)
-    with (
-        lab(course, home) as (address, token),
-        notebook_page(address, token, "planning.ipynb") as page,
-    ):
-        book = page.evaluate(RUN_ALL)
-        assert [
-            o.get("evalue")
-            for cell in book["cells"]
-            for o in cell["outputs"]
-            if o["output_type"] == "error"
-        ] == []
+    with run_in_lab(tmp_path_factory, BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS, LINES) as page:
         yield page
-        assert page.outside == [] and page.errors == []
 
 
 def scrub(seen, step):

@@ -1,7 +1,7 @@
 """The board of solids in a real JupyterLab, by mouse and by keys, without requests elsewhere."""
 
 import pytest
-from lab_driver import RUN_ALL, lab, needs_chromium, notebook_page, written_notebook
+from lab_driver import run_in_lab
 
 from kinoedu.figures import palette
 
@@ -16,23 +16,9 @@ board
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     """One JupyterLab with one board."""
-    needs_chromium()
-    course, home = tmp_path_factory.mktemp("course"), tmp_path_factory.mktemp("home")
-    (course / "solid.ipynb").write_text(written_notebook(BOARD))
-    with (
-        lab(course, home) as (address, token),
-        notebook_page(address, token, "solid.ipynb") as page,
-    ):
-        book = page.evaluate(RUN_ALL)
-        assert [
-            o.get("evalue")
-            for cell in book["cells"]
-            for o in cell["outputs"]
-            if o["output_type"] == "error"
-        ] == []
+    with run_in_lab(tmp_path_factory, BOARD) as page:
         page.wait_for_selector(".kinoedu-solid[data-paints]")
         yield page
-        assert page.outside == [] and page.errors == []
 
 
 def shown_text(page):
