@@ -51,6 +51,7 @@ SLIDE = """([board, seconds]) => new Promise(done => {
         slider.value = lo + (hi - lo) * (0.5 + 0.4 * Math.sin(3 * t));
         slider.dispatchEvent(new Event('input', {bubbles: true})); moves += 1;
     }, 10); })"""
+SETTLED = "board => board.dataset.seq === board.dataset.newest"
 GOALS = {"plans": 44.0, "paints": 55.0}
 
 
@@ -62,6 +63,7 @@ def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, flo
     board.scroll_into_view_if_needed()
     board.locator(".kinoedu-reset").click()  # all rounds begin with the same scene
     page.wait_for_timeout(500)
+    page.wait_for_function(SETTLED, arg=board.element_handle())  # on a slow page much later
     box = board.locator(f"[data-thing={name}]").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     board.evaluate(LISTEN)
