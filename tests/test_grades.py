@@ -6,6 +6,7 @@ They are safe, equal on every run, and reveal no hidden case.
 import csv
 import io
 import json
+import re
 import shutil
 import sys
 import zipfile
@@ -404,12 +405,21 @@ def test_grades_of_other_folders_stay():
     assert add_earlier(new, [one._replace(folder="two") for one in old]) == new
 
 
+LINKS = """[a](javascript:alert(1)) [b][1] ![c](http://evil/x.png) $\\href{javascript:alert(4)}{d}$
+
+[1]: javascript:alert(2)
+<javascript:alert(3)> [e](&#106;avascript:alert(5)) [1]
+"""
+
+
 def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     """The gradebook holds the judge's scores, and answers in prose wait there.
 
     A person's score and comment come back into the table.
     """
     pytest.importorskip("nbgrader")
+    import nbformat
+    from nbconvert import HTMLExporter
     from nbgrader.api import Gradebook
 
     from kinoedu.grading.export.nbgrader_course import (
@@ -431,6 +441,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
         if cell["cell_type"] == "code":
             cell["outputs"] = [dangerous, 7, {"data": []}]
     book["cells"].append({"cell_type": "markdown", "metadata": {}, "source": f"1 < 2 {HOSTILE}"})
+    book["cells"].append({"cell_type": "markdown", "metadata": {}, "source": LINKS})
     book["cells"].append(
         dict(
             book["cells"][-2],
@@ -453,6 +464,13 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     )
     assert (tmp_path / "course" / "source" / HAND).is_dir()  # else formgrader lists nothing
     assert "<script" not in shown and "1 < 2 &lt;/pre" in shown
+    pages = [
+        HTMLExporter(template_name=name).from_notebook_node(nbformat.reads(shown, 4))[0]
+        for name in ("lab", "classic")
+    ]
+    assert all("alert(4)" in page for page in pages)
+    assert not any(re.search(r"""href=["'][^"']*script:|src=[^>]*evil""", page) for page in pages)
+    assert not any("\\href" in page.partition("<main")[2] for page in pages)
     assert "plain" in shown and '"points": 99' not in shown
     whose = ("flowchart_bug1", HAND, HAND, "ann")
     with Gradebook(name_database(tmp_path / "course")) as gradebook:

@@ -281,6 +281,32 @@ def test_nobody_hands_in_for_another(tmp_path):
     }
 
 
+@pytest.mark.parametrize(
+    ("place", "student"),
+    [
+        ("mallory_LATE_7_8_hw.zip/bob_99/01_geometry.ipynb", "mallory_7"),
+        ("mallory_LATE_7_8_hw.zip/bob_99_1_01_geometry.ipynb", "mallory_7"),
+        ("mal.zip/bob/cy/01_geometry.ipynb", "mal"),
+        ("Mal_4711_assignsubmission_file_/Bob Lee_12/01_geometry.ipynb", "Mal_4711"),
+        ("submission_7/submission_8/01_geometry.ipynb", "submission_7"),
+        ("mal/bob/01_geometry.ipynb", "mal"),
+        ("mal/bob.zip/cy/01_geometry.ipynb", "mal"),
+    ],
+)
+def test_who_hands_in_alone_hands_in_for_nobody_else(tmp_path, place, student):
+    """Late work, for example: a class of one student."""
+    box, inside, name = place.rpartition(".zip/")
+    file = tmp_path / "class" / (f"{box}.zip" if inside else place)
+    file.parent.mkdir(parents=True)
+    data = notebook(ANSWER)
+    if inside:
+        with zipfile.ZipFile(file, "w") as archive:
+            archive.writestr(name, data)
+    else:
+        file.write_bytes(data)
+    assert [one.student for one in collect(tmp_path / "class")] == [student]
+
+
 def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path):
     """Links, pipes, zip bombs, and paths that lead upwards."""
     bomb, deep = io.BytesIO(), io.BytesIO()

@@ -16,6 +16,7 @@ from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Raised
 from kinoedu.grading.collect.found import MOST_OF_ONE
 from kinoedu.grading.collect.handing_in import find_answers
+from kinoedu.grading.collect.marks import find_assignment
 from kinoedu.grading.collect.notebook import (
     MOST_PARTS,
     Cell,
@@ -94,6 +95,12 @@ def test_names_without_end_are_cut(tmp_path):
     (tmp_path / "ann" / "x.zip").write_bytes(packed(zipfile.ZIP_STORED, **files))
     (one,) = collect(tmp_path)
     assert "more than once" in one.trouble and len(one.trouble) + len(one.file) < 4000
+
+
+def test_a_long_name_in_a_zip_is_read_at_once():
+    """What copies add to names is looked for in as many letters as a name in a folder may have."""
+    assert find_assignment("-1" * 2**20 + "x.ipynb", (), {}, ["01_geometry"]) == ""
+    assert find_assignment("01_geometry (1)-2.ipynb", (), {}, ["01_geometry"]) == "01_geometry"
 
 
 def test_a_name_steers_no_terminal(tmp_path, capsys):

@@ -236,6 +236,14 @@ def test_generators_pass_with_their_states():
         assert wire.generator_of(state).random() == here.random()
 
 
+def test_a_state_that_is_deeper_than_any_is_no_state():
+    state: object = 1
+    for _ in range(5000):
+        state = {"state": state}
+    with pytest.raises(wire.Unfit, match="state of a generator"):
+        wire.generator_of({"bit_generator": "PCG64", "state": state})
+
+
 @needs_sandbox
 def test_errors_of_the_library_are_caught_by_their_names(box):
     """As in a notebook: by its class, and by that of all errors of the library."""

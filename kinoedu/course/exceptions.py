@@ -11,6 +11,7 @@ from types import FrameType, TracebackType
 MAX_NAMES = 32  # base classes of an exception, or changed arguments
 MAX_LETTERS = 2000  # of its message
 MAX_LINES = 5  # of the traceback
+MAX_LINE = 300  # letters of each
 
 Step = tuple[FrameType, int]
 
@@ -25,7 +26,7 @@ def describe_exception(
     above = type.__dict__["__mro__"].__get__(type(error))
     kinds = [class_name(kind) for kind in above if kind not in (object, BaseException)][:MAX_NAMES]
     own = own_steps(error.__traceback__, is_students)
-    return kinds, message_of(error), lines_of(own), own[-1][0].f_code.co_name if own else ""
+    return kinds, message_of(error), lines_of(own), name_of(own)
 
 
 def class_name(kind: type) -> str:
@@ -50,10 +51,15 @@ def own_steps(trace: TracebackType | None, is_students: Callable[[str], bool]) -
     ]
 
 
+def name_of(steps: list[Step]) -> str:
+    """The name of the innermost function; "" where there is none."""
+    return steps[-1][0].f_code.co_name[:MAX_LINE] if steps else ""
+
+
 def lines_of(steps: list[Step]) -> list[str]:
     """Lines of code as "line 3: return 1 / 0"; repeated lines of a recursion appear once."""
     lines = [
-        f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()}"
+        f"line {number}: {linecache.getline(frame.f_code.co_filename, number).strip()[:MAX_LINE]}"
         for frame, number in steps
     ]
     return [

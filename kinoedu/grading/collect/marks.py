@@ -9,6 +9,7 @@ from pathlib import Path, PurePosixPath
 from ...course.release import HOUSE
 from .notebook import join_text, parse_notebook
 
+LONGEST = 255  # bytes of a name in a folder; a zip may have longer ones
 # what a download or a second upload adds to a name
 COPIED = re.compile(r"([ _-]?\(\d+\)|-\d+|[ _-]copy\d*)+$", re.IGNORECASE)
 # a function at the left margin, and the check of one; a cell may have errors, so it is not parsed
@@ -25,7 +26,7 @@ def find_assignment(
     Its name decides, then its folders' names, then the start of its name, then its cells, of which
     `shared` says how many questions of each assignment they are about.
     """
-    stem = COPIED.sub("", PurePosixPath(name).stem)
+    stem = COPIED.sub("", PurePosixPath(name).stem[:LONGEST])  # its time grows with the square
     for candidate in (stem, *map(strip_zip, reversed(place[:-1]))):
         if candidate in known:
             return candidate

@@ -27,6 +27,7 @@ CANVAS = re.compile(
 )
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
+EXPORTED = re.compile(r"^assignment_\d+_export$")  # Gradescope's folder of all submissions
 NO_ANSWERS = "has none of the functions that it asks for"
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a path, files in a message
 
@@ -90,9 +91,10 @@ def remove_outer_folders(files: list[Found], known: list[str]) -> list[Found]:
     """The files without the outer folders that hold all of them.
 
     The first name of a place then comes from the instructor. All later names may come from the
-    student, so they never decide whose a file is. A folder of assignments, or of one zip, belongs
-    to a single student and is not removed. Gradescope's metadata stands beside the folders and does
-    not count.
+    student, so they never decide whose a file is. A zip, a folder that Canvas, Moodle or Gradescope
+    named after a submission, and a folder of assignments or of a single other folder belong to one
+    student, and are not removed. Gradescope's metadata stands beside the folders and does not
+    count.
     """
     places = [file.place for file in files if not file.place[-1].startswith(".")]
     if any(GRADESCOPE.match(place[1]) for place in places if len(place) > 2):
@@ -102,12 +104,20 @@ def remove_outer_folders(files: list[Found], known: list[str]) -> list[Found]:
         and all(len(place) > 2 for place in places)
         and len({place[0] for place in places}) == 1
     ):
-        below = {place[1] for place in places}
-        if below <= set(known) or (len(below) == 1 and min(below).lower().endswith(".zip")):
+        outer, below = places[0][0], {place[1] for place in places}
+        if is_of_one_student(outer) or below <= set(known):
+            break
+        if len(below) == 1 and not EXPORTED.match(outer):
             break
         places = [place[1:] for place in places]
         files = [file._replace(place=file.place[1:] or file.place) for file in files]
     return files
+
+
+def is_of_one_student(name: str) -> bool:
+    """Whether a file or folder with this name holds what one student handed in."""
+    stem = strip_zip(name)
+    return stem != name or any(form.match(stem) for form in (CANVAS, MOODLE, GRADESCOPE))
 
 
 def is_candidate(file: Found) -> bool:

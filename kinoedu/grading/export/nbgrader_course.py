@@ -35,6 +35,8 @@ c.CourseDirectory.root = os.path.dirname(os.path.abspath(__file__))
 """
 SHOWN = ("text/plain", "image/png", "image/jpeg")
 TAG = re.compile(r"<(?=[A-Za-z/!?])")
+LINK = re.compile(r"\](?=[(:])")  # before an address, which may be a program or tell who reads
+COMMAND = re.compile(r"\\(?=href|csname)")  # of formulas; the first makes a link
 NO_ANSWER = "(There is no such cell in the notebook that was handed in.)"
 Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
@@ -187,13 +189,18 @@ def clean_cell(cell: JsonObject, left: Marks) -> JsonObject:
     mark = left.pop(name, None) if isinstance(name, str) else None
     source = extract_text(cell.get("source"))
     if cell.get("cell_type") != "code":
-        return make_text_cell(TAG.sub("&lt;", source), mark)
+        return make_text_cell(defuse(source), mark)
     return {
         **make_text_cell(source, mark),
         "cell_type": "code",
         "execution_count": None,
         "outputs": list(clean_outputs(cell)),
     }
+
+
+def defuse(text: str) -> str:
+    """A text in Markdown without tags, links and pictures; their words and addresses stay."""
+    return COMMAND.sub("", LINK.sub("] ", TAG.sub("&lt;", text)))
 
 
 def make_text_cell(source: str, mark: JsonObject | None) -> JsonObject:

@@ -151,7 +151,7 @@ def set_state(generator: np.random.Generator, state: Any) -> None:
     """Give a generator a state. Raises Unfit."""
     try:
         generator.bit_generator.state = restore_arrays(state)
-    except (TypeError, ValueError, KeyError, OverflowError) as error:
+    except (TypeError, ValueError, KeyError, OverflowError, RecursionError) as error:
         raise Unfit("not the state of a generator") from error
 
 
