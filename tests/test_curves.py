@@ -193,3 +193,8 @@ def test_a_curve_is_the_same_from_either_end():
             there, back = lengths != 0.0, back_lengths != 0.0
             assert turns[there].tolist() == back_turns[back][::-1].tolist()
             assert lengths[there].tolist() == (-back_lengths[back][::-1]).tolist()
+
+
+def test_a_table_of_distances_is_refused():
+    with pytest.raises(InvalidPoint, match="a row of numbers"):
+        dubins_path((0, 0, 0), (10, 0, 0), 1).at([[1.0, 2.0]])

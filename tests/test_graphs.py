@@ -776,3 +776,15 @@ def test_public_names_are_at_the_top():
         dijkstra,
         astar,
     )
+
+
+def test_a_bound_of_minus_zero_is_zero():
+    """Its bits are those of a large negative number."""
+    graph = ke.Graph(4, [(0, 1), (0, 2), (1, 3), (2, 3)], [1.0, 5.0, 1.0, 5.0])
+    path, _ = ke.astar(graph, 0, 3, -np.zeros(4))
+    assert path.tolist() == [0, 1, 3]
+
+
+def test_no_sum_of_weights_is_infinite():
+    with pytest.raises(InvalidGraph, match="from zero to 1e"):
+        ke.Graph(3, [(0, 1), (1, 2)], [1e308, 1e308])

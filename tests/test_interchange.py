@@ -19,6 +19,7 @@ from kinoedu.errors import (
     MendedPolygons,
     SceneTooLarge,
     UnknownFormat,
+    UnreadableScene,
 )
 from kinoedu.experiments import read_experiment, run
 from kinoedu.files import (
@@ -31,7 +32,7 @@ from kinoedu.files import (
     write_world,
 )
 from kinoedu.files.meshes import UPRIGHT
-from kinoedu.files.movingai import read_scenario
+from kinoedu.files.movingai import Query, read_scenario
 from kinoedu.worlds.polygon_world import rings_of
 
 GRID = Path(__file__).parent / "data" / "grid"
@@ -357,3 +358,21 @@ def test_a_scene_beyond_repair_is_a_named_error(change, tmp_path):
     for repair in (False, True):
         with pytest.raises(KinoeduError):
             ke.read_scene(file, repair=repair)
+
+
+def test_a_length_is_written_to_its_last_bit(tmp_path):
+    """Eight decimals, as MovingAI's own files, where they say it all."""
+    ends = np.array([0.5, 0.5]), np.array([1.5, 1.5])
+    query = Query("m", *ends, math.sqrt(2.0), 3, 3)
+    write_scenario([query, query._replace(length=2.5)], tmp_path / "a.scen")
+    assert [one.length for one in read_scenario(tmp_path / "a.scen")] == [math.sqrt(2.0), 2.5]
+    assert (tmp_path / "a.scen").read_text().endswith("\t2.50000000\n")
+    for wrong in (query._replace(length=-1.0), query._replace(map_name="a\tb")):
+        with pytest.raises(InvalidParameter):
+            write_scenario([wrong], tmp_path / "b.scen")
+
+
+def test_a_scenario_names_its_map(tmp_path):
+    (tmp_path / "a.scen").write_text("version 1\n0\tmaps/\t3\t3\t0\t0\t1\t1\t1.0\n")
+    with pytest.raises(UnreadableScene, match="name of a map"):
+        read_scenario_problems(tmp_path / "a.scen")

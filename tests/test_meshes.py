@@ -471,3 +471,11 @@ def test_margin_and_boundary_exclude_each_other(tmp_path):
     assert mesh_world(file).hi.tolist() == pytest.approx([0.6, 0.6])
     with pytest.raises(InvalidParameter, match="not both"):
         mesh_world(file, boundary=[(-2, -2), (2, -2), (2, 2), (-2, 2)], margin=1)
+
+
+def test_a_byte_order_mark_costs_no_vertex(tmp_path):
+    """Trimesh would take the first line for a comment, and number the vertices from the second."""
+    text = "\ufeffv 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 5 0\nf 1 2 3\n"
+    (tmp_path / "m.obj").write_text(text, encoding="utf-8")
+    ((outline, holes),) = read_mesh(tmp_path / "m.obj")
+    assert sorted(outline.tolist()) == [[0, 0], [1, 0], [1, 1]] and holes == []

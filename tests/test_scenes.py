@@ -247,6 +247,12 @@ def test_a_map_beside_a_scene(tmp_path):
     ]
 
 
+def test_a_terrain_has_a_row(tmp_path):
+    scene = {**SCENE, "world": {"kind": "terrain", "rows": []}}
+    with pytest.raises(UnreadableScene, match="at least one row"):
+        ke.read_scene(written(tmp_path, scene))
+
+
 def test_the_documented_scene_is_a_scene(tmp_path):
     """The example in the docs reads as it stands."""
     page = (Path(__file__).parent.parent / "docs" / "files.md").read_text(encoding="utf-8")
@@ -264,7 +270,7 @@ def test_read_problem_wants_each_thing_once(tmp_path):
     with pytest.raises(InvalidParameter, match="both start and goal"):
         ke.read_problem(tmp_path / "corner.map", start=(0.5, 0.5))
     with pytest.raises(InvalidParameter, match="has its own"):
-        ke.read_problem(written(tmp_path, SCENE), start=(1, 1), goal=(2, 2))
+        ke.read_problem(written(tmp_path, SCENE), start=np.ones(2), goal=(2, 2))
     (tmp_path / "corner.scen").write_text(
         "version 1\n0\tcorner.map\t3\t2\t0\t0\t2\t1\t2.41421356\n"
     )

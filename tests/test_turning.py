@@ -17,8 +17,10 @@ from kinoedu import (
     prm,
     rrt,
 )
+from kinoedu.c_space import turned
 from kinoedu.collision import is_free_path, is_semi_free_path
 from kinoedu.compiled import compiled
+from kinoedu.errors import InvalidPoint
 from kinoedu.geometry.separation import dividing_line, insides_meet, pieces_distance, pieces_meet
 from kinoedu.robots import place_body
 from kinoedu.spaces import distance, interpolate
@@ -282,3 +284,18 @@ def test_placed_turns_about_the_reference_point() -> None:
     np.testing.assert_allclose(
         body.points[np.lexsort(body.points.T)], [(5, 6), (4, 7), (5, 7)], atol=1e-15
     )
+
+
+def test_a_motion_too_fast_to_be_judged_is_not_free() -> None:
+    """Where even the least time is too long; the judge must come to an end."""
+    room = PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)], [[(4, 4), (5, 4), (5, 5), (4, 5)]])
+    body = RigidPolygon([(0, 0), (1, 0), (1, 1)])
+    near, far = np.array([2.0, 2.0, 0.0]), np.array([-1e308, 2.0, 0.0])
+    with np.errstate(all="ignore"):
+        assert not is_free_path(body, room, near, far, 0.0)
+
+
+@pytest.mark.parametrize("theta", [np.nan, [0.5], None, "a"])
+def test_an_angle_is_one_finite_number(theta: Any) -> None:
+    with pytest.raises(InvalidPoint, match="theta"):
+        turned([(0, 0), (1, 0), (1, 1)], theta)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from ..errors import InvalidWorld
 from ..geometry.checks import Array
 from ..geometry.convex import convex_hull, convex_parts
+from ..geometry.displacements import as_number
 from ..geometry.minkowski import erosion, minkowski_difference
 from ..geometry.rings import as_ring
 from ..worlds.checks import World
@@ -114,7 +115,7 @@ def turned(vertices: ArrayLike, theta: float) -> Array:
     Raises
     ------
     InvalidPolygon, InvalidPoint
-        Where the polygon is not valid.
+        Where the polygon is not valid, or theta is not one finite number.
 
     Examples
     --------
@@ -123,7 +124,7 @@ def turned(vertices: ArrayLike, theta: float) -> Array:
            [-1.,  0.],
            [ 0.,  0.]])
     """
-    return rotate_corners(as_ring(vertices), theta)
+    return rotate_corners(as_ring(vertices), as_number(theta, "theta"))
 
 
 def rotate_corners(ring: Array, theta: float) -> Array:

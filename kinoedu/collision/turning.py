@@ -136,10 +136,10 @@ def meets_part(
             corners, begin, end, parts.points, parts.first[j], parts.first[j + 1]
         )
         room, time = clear_time(corners, begin, end, x, y, nx, ny, least)
-        t += time
+        before, t = t, t + time
         if room <= 0.0 or t > 1.0:
             return room <= 0.0
-        if room <= contact:
+        if room <= contact or not t > before:  # so fast that no time is known to be clear
             return True
 
 
@@ -164,10 +164,10 @@ def crosses_edge(
         room, time = clear_time(
             corners, robot.shape.first[i], robot.shape.first[i + 1], p[0], p[1], nx, ny, offset
         )
-        t += time
+        before, t = t, t + time
         if room <= 0.0 or t > 1.0:
             return room <= 0.0
-        if room <= contact:
+        if room <= contact or not t > before:
             return True
 
 

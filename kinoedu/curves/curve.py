@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint
-from ..geometry.checks import Array, as_array
+from ..geometry.checks import Array, as_array, as_row
 from ..spaces.angles import wrap_angle
 from ..support.constructors import with_type_names
 from ..support.text import shortened
@@ -60,9 +60,9 @@ class Curve(NamedTuple):
         Raises
         ------
         InvalidPoint
-            Where s is not numbers.
+            Where s is not a number or a row of numbers.
         """
-        along = np.clip(as_array(s, "s"), 0.0, self.length)
+        along = np.clip(as_row(s, "s"), 0.0, self.length)
         poses = poses_along(self.start, self.radius, self.turns, self.lengths, np.atleast_1d(along))
         return poses if along.ndim else poses[0]
 

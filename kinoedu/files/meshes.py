@@ -6,6 +6,7 @@ so z is up unless the parameter `up` says otherwise.
 
 from __future__ import annotations
 
+import codecs
 import io
 import os
 import re
@@ -214,6 +215,7 @@ def load_triangles(data: bytes, kind: str, file: Path) -> Array:
     """Read the triangles of all bodies by trimesh, at their positions in the scene."""
     import trimesh
 
+    data = data.removeprefix(codecs.BOM_UTF8)  # trimesh would lose the first vertex of an .obj
     if damage := describe_truncation(data, kind):
         raise UnreadableScene(
             f"{file}: expected a whole .{kind} file, got {damage}; export it again"

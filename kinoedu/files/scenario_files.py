@@ -85,7 +85,10 @@ def as_numbers(queries: object, count: int, file: Path) -> list[int]:
 
 def map_beside(file: Path, name: str) -> Path:
     """The map of a scenario: its own name says it, perhaps with folders that are not here."""
-    return file.with_name(name.replace("\\", "/").rpartition("/")[2])
+    own = name.replace("\\", "/").rpartition("/")[2]
+    if own in ("", ".", ".."):
+        raise UnreadableScene(f"{file}: expected the name of a map, got {shortened(name)}")
+    return file.with_name(own)
 
 
 def write_scenario(queries: Sequence[Query], path: str | os.PathLike[str]) -> None:
@@ -109,8 +112,10 @@ def write_scenario(queries: Sequence[Query], path: str | os.PathLike[str]) -> No
 
 def line_of(query: Query) -> str:
     """A query as a line; cells count from the top left corner."""
-    if not isinstance(query, Query) or not math.isfinite(query.length):
+    if not isinstance(query, Query) or not 0.0 <= query.length < math.inf:
         raise InvalidParameter(f"a scenario holds Query records, got {shortened(query)}")
+    if set(query.map_name) & set("\t\r\n"):
+        raise InvalidParameter(f"a map's name is one line without tabs, got {query.map_name!r}")
     cells = []
     for q in (query.start, query.goal):
         column, row = float(q[0]) - 0.5, query.rows - 0.5 - float(q[1])
@@ -119,4 +124,6 @@ def line_of(query: Query) -> str:
             raise InvalidParameter(f"{tuple(map(float, q))} is not the centre of a cell of the map")
         cells += [int(column), int(row)]
     fields = int(query.length // BUCKET), query.map_name, query.columns, query.rows, *cells
-    return "\t".join([*map(str, fields), f"{query.length:.8f}"])
+    length = f"{query.length:.8f}"
+    exact = length if float(length) == query.length else repr(float(query.length))
+    return "\t".join([*map(str, fields), exact])

@@ -134,6 +134,8 @@ def parse_terrain(field: Field) -> TerrainRecord:
     """Build a terrain from its rows, the top row first."""
     fields = field.members(("kind", "rows"), ("resolution", "origin", "cost"))
     rows = [row.text() for row in fields["rows"].items()]
+    if not rows:
+        raise fields["rows"].wrong("at least one row of cells")
     for row in fields["rows"].items():
         if set(row.value) - {FREE, BLOCKED} or len(row.value) != len(rows[0]):
             raise row.wrong(
@@ -276,7 +278,7 @@ def read_problem(
         start, goal = own_start if start is None else start, own_goal if goal is None else goal
         return make_problem(file, world, robot, start, goal, query, clearance)
     if file.suffix.lower() in (".json", ".csv"):
-        if (robot, start, goal, query, clearance) != (None, None, None, None, 0.0):
+        if any(one is not None for one in (robot, start, goal, query)) or clearance != 0.0:
             raise InvalidParameter(
                 f"{file}: a scene has its own robot, start, goal and clearance; do not give others"
             )

@@ -26,6 +26,14 @@ def as_array(value: ArrayLike, name: str) -> Array:
     return convert(value, name, np.array)
 
 
+def as_row(value: ArrayLike, name: str) -> Array:
+    """One number, shape (), or a row of numbers, (m,); raises InvalidPoint."""
+    numbers = as_array(value, name)
+    if numbers.ndim > 1:
+        raise InvalidPoint(f"{name} must be a number or a row of numbers, got {shortened(value)}")
+    return numbers
+
+
 def borrow_array(value: ArrayLike, name: str) -> Array:
     """`as_array` for numbers that are only read: a float64 array is not copied.
 

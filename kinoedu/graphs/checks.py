@@ -12,6 +12,8 @@ from ..spaces import RealSpace, distance
 from ..spaces.interface import Space
 from ..support.text import shortened
 
+HEAVIEST = 1e200  # of weights: the cost of no path is infinite
+
 
 class Rows:
     """An array that grows by one row at a time, in O(1) on average.
@@ -95,16 +97,16 @@ def as_weights(weights: ArrayLike, count: int) -> Array:
     Raises
     ------
     InvalidGraph
-        Where they are not `count` finite numbers of zero or more.
+        Where they are not `count` numbers from zero to 1e200, whose sums are finite.
     """
     given = as_regular_array(weights, "weights must be numbers, one for each edge")
     if given.size and given.dtype.kind not in "iuf":
         raise InvalidGraph(f"weights must be numbers, one for each edge, got {shortened(weights)}")
     if given.shape != (count,):
         raise InvalidGraph(f"{count} edges need as many weights, got shape {given.shape}")
-    bad = ~((given >= 0) & (given < np.inf))
+    bad = ~((given >= 0) & (given <= HEAVIEST))
     if bad.any():
-        raise InvalidGraph(f"weights must be zero or more, and finite, got {given[bad][0]:g}")
+        raise InvalidGraph(f"weights must be from zero to {HEAVIEST:g}, got {given[bad][0]:g}")
     return given.astype(np.float64)
 
 

@@ -123,7 +123,7 @@ def begin_search(size: int, start: int, heuristic: Heuristic) -> tuple[Labels, R
     labels = Labels(np.full(size, np.inf), np.full(size, -1, np.int64), np.zeros(size, np.bool_))
     queue = empty_heap(64 + size // 4)
     labels.cost[start] = 0.0
-    insert(queue, start, estimate(heuristic, start))
+    insert(queue, start, labels.cost[start] + estimate(heuristic, start))
     return labels, queue
 
 

@@ -12,7 +12,7 @@ from ..compiled import algorithm, compiled
 from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_array
+from ..geometry.checks import Array, as_array, as_row
 from ..support.constructors import Constructor, with_type_names
 from .car import CarRobot
 
@@ -71,7 +71,7 @@ class TrajectoryRecord(NamedTuple):
         InvalidPoint
             Where t is not finite numbers.
         """
-        times = np.clip(as_array(t, "t"), 0.0, self.duration)
+        times = np.clip(as_row(t, "t"), 0.0, self.duration)
         begins = np.concatenate([[0.0], np.cumsum(self.durations)])
         # without begins[-1], so that the last control is held to the end in spite of rounding
         which = np.searchsorted(begins[1:-1], np.atleast_1d(times))
