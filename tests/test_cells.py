@@ -6,6 +6,7 @@ no thread, and gets the two modules that the sandbox gets.
 
 import ast
 import json
+import linecache
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kinoedu.course.exceptions import MAX_LINE, describe_exception
 from kinoedu.grading.collect.left_out import MOST_TOLD, find_left_out
 from kinoedu.grading.collect.notebook import Cell, read_cells
 from kinoedu.grading.collect.notebook_python import LONGEST, PythonReader, split_lines
@@ -253,6 +255,15 @@ def test_errors_are_as_they_were_raised_with_the_lines_of_the_cell():
     (failure,) = failures
     assert failure.error.args == (3,)
     assert failure.error.__traceback__.tb_next.tb_next.tb_frame.f_code.co_filename == "cell 9"
+
+
+def test_a_long_line_is_quoted_in_part(monkeypatch):
+    """A table on the line that fails would be more than an outcome may hold."""
+    source = "f = [" + "0, " * 20_000 + "1 / 0]"
+    monkeypatch.setitem(linecache.cache, "cell 9", (len(source), None, [source], "cell 9"))
+    (failure,) = cells.run_cell(source, "cell 9", {}, cells.Compiler())
+    _, _, lines, _ = describe_exception(failure.error, lambda name: name == "cell 9")
+    assert lines == [f"line 1: {source[:MAX_LINE]}"]
 
 
 def test_an_await_that_never_ends_ends(monkeypatch):
