@@ -112,8 +112,10 @@ def write_scenario(queries: Sequence[Query], path: str | os.PathLike[str]) -> No
 
 def line_of(query: Query) -> str:
     """A query as a line; cells count from the top left corner."""
-    if not isinstance(query, Query) or not 0.0 <= query.length < math.inf:
+    if not isinstance(query, Query):
         raise InvalidParameter(f"a scenario holds Query records, got {shortened(query)}")
+    if not 0.0 <= query.length < math.inf:
+        raise InvalidParameter(f"a length must be finite, and zero or more, got {query.length}")
     if set(query.map_name) & set("\t\r\n"):
         raise InvalidParameter(f"a map's name is one line without tabs, got {query.map_name!r}")
     cells = []

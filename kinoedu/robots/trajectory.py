@@ -69,7 +69,7 @@ class TrajectoryRecord(NamedTuple):
         Raises
         ------
         InvalidPoint
-            Where t is not finite numbers.
+            Where t is not a number or a row of numbers.
         """
         times = np.clip(as_row(t, "t"), 0.0, self.duration)
         begins = np.concatenate([[0.0], np.cumsum(self.durations)])

@@ -35,7 +35,7 @@ c.CourseDirectory.root = os.path.dirname(os.path.abspath(__file__))
 """
 SHOWN = ("text/plain", "image/png", "image/jpeg")
 TAG = re.compile(r"<(?=[A-Za-z/!?])")
-LINK = re.compile(r"\](?=[(:])")  # before an address, which may be a program or tell who reads
+LINK = re.compile(r"\](?=[(:])")  # before an address: a program to run, or a picture to fetch
 COMMAND = re.compile(r"\\(?=href|csname)")  # of formulas; the first makes a link
 NO_ANSWER = "(There is no such cell in the notebook that was handed in.)"
 Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
