@@ -4,6 +4,7 @@ own.
 
 import math
 
+import numpy as np
 import pytest
 
 import kinoedu as ke
@@ -72,6 +73,12 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "a shortcut": lambda x: ke.shortcut(x, rng=0),
     "a trajectory": ke.trajectory_along,
     "a pose": lambda x: ke.dubins_path(x, (1, 1, 0), 1.0),
+    "where clearance is measured": lambda x: ke.clearance_of(TASK.robot, WORLD, x),
+    "unsure obstacles": lambda x: ke.UncertainWorld(ROOM, x or None, 0.1),  # an empty list is right
+    "an uncertain world": lambda x: ke.collision_probability(TASK.robot, x, [(5, 5)], rng=0),
+    "a bound of risk": lambda x: ke.collision_bound(TASK.robot, x, [(5, 5)]),
+    "a norm": lambda x: ke.dispersion([(0.5, 0.5)], norm=x),
+    "a planner that hurries": lambda x: ke.best_within(0.1, x, rng=0),
     "a scene to write": lambda x: ke.write_scene(x, "never.json"),
     "a plan to write": lambda x: ke.write_plan(x, "never.json"),
     "a board": ke.board,
@@ -91,6 +98,10 @@ REFUSED = {
     "a step of nothing": lambda: ke.rrt(TASK, step_size=NAN, rng=0),
     "a bug's step of zero": lambda: ke.bug1((0, 0), (1, 1), [SQUARE], 0),
     "a bug without a list of obstacles": lambda: ke.bug1((0, 0), (1, 1), None, 0.1),
+    "a bug with a number for obstacles": lambda: ke.bug0((0, 0), (1, 1), np.array(1), 0.1),
+    "a moving shape with a corner of one number": lambda: ke.Moving([(0, 0), (1,)], [0], [(0, 0)]),
+    "a norm of two numbers": lambda: ke.dispersion([(0.5, 0.5)], norm=np.ones(2)),
+    "a sensor's planner that is a number": lambda: ke.receding_horizon(TASK, planner=3, rng=0),
     "an edge to no node": lambda: ke.Graph(nodes=[(0, 0)], edges=[(0, 5)]),
     "a start that is no node": lambda: ke.bfs_tree([[1], [0]], -1),
     "fewer points than none": lambda: ke.halton(-1),

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from ..compiled import compiled
 from ..errors import InvalidPoint
-from ..geometry.checks import Array, as_array
+from ..geometry.checks import Array, as_row
 from ..geometry.exact import height
 from ..geometry.parts import Parts
 from ..geometry.separation import pieces_distance
@@ -40,7 +40,7 @@ def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
     >>> clearance_of(RigidPolygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]), world, (3, 5, 0))
     2.0
     """
-    at = as_array(q, "q")
+    at = as_row(q, "q")
     try:
         body = place_body(robot, at)
     except IndexError:

@@ -72,7 +72,7 @@ def collision_probability(
     InvalidPoint
         Where the path is not valid.
     InvalidParameter
-        Where the robot or n is not valid.
+        Where the robot, the world or n is not valid.
 
     Examples
     --------
@@ -84,6 +84,7 @@ def collision_probability(
     True
     """
     mover, points = as_mover(robot), as_path(path)
+    check_uncertain(world)
     offsets = scenarios(world, n, rng=rng)
     if len(offsets) == 0:
         raise InvalidParameter("a probability is estimated from at least one scenario, n >= 1")
@@ -116,6 +117,7 @@ def path_clearances(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
     >>> path_clearances(Point(), world, [(1, 1), (8, 1)])
     array([1.])
     """
+    check_uncertain(world)
     gaps = part_gaps(as_mover(robot), world.parts, as_path(path))
     nearest = np.full(len(world.sigma), np.inf)
     np.minimum.at(nearest, world.owner, gaps)
@@ -186,6 +188,12 @@ def hit_scenarios(
             if hit[s]:
                 break
     return hit
+
+
+def check_uncertain(world: object) -> None:
+    """Raise InvalidParameter for another world."""
+    if not isinstance(world, UncertainWorldRecord):
+        raise InvalidParameter(f"the world must be an UncertainWorld, got {shortened(world)}")
 
 
 def as_mover(robot: Robot) -> Any:

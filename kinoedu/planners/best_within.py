@@ -8,8 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..errors import InvalidParameter
 from ..geometry.checks import as_generator, positive
 from ..problems import Plan
+from ..support.text import shortened
 
 
 def best_within(
@@ -40,7 +42,8 @@ def best_within(
     Raises
     ------
     InvalidParameter
-        Where `seconds` is not a positive number or `rng` is neither a seed nor a Generator.
+        Where `seconds` is not a positive number, `planner` is not a function, or `rng` is neither a
+        seed nor a Generator.
 
     Examples
     --------
@@ -53,6 +56,10 @@ def best_within(
     True
     """
     limit, generator = positive(seconds, "seconds"), as_generator(rng)
+    if not callable(planner):
+        raise InvalidParameter(
+            f"planner must be a function of a Generator, got {shortened(planner)}"
+        )
     began = time.monotonic()
     best, plans, longest = planner(generator), 1, 0.0
     longest = time.monotonic() - began

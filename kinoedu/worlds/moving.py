@@ -99,10 +99,11 @@ class Moving(Mover, metaclass=Constructor):
                 "times must increase from one place to the next, got "
                 f"{shortened(moments.tolist())}; sort them"
             )
-        if np.ndim(shape) == 0:
-            disc = as_disc((0.0, 0.0), shape, "a moving disc")  # type: ignore[arg-type]
+        body = as_array(shape, "shape")
+        if body.ndim == 0:
+            disc = as_disc((0.0, 0.0), float(body), "a moving disc")
             return Mover(np.zeros((1, 2)), float(disc[2]), moments, stops)
-        return Mover(as_ring(shape, "a moving obstacle"), 0.0, moments, stops)
+        return Mover(as_ring(body, "a moving obstacle"), 0.0, moments, stops)
 
 
 class MovingWorld(MovingWorldRecord, metaclass=Constructor):

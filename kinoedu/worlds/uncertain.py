@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidParameter, InvalidWorld
-from ..geometry.checks import Array, as_array, as_generator, integer, is_real
+from ..geometry.checks import Array, as_array, as_generator, as_list, integer, is_real
 from ..geometry.convex import convex_parts
 from ..geometry.grown import grow_piece
 from ..geometry.parts import Parts, make_parts
@@ -69,7 +69,7 @@ class UncertainWorld(UncertainWorldRecord, metaclass=Constructor):
         obstacles: Iterable[Any],
         sigma: ArrayLike,
     ) -> UncertainWorldRecord:
-        given = list(obstacles)
+        given = as_list(obstacles, "obstacles")
         pieces = [
             convex_pieces(obstacle, f"obstacle {number}") for number, obstacle in enumerate(given)
         ]

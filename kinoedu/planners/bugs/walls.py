@@ -55,7 +55,8 @@ def check_obstacles(obstacles: Iterable[ArrayLike]) -> list[Array]:
     InvalidParameter
         Where `obstacles` is not a list.
     """
-    if isinstance(obstacles, str) or not isinstance(obstacles, Iterable):
+    is_list = isinstance(obstacles, Iterable) and not isinstance(obstacles, str)
+    if not is_list or getattr(obstacles, "ndim", 1) == 0:
         raise InvalidParameter(
             "obstacles must be a list of polygons, each of shape (n, 2), got "
             f"{shortened(obstacles)}"

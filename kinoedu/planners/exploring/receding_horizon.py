@@ -25,6 +25,7 @@ from ...problems import Plan, Problem, ProblemRecord, Recorder, Tree
 from ...problems.recorder import unwrap_recorder
 from ...robots.round import RoundRobot
 from ...support.constructors import with_type_names
+from ...support.text import shortened
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
 from ...worlds.range_sensor import Scan, scan
 from ..answers import plan_along
@@ -147,6 +148,10 @@ def receding_horizon_looks(
     ahead = positive(sight / 2.0 if horizon is None else horizon, "horizon")
     most, generator = integer(max_moves, "max_moves", least=0), as_generator(rng)
     local = connect_and_shorten if planner is None else planner
+    if not callable(local):
+        raise InvalidParameter(
+            f"planner must be a function of a problem and a generator, got {shortened(planner)}"
+        )
     seen_map, margin = SeenMap([], set()), sight * np.pi / integer(rays, "rays", least=3)
     q, moves = problem.start, 0
     while not np.array_equal(q, problem.goal) and moves <= most:
