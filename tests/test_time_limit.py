@@ -113,7 +113,7 @@ def test_imports_do_not_count():
 
     def calls(module):
         names = {}
-        exec(compile("import sys\ndef f():\n    return sys._getframe()", module, "exec"), names)
+        exec(compile("import sys\ndef f():\n    return [sys._getframe()]", module, "exec"), names)
         return names["f"]()
 
     assert time_limit.loads_a_module(calls("<frozen importlib._bootstrap>"))
@@ -122,12 +122,34 @@ def test_imports_do_not_count():
     assert not time_limit.waits_for_machine_code(calls("student.py"))
 
 
+def test_the_calls_of_a_thread_are_those_on_its_stack():
+    """Innermost first; a thread that has ended has none."""
+    begun, end = threading.Event(), threading.Event()
+
+    def inner():
+        begun.set()
+        end.wait()
+
+    def outer():
+        inner()
+
+    thread = threading.Thread(target=outer)
+    thread.start()
+    begun.wait()
+    names = [call.f_code.co_name for call in time_limit.calls_of(thread.ident)]
+    end.set()
+    thread.join()
+    at = names.index("inner")
+    assert names[at : at + 2] == ["inner", "outer"] and names[-1] == "_bootstrap"
+    assert time_limit.calls_of(thread.ident) == []
+
+
 def test_a_location_is_reported_only_for_few_lines():
     """For a program that was in many places there is no location."""
     places = time_limit.SeenCalls()
 
     def look():
-        places.add(sys._getframe())
+        places.add(time_limit.calls_of(threading.get_ident())[1:])
 
     for _ in range(10):
         look()
@@ -135,7 +157,7 @@ def test_a_location_is_reported_only_for_few_lines():
     assert seen is not None and seen.function == "test_a_location_is_reported_only_for_few_lines"
     assert seen.first == seen.last
     places = time_limit.SeenCalls()
-    places.add(sys._getframe())
+    places.add(time_limit.calls_of(threading.get_ident())[1:])
     assert places.seen() is None
 
 

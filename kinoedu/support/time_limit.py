@@ -10,10 +10,12 @@ import statistics
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import Future, wait
 from contextlib import suppress
 from contextvars import copy_context
+from itertools import accumulate, chain, repeat, starmap, takewhile
+from operator import methodcaller
 from types import FrameType
 from typing import Any, NamedTuple, Protocol, TypeVar
 
@@ -220,18 +222,18 @@ class FairClock(Clock):
         """Add the time since the last look, and decide."""
         if self.thread is None:
             return time.monotonic() - self.began > LONGEST * self.allowed
-        frame = sys._current_frames().get(self.thread)
+        calls = calls_of(self.thread)
         wall, processor = time.monotonic(), self.processor_time()
         library = max(self.library, library_seconds(self.thread))
         computed = processor - self.processor
-        if not waits_for_machine_code(frame):
+        if not waits_for_machine_code(calls):
             self.passed += wall - self.wall
             self.busy += computed
-            if not loads_a_module(frame):
+            if not loads_a_module(calls):
                 self.used += max(0.0, computed - (library - self.library))
         self.wall, self.processor, self.library = wall, processor, library
         if max(self.used, self.passed / LONGEST) > self.allowed / 2.0:
-            self.seen_calls.add(frame)
+            self.seen_calls.add(calls)
         waits = (
             self.passed > MAX_WAIT_FACTOR * self.allowed and self.busy < BUSY_SHARE * self.passed
         )
@@ -265,9 +267,9 @@ class SeenCalls:
         self.calls: list[FrameType] = []  # running at every look, outermost first
         self.lines: list[set[int]] = []  # the lines of each call in which it was seen
 
-    def add(self, frame: FrameType | None) -> None:
+    def add(self, calls: list[FrameType]) -> None:
         """Record where the thread is now."""
-        now = [*calls_on_stack(frame)][::-1]
+        now = calls[::-1]
         if not self.looks:
             self.calls, self.lines = now, [set() for _ in now]
         same = 0
@@ -288,23 +290,24 @@ class SeenCalls:
         return SeenLines(code.co_filename, code.co_name, first, last) if is_known else None
 
 
-def calls_on_stack(frame: FrameType | None) -> Iterator[FrameType]:
-    """The calls on a thread's stack, innermost first."""
-    while frame is not None:
-        yield frame
-        frame = frame.f_back
+def calls_of(thread: int) -> list[FrameType]:
+    """The calls on a thread's stack at one moment, innermost first; none where it has ended.
+
+    Only C functions follow the stack, so the thread does not run meanwhile. Python functions that
+    followed it while it changed once ended the whole process.
+    """
+    innermost = map(methodcaller("get", thread), starmap(sys._current_frames, [()]))
+    return list(takewhile(bool, accumulate(chain(innermost, repeat("f_back")), getattr)))
 
 
-def waits_for_machine_code(frame: FrameType | None) -> bool:
+def waits_for_machine_code(calls: list[FrameType]) -> bool:
     """Whether a thread only waits until machine code is made or loaded."""
-    return frame is not None and frame.f_code.co_filename in WAITING_FILES
+    return calls != [] and calls[0].f_code.co_filename in WAITING_FILES
 
 
-def loads_a_module(frame: FrameType | None) -> bool:
+def loads_a_module(calls: list[FrameType]) -> bool:
     """Whether a thread is importing a module."""
-    return any(
-        call.f_code.co_filename.startswith("<frozen importlib") for call in calls_on_stack(frame)
-    )
+    return any(call.f_code.co_filename.startswith("<frozen importlib") for call in calls)
 
 
 def clock_of_this_thread() -> int | None:
