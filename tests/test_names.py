@@ -46,6 +46,22 @@ def test_names_keep_off_the_path(ax, corner, start, goal):
         assert not any(text.get_window_extent().contains(*pixel) for pixel in line)
 
 
+def test_a_name_is_nearest_to_its_own_place(ax):
+    """Of two places close together, side by side; farther apart each name stays."""
+    ax.set(xlim=(0, 20), ylim=(0, 12))
+    path = np.array([(9, 11), (9, 6), (10, 6)], float)
+    for at, name in ((path[1], "L1"), (path[2], "H2")):
+        write_name(at, name, "black", (1, 1), ax)
+    move_names_off(path, ax)
+    assert sides(ax) == {"L1": (-1, 1), "H2": (1, 1)}
+    ax.clear()
+    ax.set(xlim=(0, 20), ylim=(0, 12))
+    for at, name in (((4, 6), "L1"), ((10, 6), "H2")):
+        write_name(at, name, "black", (1, 1), ax)
+    move_names_off(np.zeros((1, 2)), ax)
+    assert sides(ax) == {"L1": (1, 1), "H2": (1, 1)}
+
+
 def test_names_keep_off_obstacles(ax):
     """Of polygons and of a bitmap; beside a place that is walled in the name stays."""
     walls = [[(1, 4), (4, 4), (4, 6), (1, 6)], [(9, 2), (11, 2), (11, 4), (9, 4)]]

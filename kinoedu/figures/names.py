@@ -86,7 +86,10 @@ def move_names_off(line: Array, ax: Axes) -> None:
 
 
 def move_names_off_points(points: Array, ax: Axes) -> None:
-    """Put names that cover a point of some (n, 2), or another text, on a side where they do not."""
+    """Put names that cover a point of some (n, 2), or another text, on a side where they do not.
+
+    If it can be, no place of another name is nearer to a name than its own.
+    """
     ax.apply_aspect()
     passed = in_points(points, ax.transData, ax)
     low, high = in_points(np.array([[0, 0], [1, 1]]), ax.transAxes, ax)
@@ -95,17 +98,35 @@ def move_names_off_points(points: Array, ax: Axes) -> None:
     for text in beside:
         if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
             others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
-            for side in sides_of(text):
-                box = box_of(text, offset_on(side), ax)
-                if is_within(box, (low, high)) and not covers(box, passed, others):
-                    put(text, side)
-                    break
+            boxes = {side: box_of(text, offset_on(side), ax) for side in sides_of(text)}
+            free = [
+                side
+                for side, box in boxes.items()
+                if is_within(box, (low, high)) and not covers(box, passed, others)
+            ]
+            clear = [side for side in free if is_nearest(text, boxes[side], beside, ax)]
+            for side in (clear or free)[:1]:
+                put(text, side)
 
 
 def sides_of(text: Annotation) -> list[Side]:
     """The four sides of a name's place, its present one first."""
     right, up = (1 if offset > 0.0 else -1 for offset in text.xyann)
     return [(right, up), (right, -up), (-right, up), (-right, -up)]
+
+
+def is_nearest(text: Annotation, box: Box, texts: list[Annotation], ax: Axes) -> bool:
+    """Whether no place of another name is nearer to a text's box than its own place."""
+    own, *others = in_points(
+        np.array([text.xy, *(one.xy for one in texts if one.get_gid() == NAME)]), ax.transData, ax
+    )
+    return all(distance_to(box, own) <= distance_to(box, other) + 1e-9 for other in others)
+
+
+def distance_to(box: Box, point: Array) -> float:
+    """The distance between a box and a point."""
+    low, high = box
+    return float(np.hypot(*np.maximum(0.0, np.maximum(low - point, point - high))))
 
 
 def is_within(inner: Box, outer: Box) -> bool:

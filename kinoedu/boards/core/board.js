@@ -72,6 +72,8 @@ const SPOTS = [28, 44].reduce((spots, away) => [
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
 const SIGNS = { ArrowLeft: "◀", ArrowUp: "▲", ArrowDown: "▼", ArrowRight: "▶" };
 const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+const apart = ([left, top, right, bottom], [x, y]) =>   // a box and a point
+  Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom));
 // Whether a segment passes through a box (Liang and Barsky, 1984).
 function passes([ax, ay, bx, by], [left, top, right, bottom]) {
   let from = 0, to = 1;
@@ -1138,11 +1140,14 @@ class View {
   }
 
   passedSegments() {                     // of paths and of arrows, in pixels
-    const segments = [], kinds = { path: 2, arrows: 4 };
-    for (const layer of this.board.drawing.layers.filter(({ kind }) => kind in kinds)) {
+    const { left, bottom, board } = this, segments = [];
+    for (const layer of board.drawing.layers) {
+      const { kind, colour } = layer;
+      if (kind === "edges" ? colour !== "path" : kind !== "path" && kind !== "arrows") continue;
       let before = null;
-      this.eachRow(layer, kinds[layer.kind], (px, py, dx, dy) => {
-        if (layer.kind === "arrows") segments.push([px, py, px + dx, py - dy]);
+      this.eachRow(layer, kind === "path" ? 2 : 4, (px, py, x, y) => {
+        if (kind === "arrows") segments.push([px, py, px + x, py - y]);
+        else if (kind === "edges") segments.push([px, py, left + x, bottom - y]);
         else if (before) segments.push([...before, px, py]);
         before = [px, py];
       });
@@ -1327,7 +1332,10 @@ class View {
     this.stroke(layer);
   }
 
-  paint_labels(layer) {                  // each beside its point, where no other text is if it can
+  // Each beside its point, if it can where no other text is and no other point is nearer.
+  paint_labels(layer) {
+    const points = [];
+    this.eachRow(layer, 2, (px, py) => points.push([px, py]));
     this.eachRow(layer, 2, (px, py, _dx, _dy, k) => {
       const text = layer.texts[k], colour = this.board.palette[layer.colour];
       const spots = SPOTS.map(([dx, dy]) => {
@@ -1336,8 +1344,10 @@ class View {
         return { x, y, align, box: this.boxOf(text, x, y, align) };
       });
       const inside = spots.filter(({ box }) => box[0] > 3 && box[2] < this.width - 3);
-      const best = inside.find(({ box }) => !this.taken.some((other) => overlap(box, other)));
-      const { x, y, align, box } = best ?? inside[0] ?? spots[0];
+      const free = inside.filter(({ box }) => !this.taken.some((other) => overlap(box, other)));
+      const best = free.find(({ box }) => points.every((point) =>
+        apart(box, point) >= apart(box, [px, py])));
+      const { x, y, align, box } = best ?? free[0] ?? inside[0] ?? spots[0];
       this.taken.push(box);
       this.write(text, x, y, colour, align);
     });

@@ -187,18 +187,21 @@ def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> Array:
         texts = tuple(text for text, is_there in zip(layer.texts, there) if is_there)
         shown = layer._replace(texts=texts)
         PRINTERS[layer.kind](shown, layer.rows[there], palette.NAMED[layer.colour], ax)
-    return passed_places(layer.kind, layer.rows[there])
+    return passed_places(layer, layer.rows[there])
 
 
-def passed_places(kind: str, rows: Array) -> Array:
+def passed_places(layer: Layer, rows: Array) -> Array:
     """Places that names keep off, (n, 2): of a path, of arrows, and where other names belong."""
-    if kind == "labels" or len(rows) == 0:
+    if layer.kind == "labels" or len(rows) == 0:
         return rows[:, :2]
-    if kind == "arrows":
-        return np.concatenate(
-            [spread(np.array([at, at + by])) for at, by in rows.reshape(-1, 2, 2)]
-        )
-    return spread(rows) if kind == "path" else rows[:0, :2]
+    lines = list[Array]()
+    if layer.kind == "path":
+        lines = [rows]
+    elif layer.kind == "edges" and layer.colour == "path":
+        lines = join_segments(rows)
+    elif layer.kind == "arrows":
+        lines = [np.array([at, at + by]) for at, by in rows.reshape(-1, 2, 2)]
+    return np.concatenate([rows[:0, :2], *map(spread, lines)])
 
 
 def zorder_of(layer: Layer) -> float:
