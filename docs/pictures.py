@@ -116,7 +116,7 @@ def photograph(page: Any, wanted: list[Entry]) -> None:
         clip = {
             "x": box["x"] - 2,
             "y": box["y"] - 2,
-            "width": box["width"],
+            "width": box["width"] + 4,
             "height": box["height"] + 4,
         }
         keep(cropped(page.screenshot(clip=clip)), PICTURES / f"{entry.name}.png")

@@ -46,20 +46,15 @@ def test_names_keep_off_the_path(ax, corner, start, goal):
         assert not any(text.get_window_extent().contains(*pixel) for pixel in line)
 
 
-def test_a_name_is_nearest_to_its_own_place(ax):
-    """Of two places close together, side by side; farther apart each name stays."""
+@pytest.mark.parametrize(("gap", "side"), [(1.0, (-1, 1)), (8.0, (1, -1))])
+def test_a_name_that_is_moved_is_nearest_to_its_own_place(ax, gap, side):
+    """Below on the right another place would be nearer, if it is close; else the name is there."""
     ax.set(xlim=(0, 20), ylim=(0, 12))
-    path = np.array([(9, 11), (9, 6), (10, 6)], float)
+    path = np.array([(12, 9), (9, 6), (9 + gap, 6)], float)
     for at, name in ((path[1], "L1"), (path[2], "H2")):
         write_name(at, name, "black", (1, 1), ax)
     move_names_off(path, ax)
-    assert sides(ax) == {"L1": (-1, 1), "H2": (1, 1)}
-    ax.clear()
-    ax.set(xlim=(0, 20), ylim=(0, 12))
-    for at, name in (((4, 6), "L1"), ((10, 6), "H2")):
-        write_name(at, name, "black", (1, 1), ax)
-    move_names_off(np.zeros((1, 2)), ax)
-    assert sides(ax) == {"L1": (1, 1), "H2": (1, 1)}
+    assert sides(ax)["L1"] == side
 
 
 def test_names_keep_off_obstacles(ax):

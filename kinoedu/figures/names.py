@@ -88,7 +88,7 @@ def move_names_off(line: Array, ax: Axes) -> None:
 def move_names_off_points(points: Array, ax: Axes) -> None:
     """Put names that cover a point of some (n, 2), or another text, on a side where they do not.
 
-    If it can be, no place of another name is nearer to a name than its own.
+    If it can be, no place of another name is nearer to a name that is moved than its own place.
     """
     ax.apply_aspect()
     passed = in_points(points, ax.transData, ax)
@@ -104,7 +104,8 @@ def move_names_off_points(points: Array, ax: Axes) -> None:
                 for side, box in boxes.items()
                 if is_within(box, (low, high)) and not covers(box, passed, others)
             ]
-            clear = [side for side in free if is_nearest(text, boxes[side], beside, ax)]
+            here = sides_of(text)[0]
+            clear = [s for s in free if s == here or is_nearest(text, boxes[s], beside, ax)]
             for side in (clear or free)[:1]:
                 put(text, side)
 

@@ -1332,7 +1332,7 @@ class View {
     this.stroke(layer);
   }
 
-  // Each beside its point, if it can where no other text is and no other point is nearer.
+  // Each at the first spot where no other text is; a later one where no other point is nearer.
   paint_labels(layer) {
     const points = [];
     this.eachRow(layer, 2, (px, py) => points.push([px, py]));
@@ -1345,8 +1345,8 @@ class View {
       });
       const inside = spots.filter(({ box }) => box[0] > 3 && box[2] < this.width - 3);
       const free = inside.filter(({ box }) => !this.taken.some((other) => overlap(box, other)));
-      const best = free.find(({ box }) => points.every((point) =>
-        apart(box, point) >= apart(box, [px, py])));
+      const best = free.find((spot) => spot === spots[0] || points.every((point) =>
+        apart(spot.box, point) >= apart(spot.box, [px, py])));
       const { x, y, align, box } = best ?? free[0] ?? inside[0] ?? spots[0];
       this.taken.push(box);
       this.write(text, x, y, colour, align);
