@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
@@ -22,6 +23,7 @@ from ...problems.protocols import ProblemLike
 from ...robots.car import CarRobot
 from ...robots.trajectory import TrajectoryRecord
 from ...support.text import shortened
+from ...support.time_limit import slowdown
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..arm.arm import obstacle_places
 from ..core.drawing import Drawing, Layer
@@ -45,8 +47,8 @@ from .driving import continue_drive, is_at_goal, start_drive, steering_angle
 from .lit import trace_car_planner
 
 YOU = "you"
-# The iterations of a planner that a page waits for while something is dragged. The first ones are
-# the same however many follow.
+# The iterations of a planner that a page waits for while something is dragged, on a typical
+# computer; a slower one does fewer. The first ones are the same however many follow.
 DRAGGED = {"kinodynamic_rrt": 220, "kinodynamic_prm": 90, "rrt": 180}
 VIEWS = ("above", "followed")
 
@@ -187,7 +189,7 @@ class CarBoard(Framed):
     def _by_planner(self) -> Drawing:
         """Draw the plan of the first iterations, completed by the plan of all."""
         most = self.iterations.value
-        few = min(most, DRAGGED.get(self.planner.value, most))
+        few = min(most, math.ceil(DRAGGED[self.planner.value] / slowdown()))
         self.plan = plan = self._plan(self.problem, few)
         if few == most or (plan.tree is not None and plan.path is not None):  # it has stopped
             return self._draw_plan(plan)
