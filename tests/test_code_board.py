@@ -2,6 +2,7 @@
 
 import io
 import itertools
+import linecache
 import sys
 
 import numpy as np
@@ -697,3 +698,19 @@ def test_lines_are_traced_where_a_text_begins_at_the_margin():
     with LineTrace(Spoken.words, lambda local, _: dict(local), most=10) as trace:
         assert Spoken().words() == 15
     assert [moment.holds for moment in trace.moments if moment.holds is not None] == [True]
+
+
+def test_a_function_that_is_written_again_has_its_new_lines():
+    """Also where Python makes the same code of both texts."""
+
+    def lines_of(comment):
+        text = f"def one():\n    return 1  # {comment}\n"
+        name, names = f"<cell {comment}>", {}
+        linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
+        exec(compile(text, name, "exec"), names)
+        with LineTrace(names["one"], lambda local, _: None, most=10) as trace:
+            names["one"]()
+        return trace.source.lines
+
+    assert lines_of("first") == ("def one():", "    return 1  # first")
+    assert lines_of("second") == ("def one():", "    return 1  # second")

@@ -24,11 +24,22 @@ class Enough(BaseException):
 
 
 class Source(NamedTuple):
-    """A function's source: its lines without indentation, the number of the first, its code."""
+    """A function's source.
+
+    lines : without indentation.
+    first : the number of the first line.
+    code : what Python made of it.
+    conditions : the lines with the condition of an `if` or a `while`, each with the first lines
+        below it.
+    """
 
     lines: tuple[str, ...]
     first: int
     code: CodeType
+    conditions: dict[int, range]
+
+
+sources: dict[int, Source] = {}  # those that were read, by the identity of their code
 
 
 @dataclass
@@ -91,7 +102,6 @@ class LineTrace:
         ends: bool = False,
     ) -> None:
         self.source, self.note, self.most, self.ends = source_of(function), note, most, ends
-        self.conditions = find_conditions(self.source)
         self.moments: list[Moment] = []
         self.is_cut = False
 
@@ -164,16 +174,16 @@ class CallTrace:
 
     def judge_condition(self, following: int) -> None:
         """Note whether the condition of the last line was true, by the line that follows it."""
-        now, conditions = self.now, self.trace.conditions
+        now, conditions = self.now, self.trace.source.conditions
         if now is not None and now.line in conditions and not self.raises and following != now.line:
             now.holds = following in conditions[now.line]
 
 
-def find_conditions(source: Source) -> dict[int, range]:
-    """The lines with the condition of an `if` or a `while`, each with the first lines below it."""
+def find_conditions(lines: Sequence[str]) -> dict[int, range]:
+    """The `conditions` of a source."""
     return {
         node.lineno - 1: range(node.body[0].lineno - 1, node.body[0].end_lineno or 0)
-        for node in ast.walk(parse_lines(source.lines))
+        for node in ast.walk(parse_lines(lines))
         if isinstance(node, ast.If | ast.While)
         and node.lineno == node.test.end_lineno
         and node.lineno < node.body[0].lineno
@@ -206,8 +216,11 @@ def source_of(function: Callable[..., object]) -> Source:
         raise InvalidParameter(
             f"only a function written in Python has lines to show, got {shortened(function)}"
         )
-    try:
-        lines, first = inspect.getsourcelines(code)
-    except (OSError, TypeError) as error:
-        raise InvalidParameter(f"the source of {shortened(function)} is not known") from error
-    return Source(tuple(textwrap.dedent("".join(lines)).splitlines()), first, code)
+    if id(code) not in sources:
+        try:
+            found, first = inspect.getsourcelines(code)
+        except (OSError, TypeError) as error:
+            raise InvalidParameter(f"the source of {shortened(function)} is not known") from error
+        lines = tuple(textwrap.dedent("".join(found)).splitlines())
+        sources[id(code)] = Source(lines, first, code, find_conditions(lines))
+    return sources[id(code)]
