@@ -27,6 +27,7 @@
 
 const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a round trip
 const SPACING = 15;           // ms between two questions, in which the page paints
+const BUSY = 8;               // ms: after a slower answer two questions are open at a time
 const SLOW = 100;             // ms: after a slower answer only one question is open at a time
 const VERY_SLOW = 1000;       // ms: after a slower answer a question waits for a release or a rest
 const LATE = 25;              // ms: where answers come later, the page is slow
@@ -351,7 +352,7 @@ class Board {
   // questions and answers
 
   ask(released) {
-    const limit = this.took > SLOW ? 1 : IN_FLIGHT;
+    const limit = this.took > SLOW ? 1 : this.took > BUSY ? 2 : IN_FLIGHT;
     const early = this.asked + SPACING - performance.now();
     clearTimeout(this.resting);
     if (early > 0 && !this.unkept) {
