@@ -700,13 +700,14 @@ def test_lines_are_traced_where_a_text_begins_at_the_margin():
     assert [moment.holds for moment in trace.moments if moment.holds is not None] == [True]
 
 
-def test_a_function_that_is_written_again_has_its_new_lines():
+def test_a_function_that_is_written_again_has_its_new_lines(monkeypatch):
     """Also where Python makes the same code of both texts."""
 
     def lines_of(comment):
         text = f"def one():\n    return 1  # {comment}\n"
         name, names = f"<cell {comment}>", {}
-        linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
+        entry = (len(text), None, text.splitlines(keepends=True), name)
+        monkeypatch.setitem(linecache.cache, name, entry)
         exec(compile(text, name, "exec"), names)
         with LineTrace(names["one"], lambda local, _: None, most=10) as trace:
             names["one"]()

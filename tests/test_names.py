@@ -6,7 +6,7 @@ import shapely
 from matplotlib import pyplot as plt
 
 from kinoedu import Point, PolygonWorld, Problem, Terrain
-from kinoedu.boards.core.drawing import Drawing, arrows
+from kinoedu.boards.core.drawing import Drawing, arrows, edges, path_edges
 from kinoedu.boards.core.printed import print_layer
 from kinoedu.figures import draw_plan, draw_problem
 from kinoedu.figures.arms import name_region
@@ -55,6 +55,15 @@ def test_a_name_that_is_moved_is_nearest_to_its_own_place(ax, gap, side):
         write_name(at, name, "black", (1, 1), ax)
     move_names_off(path, ax)
     assert sides(ax)["L1"] == side
+
+
+def test_names_keep_off_a_path_that_grows(ax):
+    """It is drawn piece by piece; the edges of a tree are no path."""
+    draw_problem(PROBLEM, ax)
+    pieces = np.array([[(4, 6), (7, 9)], [(7, 9), (16, 6)]], float)
+    for layer, side in ((edges(pieces, "tree"), (1, 1)), (path_edges(pieces)[-1], (1, -1))):
+        move_names_off_points(print_layer(layer, ax, Drawing([])), ax)
+        assert sides(ax)["start"] == side
 
 
 def test_names_keep_off_obstacles(ax):

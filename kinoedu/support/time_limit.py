@@ -293,8 +293,8 @@ class SeenCalls:
 def calls_of(thread: int) -> list[FrameType]:
     """The calls on a thread's stack at one moment, innermost first; none where it has ended.
 
-    Only C functions follow the stack, so the thread does not run meanwhile. Python functions that
-    followed it while it changed once ended the whole process.
+    Only C functions follow the stack, so the thread does not run meanwhile. A process once crashed
+    where Python functions followed a stack that could change.
     """
     innermost = map(methodcaller("get", thread), starmap(sys._current_frames, [()]))
     return list(takewhile(bool, accumulate(chain(innermost, repeat("f_back")), getattr)))

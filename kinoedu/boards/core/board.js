@@ -25,7 +25,7 @@
 // A *thing* can be moved: {kind: "handle" | "disc" | "polygon", i}, or {kind: "vertex", i, r, v},
 // which is vertex v of ring r.
 
-const IN_FLIGHT = 3;          // questions open at once, to hide the delay of a round trip
+const IN_FLIGHT = 3;          // most questions open at once, to hide the delay of a round trip
 const SPACING = 15;           // ms between two questions, in which the page paints
 const BUSY = 8;               // ms: after a slower answer two questions are open at a time
 const SLOW = 100;             // ms: after a slower answer only one question is open at a time
@@ -1333,7 +1333,8 @@ class View {
     this.stroke(layer);
   }
 
-  // Each at the first spot where no other text is; a later one where no other point is nearer.
+  // Each at its first spot, if no other text is there; or else at a free one to which no other
+  // point is nearer than its own, if there is one.
   paint_labels(layer) {
     const points = [];
     this.eachRow(layer, 2, (px, py) => points.push([px, py]));
