@@ -132,6 +132,28 @@ def test_a_drag_leaves_the_icon_of_the_tab(yard, page):
     page.wait_for_function(f"{icons} > 0")
 
 
+def test_a_drag_leaves_the_tool_bar(yard, page):
+    """JupyterLab would look through it with each question, and does so once when they are over."""
+    bar = "document.querySelector('.jp-NotebookPanel-toolbar')"
+    yard.board.evaluate(
+        f"""board => {{
+            const bar = {bar}, looks = bar.childItemsChanged;
+            window.looked = 0;
+            Object.getPrototypeOf(bar).childItemsChanged = function () {{
+                window.looked += 1;
+                looks.call(this);
+            }};
+            window.idle = [];
+            board.addEventListener('kinoedu-sent',
+                () => idle.push(Object.hasOwn(bar, 'childItemsChanged')));
+        }}"""
+    )
+    yard.drag("handle-1", -60, 60)
+    sent = page.evaluate("idle")
+    assert sent and all(sent)  # its own method is set aside at each question
+    page.wait_for_function(f"!Object.hasOwn({bar}, 'childItemsChanged') && looked > 0")
+
+
 def test_the_scene_is_kept_in_the_notebook(yard, page):
     """A released thing's place is in Python, and a second view shows the same."""
     yard.drag("handle-1", -60, 10)

@@ -229,7 +229,7 @@ class ArmBoard(Pictured, widgets.VBox):
             width = 2.0 * self.arm.shape.radius[0]
             settings = [*self.arm.lengths.tolist(), float(width), *self.arm.base.tolist()]
             spots = self.square.shown["handles"]
-            frame = encode_drawing(Drawing(draw_frame()), *frame_of(self.square.shown))
+            frame = encode_drawing(Drawing([*draw_frame()]), *frame_of(self.square.shown))
             self.canvas.live = {**make_live("arm", settings), "beside": [*spots, *spots]}
             self.square.live = {"body": "arm", "under": record_drawing(*frame)}
         return super().record()

@@ -1,5 +1,7 @@
 """The square of an arm's two angles, with opposite sides identified: the torus laid flat."""
 
+from functools import cache
+
 import numpy as np
 
 from ...geometry.checks import Array
@@ -20,21 +22,22 @@ def make_square_scene(handles: list[JsonObject]) -> Scene:
     return {**scene, "glued": glued, "colours": COLOURS, "meanings": meanings, "ticks": False}
 
 
-def draw_frame() -> list[Layer]:
+@cache
+def draw_frame() -> tuple[Layer, ...]:
     """Scales and side arrows; identified sides carry equal arrows in the same direction."""
     values, names = np.array([-PI, 0.0, PI]), ["-π", "0", "π"]
     corners = np.array([(-PI, -PI), (PI, -PI), (PI, PI), (-PI, PI)])
     sides = np.array([-PI, PI])
     upright = np.column_stack([sides, [0.0, 0.0]])
     level = np.array([(x, y) for y in sides for x in (0.0, 0.3)])
-    return [
+    return (
         edges(sides_of(corners), "ink", width=1.5),
         arrows(upright - (0.0, 0.25), np.full((2, 2), (0.0, 0.5)), "ceiling", width=3.5),
         arrows(level - (0.4, 0.0), np.full((4, 2), (0.5, 0.0)), "floor", width=3.5),
         labels(np.column_stack([values - 0.3, np.full(3, -PI - 0.55)]), names, "ink"),
         labels(np.column_stack([np.full(3, -PI - 0.65), values - 0.2]), names, "ink"),
         labels([(0.5 * PI - 0.3, -PI - 0.55), (-PI - 0.65, 0.5 * PI - 0.2)], ["θ₁", "θ₂"], "ink"),
-    ]
+    )
 
 
 def split_motions(begins: Array, ends: Array) -> Array:

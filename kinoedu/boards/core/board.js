@@ -39,6 +39,7 @@ const TICK = 40;              // ms between two messages while keys are held
 const JITTER = 4;             // pixels: a pointer that moved less has clicked
 const TURNS = 12;             // pixels: a pointer that moved less has not turned a new pose
 const BATCH = 64;             // segments that are painted at once: very long paths take longer
+const TEXTS = 500;            // the widths of so many texts are kept
 const MANY = 200, FINE = 1.5; // more segments than this, if so narrow, are painted one pixel wide
 const TINT = 0.35, STRIPES = 9;   // the opacity of a body; the distance of its stripes in pixels
 const NEAR = 10, NEAR_FINGER = 24;   // pixels: what is so near a pointer is meant
@@ -335,7 +336,7 @@ class Board {
 
   laid() {                               // Python set another bitmap
     this.bitmaps += 1;
-    this.views.forEach((view) => { view.bitmap = view.bitmapPicture(); });
+    this.views.forEach((view) => { view.laid = false; });
     this.changed();
   }
 
@@ -370,7 +371,7 @@ class Board {
     this.moved.clear();
     this.open += 1;
     this.asked = performance.now();
-    keepIcon();
+    keepStill();
     this.model.send({ kind: "scene", from: this.id, seq: this.seq, moved });
     this.emit("sent", this.seq);
   }
@@ -409,7 +410,7 @@ class Board {
     this.ticking = this.held.size ? setTimeout(() => this.tick(), TICK) : 0;
     if (!this.held.size || this.open >= IN_FLIGHT) return;
     this.open += 1;
-    keepIcon();
+    keepStill();
     this.model.send({ kind: "keys", from: this.id, seq: this.seq, held: [...this.held] });
     this.emit("sent", this.seq);
   }
@@ -556,6 +557,7 @@ class View {
     this.buttons = new Map();            // a button for each thing, by its name
     this.entered = null;                 // the polygon whose vertices have buttons
     this.paints = 0;
+    this.widths = new Map();             // of texts in the picture
     this.build(el);
     this.listen();
     this.endTheme = followTheme((theme) => this.dress(theme));
@@ -588,7 +590,7 @@ class View {
     root.style.setProperty("--kinoedu-beside", board.palette.free);
     root.style.setProperty("--kinoedu-warning", board.palette.hit);
     root.style.setProperty("--kinoedu-done", board.palette.clear);
-    this.bitmap = this.bitmapPicture();
+    this.laid = false;                   // the bitmap has the colours of before
     this.request();
   }
 
@@ -1036,6 +1038,8 @@ class View {
 
   paintGround() {
     const { pen, board } = this, { scene, palette } = board;
+    if (!this.laid) this.bitmap = this.bitmapPicture();
+    this.laid = true;
     const shaped = scene.boundary || (this.bitmap && !scene.glued);
     pen.fillStyle = shaped ? palette.outside : palette.free;
     pen.fillRect(0, 0, this.width, this.height);
@@ -1081,13 +1085,15 @@ class View {
     const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
     const bit = (cell) => (bytes[cell >> 3] >> (7 - (cell & 7))) & 1;
     const number = this.numberAt = colours ? (cell) => bytes[cell] : bit;
-    const shades = (colours ?? ["obstacle", "free"]).map((name) => pixelOf(palette[name]));
+    const names = colours ?? ["obstacle", "free"];
+    const shades = Uint32Array.from(names, (name) => pixelOf(palette[name]));
     const picture = make("canvas", "", null, { width: columns, height: rows });
     const pen = picture.getContext("2d");
     const image = pen.createImageData(columns, rows), pixels = new Uint32Array(image.data.buffer);
-    for (let cell = 0; cell < rows * columns; cell += 1) {
-      const row = rows - 1 - Math.floor(cell / columns);
-      pixels[row * columns + (cell % columns)] = shades[number(cell)];
+    for (let row = 0, cell = 0; row < rows; row += 1) {
+      for (let at = (rows - 1 - row) * columns, end = at + columns; at < end; at += 1, cell += 1) {
+        pixels[at] = shades[number(cell)];
+      }
     }
     pen.putImageData(image, 0, 0);
     return picture;
@@ -1172,9 +1178,18 @@ class View {
   nameBox(handle, side) { return this.boxOf(handle.name, ...this.nameSpot(handle, side), "bold"); }
 
   boxOf(text, x, y, align, weight = "normal") {  // the box of a text that is written
-    this.pen.font = `${weight} 14px system-ui, sans-serif`;
-    const wide = this.pen.measureText(text).width, left = align === "left" ? x : x - wide;
+    const wide = this.widthOf(text, weight), left = align === "left" ? x : x - wide;
     return [left, y - 8, left + wide, y + 8];
+  }
+
+  widthOf(text, weight) {                // measured once: the spots of a label have one width
+    const key = `${weight} ${text}`;
+    if (!this.widths.has(key)) {
+      if (this.widths.size >= TEXTS) this.widths.clear();
+      this.pen.font = `${weight} 14px system-ui, sans-serif`;
+      this.widths.set(key, this.pen.measureText(text).width);
+    }
+    return this.widths.get(key);
   }
 
   dot(at, size, inner, rim) {

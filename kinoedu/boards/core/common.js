@@ -3,6 +3,7 @@
 const REST = 300;             // ms: what has not moved for this time is at rest
 const THEMED = ["data-jp-theme-light", "data-theme", "class"];   // what a page says of its theme
 const ICON = "favicon", SET_ASIDE = "kinoedu-icon";   // classes of JupyterLab's icons of its tab
+const TOOL_BAR = ".jp-NotebookPanel-toolbar", LOOKS = "childItemsChanged";   // and its method
 
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
@@ -35,13 +36,22 @@ function followTheme(dress) {
   };
 }
 
-// JupyterLab fetches another icon for its tab whenever the kernel begins or ends some work: twice
-// for each question, a quarter of what a drag costs. While questions are asked it finds no icons.
-function keepIcon() {
+// JupyterLab shows twice for each question that the kernel works: it fetches another icon for its
+// tab (a quarter of what a drag cost), and looks through its tool bar when the sign there changes
+// (a sixth). While questions are asked it finds no icons, and looks through the tool bar later.
+function keepStill() {
   const rename = (from, to) => {
     document.querySelectorAll(`link.${from}`).forEach((icon) => icon.classList.replace(from, to));
   };
+  const bars = () => document.querySelectorAll(TOOL_BAR);
   rename(ICON, SET_ASIDE);
-  clearTimeout(keepIcon.ending);
-  keepIcon.ending = setTimeout(() => rename(SET_ASIDE, ICON), REST);
+  bars().forEach((bar) => { bar[LOOKS] = () => {}; });
+  clearTimeout(keepStill.ending);
+  keepStill.ending = setTimeout(() => {
+    rename(SET_ASIDE, ICON);
+    bars().forEach((bar) => {
+      delete bar[LOOKS];                 // its own is there again
+      bar[LOOKS]?.();
+    });
+  }, REST);
 }

@@ -179,7 +179,7 @@ class Solid {
     if (section.theta === theta && same(section.place, place)) return;
     if (this.open || (model.get("theta") === theta && same(model.get("place"), place))) return;
     this.open = true;
-    keepIcon();
+    keepStill();
     this.emit("sent", this.asked += 1);
     model.set({ theta, place });
     model.save_changes();
