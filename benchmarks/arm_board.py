@@ -5,11 +5,11 @@ or q is.
 
 import tempfile
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from board import CHROMIUM, RUN_ALL, drag, lab, notebook_page, written_notebook
+from board import CHROMIUM, RUN_ALL, drag, lab, written_notebook
 from timing import Missing, run
+from unwatched import Browser, open_notebook
 
 SECONDS = 120
 ARM = """
@@ -32,17 +32,22 @@ PICTURES, PLANS = (
 )  # a second: of an obstacle that is dragged, and answers to anything else
 
 
-def dragged(page: Any, name: str, number: int, seconds: float) -> dict[str, float]:
+def dragged(browser: Browser, name: str, number: int, seconds: float) -> dict[str, float]:
     """What is seen while a thing is dragged, with the rate of the pictures that came to the square;
     then all is put back.
     """
-    boards = page.locator(".kinoedu-board")
-    before = int(boards.nth(SQUARE).get_attribute("data-bitmaps"))
-    rates = drag(page, name, seconds, number)
-    pictures = (int(boards.nth(SQUARE).get_attribute("data-bitmaps")) - before) / rates["spent"]
-    boards.nth(number).locator(".kinoedu-reset").click()
-    page.wait_for_timeout(500)
+    before = pictures_of(browser)
+    rates = drag(browser, name, seconds, number)
+    pictures = (pictures_of(browser) - before) / rates["spent"]
+    browser.page.locator(".kinoedu-board").nth(number).locator(".kinoedu-reset").click()
+    browser.page.wait_for_timeout(500)
     return {**rates, "pictures": pictures}
+
+
+def pictures_of(browser: Browser) -> int:
+    """How many pictures have come to the square."""
+    square = browser.page.locator(".kinoedu-board").nth(SQUARE)
+    return int(square.get_attribute("data-bitmaps"))
 
 
 def main(seconds: float = 4.0, repeats: int = 3) -> None:
@@ -58,12 +63,12 @@ def main(seconds: float = 4.0, repeats: int = 3) -> None:
         (Path(course) / "arm.ipynb").write_text(written_notebook(ARM))
         with (
             lab(Path(course), Path(home)) as (address, token),
-            notebook_page(address, token, "arm.ipynb") as page,
+            open_notebook(address, token, "arm.ipynb") as browser,
         ):
-            page.evaluate(RUN_ALL)
-            page.wait_for_selector(".kinoedu-board[data-answers]")
+            browser.page.evaluate(RUN_ALL)
+            browser.page.wait_for_selector(".kinoedu-board[data-answers]")
             for what, name, number in DRAGGED:
-                rounds = [dragged(page, name, number, seconds) for _ in range(repeats)]
+                rounds = [dragged(browser, name, number, seconds) for _ in range(repeats)]
                 mean = {key: float(np.median([r[key] for r in rounds])) for key in rounds[0]}
                 goal, rate = (
                     (PICTURES, mean["pictures"])

@@ -20,8 +20,9 @@ from kinoedu.compiled import COMPILED_FIRST
 
 sys.path.insert(0, str(HOUSE / "tests"))
 
-# E402: the file lies in tests, which the line above adds to the path
-from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook
+# E402: the files need tests, which the line above adds to the path
+from lab_driver import CHROMIUM, RUN_ALL, lab, written_notebook
+from unwatched import Browser, open_notebook
 
 SECONDS = 900
 LISTEN = """board => {
@@ -31,34 +32,36 @@ LISTEN = """board => {
     for (const what of ['sent', 'answered', 'painted'])
         board.addEventListener('kinoedu-' + what,
             e => { if (held === board) events.push([what, e.detail, performance.now()]); }); }"""
+PAUSE = 1.0  # seconds until a drag begins, in which the page is left
 # The real mouse holds the thing; its moves are made in the page, a hundred a second, as
 # Playwright's own wait for each other.
-DRAG = """([board, x, y, seconds]) => new Promise(done => {
+DRAG = """([board, x, y, seconds, pause]) => setTimeout(() => {
     const canvas = board.querySelector('canvas'), began = performance.now(); let moves = 0;
     const timer = setInterval(() => {
         const t = (performance.now() - began) / 1000;
-        if (t > seconds) { clearInterval(timer); done(moves / t); return; }
+        if (t > seconds) { clearInterval(timer); window.dragged = [moves / t, t]; return; }
         const [clientX, clientY] = [x - 40 + 40 * Math.cos(3 * t), y + 40 * Math.sin(3 * t)];
         const where = {clientX, clientY, pointerId: 1, bubbles: true};
         canvas.dispatchEvent(new PointerEvent('pointermove', where)); moves += 1;
-    }, 10); })"""
-SLIDE = """([board, seconds]) => new Promise(done => {
+    }, 10); }, 1000 * pause)"""
+SLIDE = """([board, seconds, pause]) => setTimeout(() => {
     const slider = board.querySelector('input'), began = performance.now(); let moves = 0;
     const [lo, hi] = [Number(slider.min), Number(slider.max)];
     const timer = setInterval(() => {
         const t = (performance.now() - began) / 1000;
-        if (t > seconds) { clearInterval(timer); done(moves / t); return; }
+        if (t > seconds) { clearInterval(timer); window.dragged = [moves / t, t]; return; }
         slider.value = lo + (hi - lo) * (0.5 + 0.4 * Math.sin(3 * t));
         slider.dispatchEvent(new Event('input', {bubbles: true})); moves += 1;
-    }, 10); })"""
+    }, 10); }, 1000 * pause)"""
 SETTLED = "board => board.dataset.seq === board.dataset.newest"
 GOALS = {"plans": 44.0, "paints": 55.0}
 
 
-def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, float]:
+def drag(browser: Browser, name: str, seconds: float, number: int = 0) -> dict[str, float]:
     """Drag a thing of one of a page's boards round in circles; what was seen meanwhile, and for how
     long.
     """
+    page = browser.page
     board = page.locator(".kinoedu-board").nth(number)
     board.scroll_into_view_if_needed()
     board.locator(".kinoedu-reset").click()  # all rounds begin with the same scene
@@ -70,39 +73,41 @@ def drag(page: Any, name: str, seconds: float, number: int = 0) -> dict[str, flo
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x, y + 1)
-    began = time.perf_counter()
-    moves = page.evaluate(DRAG, [board.element_handle(), x, y, seconds])
-    spent = time.perf_counter() - began
-    events = page.evaluate("events.slice()")
-    page.mouse.up()
-    page.wait_for_timeout(500)
-    return {
-        "spent": spent,
-        "moves": moves,
-        **seen(events, spent),
-        "stale": float(board.get_attribute("data-stale")),
-    }
+    page.evaluate(DRAG, [board.element_handle(), x, y, seconds, PAUSE])
+    rates = wait_and_see(browser, seconds)
+    browser.page.mouse.up()
+    browser.page.wait_for_timeout(500)
+    stale = browser.page.locator(".kinoedu-board").nth(number).get_attribute("data-stale")
+    return {**rates, "stale": float(stale)}
 
 
-def slide(page: Any, _: str, seconds: float) -> dict[str, float]:
+def slide(browser: Browser, _: str, seconds: float) -> dict[str, float]:
     """Move the slider of a solid's plane up and down; what was seen meanwhile."""
-    board = page.locator(".kinoedu-solid").first
+    board = browser.page.locator(".kinoedu-solid").first
     board.scroll_into_view_if_needed()
     board.evaluate(LISTEN)
-    began = time.perf_counter()
-    moves = page.evaluate(SLIDE, [board.element_handle(), seconds])
-    spent = time.perf_counter() - began
-    return {"spent": spent, "moves": moves, **seen(page.evaluate("events.slice()"), spent)}
+    browser.page.evaluate(SLIDE, [board.element_handle(), seconds, PAUSE])
+    return wait_and_see(browser, seconds)
 
 
-def warm(page: Any, pull: Callable[..., Any], name: str, seconds: float = 120.0) -> None:
+def wait_and_see(browser: Browser, seconds: float) -> dict[str, float]:
+    """Leave the page until its drag is over; what was seen meanwhile."""
+    browser.page.evaluate("() => { events.length = 0; window.dragged = null; }")
+    browser.leave()
+    time.sleep(PAUSE + seconds)
+    browser.page.wait_for_function("window.dragged")
+    (moves, spent), events = browser.page.evaluate("[dragged, events.slice()]")
+    return {"spent": spent, "moves": moves, **seen(events, spent)}
+
+
+def warm(browser: Browser, pull: Callable[..., Any], name: str, seconds: float = 120.0) -> None:
     """Drag until two drags in a row are answered, or for so long: what was not compiled yet is
     compiled meanwhile, and after a very slow answer a board asks only when nothing is dragged.
     """
     until, answered = time.perf_counter() + seconds, 0
     while answered < 2 and time.perf_counter() < until:
         try:
-            pull(page, name, 1.0)
+            pull(browser, name, 1.0)
             answered += 1
         except Unanswered:
             answered = 0
@@ -149,21 +154,21 @@ def print_row(what: str, rounds: list[dict[str, float]]) -> None:
 
 
 @contextmanager
-def slow_computer(page: Any, slower: float) -> Iterator[None]:
+def slow_computer(browser: Browser, slower: float) -> Iterator[None]:
     """Slow the page down so many times, and let another program take a core."""
-    page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slower})
     busy = subprocess.Popen([sys.executable, "-c", "while True: pass"])
     try:
-        yield
+        with browser.slowed(slower):
+            yield
     finally:
         busy.kill()
         busy.wait()
 
 
-def show(page: Any, name: str) -> Callable[..., dict[str, float]]:
+def show(browser: Browser, name: str) -> Callable[..., dict[str, float]]:
     """Run the notebook that is open until its board is there; returns how it is dragged."""
+    page, is_solid = browser.page, name == "solid"
     page.evaluate(RUN_ALL)
-    is_solid = name == "solid"
     page.wait_for_selector(".kinoedu-solid" if is_solid else ".kinoedu-board[data-answers]")
     page.wait_for_timeout(2000)  # JupyterLab is still moving cells about
     return slide if is_solid else drag
@@ -189,12 +194,12 @@ def main(seconds: float = 3.0, repeats: int = 3, slower: float = 1.0, only: str 
             (Path(course) / f"{number}.ipynb").write_text(written_notebook(BOARDS[name][0]))
         with lab(Path(course), Path(home)) as (address, token):
             for number, name in enumerate(chosen):
-                with notebook_page(address, token, f"{number}.ipynb") as page:
-                    pull = show(page, name)
-                    with slow_computer(page, slower) if slower > 1.0 else nullcontext():
+                with open_notebook(address, token, f"{number}.ipynb") as browser:
+                    pull = show(browser, name)
+                    with slow_computer(browser, slower) if slower > 1.0 else nullcontext():
                         for thing in BOARDS[name][1]:
-                            warm(page, pull, thing)
-                            rows = [pull(page, thing, seconds) for _ in range(repeats)]
+                            warm(browser, pull, thing)
+                            rows = [pull(browser, thing, seconds) for _ in range(repeats)]
                             print_row(f"{name}: {thing}", rows)
 
 

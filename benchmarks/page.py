@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from board import CHROMIUM, drag
 from timing import Missing, run
+from unwatched import open_browser
 from worlds import among_boxes, among_polygons, bitmap
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
@@ -129,20 +130,18 @@ def seconds_of(function: Callable[..., Any], *given: Any) -> float:
     return time.perf_counter() - began
 
 
-def touch(browser: Any, folder: Path, seconds: float) -> None:
+def touch(folder: Path, seconds: float) -> None:
     """Print the milliseconds from the first touch to its answer, and the plans a second after."""
     print("| what is dragged | first touch, ms | plans/s | paints/s | delay, ms |")
     print("|---|---:|---:|---:|---:|")
     for what, number, thing in THINGS:
-        page = browser.new_page(viewport={"width": 760, "height": 8000})
-        page.goto((folder / "index.html").as_uri())
-        board = page.locator(".kinoedu-board").nth(number)
-        page.wait_for_function("e => e.dataset.paints", arg=board.element_handle())
-        first = page.evaluate(FIRST, [board.element_handle(), thing])
-        rates = drag(page, thing, seconds, number)
+        with open_browser((folder / "index.html").as_uri(), 760, 8000) as browser:
+            board = browser.page.locator(".kinoedu-board").nth(number)
+            browser.page.wait_for_function("e => e.dataset.paints", arg=board.element_handle())
+            first = browser.page.evaluate(FIRST, [board.element_handle(), thing])
+            rates = drag(browser, thing, seconds, number)
         numbers = first, rates["plans"], rates["paints"], rates["delay"]
         print(f"| {what} | {' | '.join(f'{n:.3g}' for n in numbers)} |", flush=True)
-        page.close()
 
 
 # Press an arrow key on a thing, and wait for the answer.
@@ -168,16 +167,17 @@ def main(problems: int = 200, repeats: int = 3, seconds: float = 3.0) -> None:
         raise Missing("Chromium")
     from playwright.sync_api import sync_playwright
 
-    with tempfile.TemporaryDirectory() as place, sync_playwright() as playwright:
+    with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         write_page(folder)
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
         weigh(folder)
-        touch(browser, folder, seconds)
-        page = browser.new_page()
-        race(page, folder, repeats)
-        compare(page, folder, problems)
-        browser.close()
+        touch(folder, seconds)
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+            page = browser.new_page()
+            race(page, folder, repeats)
+            compare(page, folder, problems)
+            browser.close()
 
 
 if __name__ == "__main__":
