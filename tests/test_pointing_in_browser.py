@@ -25,7 +25,7 @@ from kinoedu.boards import (
     curves_board,
     search_board,
 )
-from kinoedu.boards.core.drawing import arrows, edges, path
+from kinoedu.boards.core.drawing import arrows, edges, labels, path
 from kinoedu.boards.core.notes import note, with_notes
 from kinoedu.boards.core.page_script import CORE, page_script
 from kinoedu.boards.core.recorded import RECORD
@@ -300,7 +300,7 @@ def test_names_keep_off_paths_and_arrows(tmp_path):
     then to the left.
     """
     needs_chromium()
-    spots = {"A": (1, 5), "B": (3, 5), "C": (5, 5), "D": (7, 5)}
+    spots = {"A": (1, 5), "B": (3, 5), "C": (5, 5), "D": (7, 5), "E": (3, 8), "F": (1, 8)}
     scene = make_scene(
         (0, 0), (10, 10), handles=[handle(*one, colour="goal") for one in spots.items()]
     )
@@ -308,20 +308,44 @@ def test_names_keep_off_paths_and_arrows(tmp_path):
         path([(3, 5), (4.5, 6)], "path"),
         arrows([(5, 5), (7, 5)], [(1, 0.7), (1, -0.7)], "tree"),
         path([(7, 5), (8, 5.7)], "path"),
+        edges([[(3, 8), (3.5, 8.5)], [(3.5, 8.5), (4, 9)]], "path", when=[0, 1]),  # it grows
     ]
-    named = Canvas(scene, lambda _: Drawing(ways, text="four names"))
+    named = Canvas(scene, lambda _: Drawing(ways, text="six names", total=1))
     address = site_page(tmp_path, "light", named)
     with browser() as page:
         page.add_init_script(WRITTEN)
         page.goto(address)
         shown(page)
         written = page.evaluate("written")
-    level = written["A"][1]
-    assert {name: [align, y - level] for name, (align, y) in written.items()} == {
+    levels = {name: written["F" if name in "EF" else "A"][1] for name in written}
+    assert {name: [align, y - levels[name]] for name, (align, y) in written.items()} == {
         "A": ["left", 0],
         "B": ["left", 30],
         "C": ["left", 30],
         "D": ["right", 0],
+        "E": ["left", 30],
+        "F": ["left", 0],
+    }
+
+
+def test_a_label_stands_nearest_to_its_own_point(tmp_path):
+    """The first spot of the first label would cover the second point, and its next, below, would be
+    nearer to that than to its own; so it stands to the left.
+    """
+    needs_chromium()
+    scene = make_scene((0, 0), (10, 10))
+    texts = labels([(5, 5), (5.5, 5), (8, 5)], ["first label", "second", "third"], "ink")
+    address = site_page(tmp_path, "light", Canvas(scene, lambda _: Drawing([texts], text="three")))
+    with browser() as page:
+        page.add_init_script(WRITTEN)
+        page.goto(address)
+        shown(page)
+        written = page.evaluate("written")
+    level = written["third"][1]
+    assert {text: [align, y - level] for text, (align, y) in written.items()} == {
+        "first label": ["right", 0],
+        "second": ["left", 0],
+        "third": ["left", 0],
     }
 
 

@@ -316,11 +316,11 @@ def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonOb
     ]
     buffers, corner = [], np.asarray(lo, np.float64)
     for layer in drawing.layers:
-        rows = layer.rows / size
-        for k in range(layer.points):
-            rows[:, 2 * k : 2 * k + 2] = (layer.rows[:, 2 * k : 2 * k + 2] - corner) / size
+        shift = np.zeros(layer.rows.shape[1])  # sizes and directions are not relative to the corner
+        shift[: 2 * layer.points] = np.tile(corner, layer.points)
         further = [f for f in (layer.notes, layer.when, layer.until) if f is not None]
-        buffers.append(np.column_stack([rows, *further]).astype(np.float32).tobytes())
+        columns = np.column_stack([(layer.rows - shift) / size, *further])
+        buffers.append(columns.astype(np.float32).tobytes())
     places = [[kind, number, np.asarray(where).tolist()] for kind, number, where in drawing.places]
     message = {
         "layers": about,
