@@ -79,6 +79,8 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "a bound of risk": lambda x: ke.collision_bound(TASK.robot, x, [(5, 5)]),
     "a norm": lambda x: ke.dispersion([(0.5, 0.5)], norm=x),
     "a planner that hurries": lambda x: ke.best_within(0.1, x, rng=0),
+    "a plan made in a hurry": lambda x: ke.best_within(0.1, lambda rng: x, rng=0),
+    "a plan in a sensor's map": lambda x: ke.receding_horizon(TASK, planner=lambda *_: x, rng=0),
     "a scene to write": lambda x: ke.write_scene(x, "never.json"),
     "a plan to write": lambda x: ke.write_plan(x, "never.json"),
     "a board": ke.board,

@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm
-from ..errors import InvalidPoint
+from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
 from ..problems import Plan, Tree
 from ..problems.protocols import PlanningProblem, ProblemLike
 from ..spaces.buckets import GrowingTree
+from ..support.text import shortened
 from .problem_input import as_problem
 
 
@@ -52,6 +53,13 @@ def path_cost(problem: ProblemLike, path: ArrayLike) -> float:
     if places.ndim != 2 or places.shape[1:] != problem.start.shape:
         raise InvalidPoint(f"a path must have shape (n, {len(problem.start)}), got {places.shape}")
     return float(cost_along(problem, places))
+
+
+def plan_of(answer: object) -> Plan:
+    """What a planner has returned, which must be a Plan. Raises InvalidParameter."""
+    if not isinstance(answer, Plan):
+        raise InvalidParameter(f"expected the Plan of a planner, got {shortened(answer)}")
+    return answer
 
 
 def plan_along(

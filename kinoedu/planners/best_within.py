@@ -12,6 +12,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import as_generator, positive
 from ..problems import Plan
 from ..support.text import shortened
+from .answers import plan_of
 
 
 def best_within(
@@ -42,8 +43,8 @@ def best_within(
     Raises
     ------
     InvalidParameter
-        Where `seconds` is not a positive number, `planner` is not a function, or `rng` is neither a
-        seed nor a Generator.
+        Where `seconds` is not a positive number, `planner` is not a function that returns a Plan,
+        or `rng` is neither a seed nor a Generator.
 
     Examples
     --------
@@ -61,11 +62,11 @@ def best_within(
             f"planner must be a function of a Generator, got {shortened(planner)}"
         )
     began = time.monotonic()
-    best, plans, longest = planner(generator), 1, 0.0
+    best, plans = plan_of(planner(generator)), 1
     longest = time.monotonic() - began
     while time.monotonic() - began + longest < limit:
         plan_began = time.monotonic()
-        plan = planner(generator)
+        plan = plan_of(planner(generator))
         longest, plans = max(longest, time.monotonic() - plan_began), plans + 1
         if plan.cost < best.cost or best.path is None:
             best = plan

@@ -14,8 +14,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
 from ..problems import Plan
 from ..problems.protocols import PlanningProblem
-from ..support.text import shortened
-from .answers import cost_along
+from .answers import cost_along, plan_of
 from .problem_input import as_problem, count_checks
 from .tuning import integer
 
@@ -97,9 +96,7 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
     >>> bool(17.2 < shortcut(plan, rng=0).cost < plan.cost)
     True
     """
-    if not isinstance(plan, Plan):
-        raise InvalidParameter(f"expected the Plan of a planner, got {shortened(plan)}")
-    if plan.trajectory is not None:
+    if plan_of(plan).trajectory is not None:
         raise InvalidParameter(
             "the drives of a trajectory cannot be shortened; give shortcut a plan of curves, such "
             "as rrt's"

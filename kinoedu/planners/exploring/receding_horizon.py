@@ -28,7 +28,7 @@ from ...support.constructors import with_type_names
 from ...support.text import shortened
 from ...worlds.polygon_world import PolygonWorldRecord, world_of_triangles
 from ...worlds.range_sensor import Scan, scan
-from ..answers import plan_along
+from ..answers import plan_along, plan_of
 from ..problem_input import count_checks, world_size
 from ..shortcut import shortcut
 from ..trees.rrt_connect import rrt_connect
@@ -210,7 +210,8 @@ def plan_in_map(
     for fraction in (1.0, 0.25, 0.0625, 0.015625):
         room = problem.clearance + fraction * margin
         try:
-            plan = planner(Problem(problem.robot, world, q, problem.goal, clearance=room), rng)
+            task = Problem(problem.robot, world, q, problem.goal, clearance=room)
+            plan = plan_of(planner(task, rng))
         except (InvalidStart, InvalidGoal):
             continue
         if plan.path is not None:
