@@ -297,10 +297,11 @@ WRITTEN = """window.written = {};
 
 def test_names_keep_off_paths_and_arrows(tmp_path):
     """Each stands to the upper right, unless a path or an arrow passes there; 30 pixels lower, and
-    then to the left.
+    then to the left. Where lines pass on all sides it keeps off the path.
     """
     needs_chromium()
-    spots = {"A": (1, 5), "B": (3, 5), "C": (5, 5), "D": (7, 5), "E": (3, 8), "F": (1, 8)}
+    spots = {"A": (1, 5), "B": (3, 5), "C": (5, 5), "D": (7, 5)}
+    spots |= {"E": (3, 8), "F": (1, 8), "G": (5, 2), "H": (1, 2)}
     scene = make_scene(
         (0, 0), (10, 10), handles=[handle(*one, colour="goal") for one in spots.items()]
     )
@@ -309,15 +310,18 @@ def test_names_keep_off_paths_and_arrows(tmp_path):
         arrows([(5, 5), (7, 5)], [(1, 0.7), (1, -0.7)], "tree"),
         path([(7, 5), (8, 5.7)], "path"),
         edges([[(3, 8), (3.5, 8.5)], [(3.5, 8.5), (4, 9)]], "path", when=[0, 1]),  # it grows
+        path([(5, 2), (6.5, 3)], "path"),
+        *(path([(5, 2), to], "tree") for to in [(6.5, 1), (3.5, 3), (3.5, 1)]),
     ]
-    named = Canvas(scene, lambda _: Drawing(ways, text="six names", total=1))
+    named = Canvas(scene, lambda _: Drawing(ways, text="eight names", total=1))
     address = site_page(tmp_path, "light", named)
     with browser() as page:
         page.add_init_script(WRITTEN)
         page.goto(address)
         shown(page)
         written = page.evaluate("written")
-    levels = {name: written["F" if name in "EF" else "A"][1] for name in written}
+    as_high = {"A": "ABCD", "F": "EF", "H": "GH"}
+    levels = {name: written[one][1] for one in "AFH" for name in as_high[one]}
     assert {name: [align, y - levels[name]] for name, (align, y) in written.items()} == {
         "A": ["left", 0],
         "B": ["left", 30],
@@ -325,6 +329,8 @@ def test_names_keep_off_paths_and_arrows(tmp_path):
         "D": ["right", 0],
         "E": ["left", 30],
         "F": ["left", 0],
+        "G": ["left", 30],
+        "H": ["left", 0],
     }
 
 

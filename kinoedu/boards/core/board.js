@@ -1128,27 +1128,29 @@ class View {
     this.write(name, x, y, paint, align, "bold");
   }
 
-  // The names of handles stand on the first side where they cover no path, no arrow and no other
-  // name; where there is none, on the side with most room.
+  // The names of handles stand on the first side where they cover no line, no arrow and no other
+  // name; or else none of these but lines that are not the path; or else where most room is.
   chooseSides() {
-    const passed = this.passedSegments(), names = [];
+    const { layers } = this.board.drawing, names = [];
+    const all = this.passedSegments(layers);
+    const ways = this.passedSegments(layers.filter(({ colour }) => colour === "path"));
     this.sides = new Map();
     for (const handle of this.namedHandles()) {
       const sides = this.sidesOf(handle);
-      const best = sides.find((side) => {
+      const first = (passed) => sides.find((side) => {
         const box = this.nameBox(handle, side);
         const inside = box[0] > 0 && box[1] > 0 && box[2] < this.width && box[3] < this.height;
         return inside && !passed.some((segment) => passes(segment, box))
           && !names.some((other) => overlap(other, box));
       });
-      this.sides.set(handle.name, best ?? sides[0]);
+      this.sides.set(handle.name, first(all) ?? first(ways) ?? sides[0]);
       names.push(this.nameBox(handle));
     }
   }
 
-  passedSegments() {                     // of paths and of arrows, in pixels
-    const { left, bottom, board } = this, segments = [];
-    for (const layer of board.drawing.layers) {
+  passedSegments(layers) {               // of paths and of arrows, in pixels
+    const { left, bottom } = this, segments = [];
+    for (const layer of layers) {
       const { kind, colour } = layer;
       if (kind === "edges" ? colour !== "path" : kind !== "path" && kind !== "arrows") continue;
       let before = null;

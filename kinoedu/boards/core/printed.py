@@ -47,7 +47,9 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     print_world(scene, free, ax)
     print_handles(scene, ax)
     passed = [print_layer(layer, ax, drawing) for layer in drawing.layers]
-    move_names_off_points(np.concatenate([np.empty((0, 2)), *passed]), ax)
+    ways = [rows for rows, layer in zip(passed, drawing.layers) if layer.colour == "path"]
+    for lines in (ways, passed):  # off the path at least, where no side is off all lines
+        move_names_off_points(np.concatenate([np.empty((0, 2)), *lines]), ax)
     for x, y, width in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
         half_x, half_y = 0.5 * width * (x1 - x0) / size, 0.5 * width * (y1 - y0) / size
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
