@@ -10,11 +10,12 @@ from kinoedu.boards.core.drawing import Drawing, arrows, edges, path_edges
 from kinoedu.boards.core.printed import print_layer
 from kinoedu.figures import draw_plan, draw_problem
 from kinoedu.figures.arms import name_region
-from kinoedu.figures.names import move_names_off, move_names_off_points, write_name
+from kinoedu.figures.names import move_names_off, move_names_off_points, spread, write_name
 from kinoedu.figures.plane import inward
 from kinoedu.problems import Plan
 
 ROOM = PolygonWorld([(0, 0), (20, 0), (20, 12), (0, 12)])
+LINES = [(14, 9), (14, 3), (6, 9), (6, 3)]  # through the sides of (10, 6)
 PROBLEM = Problem(Point(), ROOM, start=(4, 6), goal=(16, 6))
 
 
@@ -64,6 +65,17 @@ def test_names_keep_off_a_path_that_grows(ax):
     for layer, side in ((edges(pieces, "tree"), (1, 1)), (path_edges(pieces)[-1], (1, -1))):
         move_names_off_points(print_layer(layer, ax, Drawing([])), ax)
         assert sides(ax)["start"] == side
+
+
+def test_a_name_keeps_off_the_path_at_least(ax):
+    """Where a line passes on each of its sides; without the path it stays where it is."""
+    draw_problem(PROBLEM, ax)
+    write_name((10, 6), "p", "black", (1, 1), ax)
+    lines = np.concatenate([spread(np.array([(10, 6), to])) for to in LINES])
+    move_names_off_points(lines, ax)
+    assert sides(ax)["p"] == (1, 1)
+    move_names_off_points(lines, ax, spread(np.array([(10, 6), LINES[0]])))
+    assert sides(ax)["p"] == (1, -1)
 
 
 def test_names_keep_off_obstacles(ax):

@@ -27,6 +27,8 @@ WIDTH = 0.65  # of a letter, by the size of the text
 STEPS = 400  # places of a line that are looked at
 GRID = (13, 4)  # places of a name's box that are looked at, across and up
 
+NOWHERE = np.empty((0, 2))
+
 Side = tuple[int, int]  # of the place: 1 right or -1 left, 1 above or -1 below
 Box = tuple[Array, Array]  # its lower left and its upper right corner
 
@@ -85,29 +87,30 @@ def move_names_off(line: Array, ax: Axes) -> None:
     move_names_off_points(spread(line), ax)
 
 
-def move_names_off_points(points: Array, ax: Axes) -> None:
+def move_names_off_points(points: Array, ax: Axes, path: Array = NOWHERE) -> None:
     """Put names that cover a point of some (n, 2), or another text, on a side where they do not.
 
-    If it can be, no place of another name is nearer to a name that is moved than its own place.
+    Where there is no such side, a name that covers a point of `path` (m, 2) is put on a side where
+    it covers none of these. If it can be, no place of another name is nearer to a name that is
+    moved than its own place.
     """
     ax.apply_aspect()
-    passed = in_points(points, ax.transData, ax)
-    low, high = in_points(np.array([[0, 0], [1, 1]]), ax.transAxes, ax)
+    passed, way = (in_points(lines, ax.transData, ax) for lines in (points, path))
+    frame = in_points(np.array([[0, 0], [1, 1]]), ax.transAxes, ax)
     texts = [text for text in ax.texts if isinstance(text, Annotation) and text.get_text()]
     beside = [text for text in texts if text.anncoords == OFFSET]
     for text in beside:
         if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
             others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
             boxes = {side: box_of(text, offset_on(side), ax) for side in sides_of(text)}
-            free = [
-                side
-                for side, box in boxes.items()
-                if is_within(box, (low, high)) and not covers(box, passed, others)
-            ]
+            within = {side: box for side, box in boxes.items() if is_within(box, tuple(frame))}
             here = sides_of(text)[0]
-            clear = [s for s in free if s == here or is_nearest(text, boxes[s], beside, ax)]
-            for side in (clear or free)[:1]:
-                put(text, side)
+            for lines in [passed, way] if covers(boxes[here], way, []) else [passed]:
+                free = [side for side, box in within.items() if not covers(box, lines, others)]
+                clear = [s for s in free if s == here or is_nearest(text, boxes[s], beside, ax)]
+                if free:
+                    put(text, (clear or free)[0])
+                    break
 
 
 def sides_of(text: Annotation) -> list[Side]:

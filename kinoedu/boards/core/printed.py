@@ -16,7 +16,7 @@ from PIL import Image, ImageColor
 
 from ...figures import palette
 from ...figures.drawing import compound
-from ...figures.names import move_names_off_points, roomy_side, spread, write_name
+from ...figures.names import NOWHERE, move_names_off_points, roomy_side, spread, write_name
 from ...figures.style import Levels, as_png, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
@@ -48,8 +48,7 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     print_handles(scene, ax)
     passed = [print_layer(layer, ax, drawing) for layer in drawing.layers]
     ways = [rows for rows, layer in zip(passed, drawing.layers) if layer.colour == "path"]
-    for lines in (ways, passed):  # off the path at least, where no side is off all lines
-        move_names_off_points(np.concatenate([np.empty((0, 2)), *lines]), ax)
+    move_names_off_points(join_rows(passed), ax, join_rows(ways))
     for x, y, width in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
         half_x, half_y = 0.5 * width * (x1 - x0) / size, 0.5 * width * (y1 - y0) / size
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
@@ -190,6 +189,11 @@ def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> Array:
         shown = layer._replace(texts=texts)
         PRINTERS[layer.kind](shown, layer.rows[there], palette.NAMED[layer.colour], ax)
     return passed_places(layer, layer.rows[there])
+
+
+def join_rows(parts: list[Array]) -> Array:
+    """Places (n, 2) from many arrays of them, or from none."""
+    return np.concatenate([NOWHERE, *parts])
 
 
 def passed_places(layer: Layer, rows: Array) -> Array:
