@@ -20,7 +20,7 @@ from kinoedu.compiled import COMPILED_FIRST
 
 sys.path.insert(0, str(HOUSE / "tests"))
 
-# E402: the files need tests, which the line above adds to the path
+# E402: both need the folder tests, which the line above adds to the path
 from lab_driver import CHROMIUM, RUN_ALL, lab, written_notebook
 from unwatched import Browser, open_notebook
 

@@ -1,7 +1,7 @@
 """A browser that nobody watches while it is measured.
 
-Whoever drives a page is told of each message that its sockets bring. In JupyterLab this took a
-quarter of a core, and as much again in the page. So the page is left alone during a drag.
+A program that drives a page is told of each message that the page's sockets bring. In JupyterLab
+this took a quarter of a core, and Chromium some more. So the page is left alone during a drag.
 """
 
 import json
@@ -45,7 +45,7 @@ class Browser:
         self._driver = self._page = None
 
     def targets(self) -> list[dict[str, str]]:
-        """What Chromium can be told about, as soon as it answers."""
+        """Chromium's pages and what else can be driven, as soon as it answers."""
         until = time.perf_counter() + PATIENCE
         while True:
             try:

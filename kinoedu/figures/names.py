@@ -96,21 +96,21 @@ def move_names_off_points(points: Array, ax: Axes, path: Array = NOWHERE) -> Non
     """
     ax.apply_aspect()
     passed, way = (in_points(lines, ax.transData, ax) for lines in (points, path))
-    frame = in_points(np.array([[0, 0], [1, 1]]), ax.transAxes, ax)
+    low, high = in_points(np.array([[0, 0], [1, 1]]), ax.transAxes, ax)
     texts = [text for text in ax.texts if isinstance(text, Annotation) and text.get_text()]
     beside = [text for text in texts if text.anncoords == OFFSET]
     for text in beside:
         if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
             others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
             boxes = {side: box_of(text, offset_on(side), ax) for side in sides_of(text)}
-            within = {side: box for side, box in boxes.items() if is_within(box, tuple(frame))}
+            within = [side for side, box in boxes.items() if is_within(box, (low, high))]
+            free = [side for side in within if not covers(boxes[side], passed, others)]
             here = sides_of(text)[0]
-            for lines in [passed, way] if covers(boxes[here], way, []) else [passed]:
-                free = [side for side, box in within.items() if not covers(box, lines, others)]
-                clear = [s for s in free if s == here or is_nearest(text, boxes[s], beside, ax)]
-                if free:
-                    put(text, (clear or free)[0])
-                    break
+            if not free and covers(boxes[here], way, []):
+                free = [side for side in within if not covers(boxes[side], way, others)]
+            clear = [s for s in free if s == here or is_nearest(text, boxes[s], beside, ax)]
+            for side in (clear or free)[:1]:
+                put(text, side)
 
 
 def sides_of(text: Annotation) -> list[Side]:
