@@ -1,6 +1,7 @@
 """Arguments and results of functions as JSON: results exactly, arguments as short keys."""
 
 import builtins
+import functools
 import hashlib
 import json
 import marshal
@@ -18,6 +19,7 @@ from .tasks import StudentProblem, scene_of
 DIGITS = 9  # of a number in a key: another processor may round the last digits differently
 BITS = 30  # of a number of an array in a key, about as many
 NEGLIGIBLE = 1e-13  # of an array's largest number: what is smaller is rounding
+PLAIN = {type(None), bool, int, float, str}  # is JSON as it is
 
 
 def encode(value: Any) -> Json:
@@ -33,9 +35,12 @@ def encode(value: Any) -> Json:
     >>> encode((1.5, [None, np.array([2, 3])]))
     {'tuple': [1.5, [None, {'array': ['<i8', [2], [2, 3]]}]], 'kind': ''}
     """
+    kind = type(value)
+    if kind in PLAIN:
+        return value
     if isinstance(value, np.generic):
-        value = value.item()
-    if value is None or isinstance(value, bool | int | float | str):
+        return encode(value.item())
+    if isinstance(value, int | float | str):  # of a class of its own
         return value
     if isinstance(value, list):
         return [encode(one) for one in value]
@@ -48,7 +53,6 @@ def encode(value: Any) -> Json:
         return {"problem": encode(scene), "kind": type(value).__name__}
     if isinstance(value, np.random.Generator):
         return {"generator": encode(value.bit_generator.state)}
-    kind = type(value)
     if is_dataclass(kind):
         value = tuple(getattr(value, field.name) for field in fields(kind))
     if isinstance(value, tuple):
@@ -57,13 +61,13 @@ def encode(value: Any) -> Json:
     raise TypeError(f"a withheld function can neither take nor return a {type(value).__name__}")
 
 
-def are_identical(one: Json, other: Json) -> bool:
-    """Whether two values were encoded to the same bits; NaN is the same as NaN.
+def to_bits(data: Json) -> bytes:
+    """The bits of encoded data, which are the same for identical data, NaN included.
 
-    >>> are_identical([float("nan"), 1.0], [float("nan"), 1.0]), are_identical(0.0, -0.0)
+    >>> to_bits([float("nan"), 1.0]) == to_bits([float("nan"), 1.0]), to_bits(0.0) == to_bits(-0.0)
     (True, False)
     """
-    return marshal.dumps(one, 2) == marshal.dumps(other, 2)  # in version 2 equal data look equal
+    return marshal.dumps(data, 2)  # in version 2 equal data look equal
 
 
 def decode(data: Json) -> Any:
@@ -113,12 +117,13 @@ def key_of(given: Any) -> str:
     >>> key_of((1e-12,)) == key_of((0.0,))
     False
     """
-    return key_of_encoded(encode(given))
+    return key_of_bits(to_bits(encode(given)))
 
 
-def key_of_encoded(data: Json) -> str:
-    """`key_of` for arguments that are encoded already."""
-    text = json.dumps(rounded(data), separators=(",", ":"))
+@functools.lru_cache(maxsize=1)  # misconceptions are asked about the same case, one after the other
+def key_of_bits(bits: bytes) -> str:
+    """`key_of` for the bits of encoded arguments."""
+    text = json.dumps(rounded(marshal.loads(bits)), separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 

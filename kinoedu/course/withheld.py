@@ -16,14 +16,14 @@ from typing import Any, TypeVar
 
 from ..support.json_fields import Json
 from .recorded import (
-    are_identical,
     decode,
     decode_error,
     encode,
     encode_error,
     key_of,
-    key_of_encoded,
+    key_of_bits,
     rounded,
+    to_bits,
 )
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -108,7 +108,7 @@ def record(
     global recording
     results, recording = recording, None
     assert results is not None
-    arguments, error, result = encode((given, more)), None, None
+    arguments, error, result = to_bits(encode((given, more))), None, None
     try:
         result = function(*given, **more)
     except ERRORS as raised:
@@ -116,9 +116,9 @@ def record(
     finally:
         recording = results
     data = encode(result) if error is None else encode_error(error)
-    if not are_identical(encode((given, more)), arguments):
+    if to_bits(encode((given, more))) != arguments:
         raise RuntimeError(f"{name} is withheld, and must not change its arguments")
-    known = results.setdefault(name, {}).setdefault(key_of_encoded(arguments), data)
+    known = results.setdefault(name, {}).setdefault(key_of_bits(arguments), data)
     if known is not data and rounded(known) != rounded(data):
         raise RuntimeError(f"two calls of {name} have the same key and different results")
     if error is not None:
