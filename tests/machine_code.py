@@ -28,17 +28,20 @@ FILE = Path(__file__).resolve().parent / "data" / "machine_code.json"
 
 
 def compile_ahead() -> None:
-    """Compile what lessons and tests use, on all cores."""
-    warm_all()
+    """Compile what lessons and tests use, on all cores; a function that cannot be ends the run."""
+    left = warm_all()
     place = folder()
     if place is not None and HAS_COMPILER:
         with show_progress("compiling for the tests") as report_progress:
-            requests.compile_all(
+            refused = requests.compile_all(
                 place,
                 read_requests(),
                 workers=os.cpu_count() or 1,
                 report_progress=report_progress,
             )
+        left += [f"{request.module}.{request.function}" for request in refused]
+    if left:
+        sys.exit(f"no machine code for {', '.join(left)}: the reasons are in {place}")
 
 
 def read_requests() -> list[Request]:

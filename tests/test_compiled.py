@@ -1051,13 +1051,77 @@ def test_machine_code_of_two_processes_has_no_symbol_in_common():
     script = (
         "from kinoedu.compiled import compiler\n"
         "from numba.core.bytecode import FunctionIdentity as identity\n"
-        "print(identity.from_function(compiler.fail_by_shape).unique_id)"
+        "print(identity.from_function(compiler.borrowing).unique_id)"
     )
     first, second = (
         int(subprocess.run([sys.executable, "-c", script], capture_output=True, check=True).stdout)
         for _ in range(2)
     )
     assert abs(first - second) > 1_000_000
+
+
+OWNERS = """
+import json
+from llvmlite import ir
+from numba.core.registry import cpu_target
+from numba.core.runtime.context import NRTContext
+numbas_own = NRTContext.get_meminfos
+import kinoedu as ke
+from kinoedu.compiled.kinds import kind_of
+from kinoedu.compiled.machine import numba_type
+from kinoedu.compiled.savings import find_owners
+
+def look(find):
+    signature = ir.FunctionType(ir.VoidType(), [context.get_value_type(kind)])
+    function = ir.Function(ir.Module(), signature, "f")
+    builder = ir.IRBuilder(function.append_basic_block())
+    found = find(context.nrt, builder, kind, function.args[0])
+    return [[str(owner), path(value)] for owner, value in found], len(builder.block.instructions)
+
+def path(value):
+    return path(value.operands[0]) + list(value.indices) if hasattr(value, "indices") else []
+
+context = cpu_target.target_context
+world = ke.PolygonWorld([(0, 0), (9, 0), (9, 9)], [[(5, 1), (6, 1), (6, 2)]])
+kind = numba_type(kind_of(ke.Problem(ke.Point(), world, (7, 1), (8, 1))))
+print(json.dumps([look(numbas_own), look(find_owners)]))
+"""
+
+
+@needs_compiler
+def test_the_owners_of_a_records_arrays_are_those_that_numba_finds() -> None:
+    """The same values in the same order, by a quarter of the instructions."""
+    (usual, many), (found, few) = run(OWNERS)
+    assert found == usual
+    assert len(found) > 5 and few < many / 4
+
+
+OPTIONS = """
+import itertools, json
+from numba.core.compiler import Flags
+from kinoedu.compiled.savings import compare_all_options, have_equal_options, hash_of_options
+options = [Flags() for _ in range(5)]
+options[1].nrt = options[2].nrt = True
+options[3].nrt = False
+options[4].error_model = "numpy"
+pairs = list(itertools.product(options, repeat=2))
+print(json.dumps([
+    [have_equal_options(one, other) for one, other in pairs],
+    [compare_all_options(one, other) for one, other in pairs],
+    [hash_of_options(one) == hash_of_options(other) for one, other in pairs],
+    have_equal_options(options[0], "text") is NotImplemented,
+]))
+"""
+
+
+@needs_compiler
+def test_options_are_equal_where_numba_says_so() -> None:
+    """Options that are set to their defaults equal those that are not set; equals have one hash."""
+    ours, numbas, have_one_hash, is_left_to_text = run(OPTIONS)
+    assert ours == numbas
+    assert 5 < sum(ours) < 25
+    assert all(same for equal, same in zip(ours, have_one_hash, strict=True) if equal)
+    assert is_left_to_text
 
 
 @needs_compiler

@@ -15,6 +15,8 @@ code on the disk.
 | requests.py | requests machine code, and starts the processes that compile |
 | machine.py | loads machine code with numba |
 | compiler.py, worker.py | make machine code with numba, in a separate process |
+| savings.py | parts of numba, replaced because they took much of the time |
+| boxing.py | arguments and results between Python and machine code |
 | intermediate.py | compiles functions for other processors, as far as LLVM |
 | choices.py | generic functions, methods and properties of records |
 | attributes.py | the same methods and properties for numba |

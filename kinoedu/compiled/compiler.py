@@ -4,12 +4,11 @@ Python calls only that piece. The functions inside it have no entry from Python 
 of their own, which saves most of numba's compilation time.
 """
 
-import functools
 import gc
 import inspect
 import itertools
 import secrets
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -26,12 +25,12 @@ from numba.extending import (
     register_jitable,
     typeof_impl,
 )
-from numba.np.arrayobj import raise_with_shape_context
 
 from . import attributes, boxing, choices
 from .choices import Function
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
+from .savings import save_time
 from .tiers import TieredFunction
 
 INLINED = {"forceinline": True, "error_model": "numpy"}
@@ -64,7 +63,7 @@ def compile_as(
 ) -> CompileResult:
     """Compile a function and those that it calls, by numba's passes, into libraries of a kind."""
     register_choices()
-    shorten_message_about_shapes()
+    save_time()
     boxing.use_c_functions_alone()
     entry = borrowing(function.py_func) if function.is_algorithm else function.py_func
     dispatcher = numba.njit(**OPTIONS, pipeline_class=pipeline)(entry)
@@ -127,19 +126,44 @@ class LeanLibrary(JITCodeLibrary):
     is_entry = False
     is_early = False
 
+    def finalize(self) -> None:
+        if self.is_entry or self.is_early:
+            self._linking_libraries = self.find_parts()
+            super().finalize()
+        self._finalized = True
+
+    def find_parts(self) -> list[Any]:
+        """The libraries of all functions that it calls, callers first: LLVM drops what nobody calls
+        when it is linked. A function by EarlyCompiler has those that it calls within.
+        """
+        found = dict[Any, None]()
+
+        def visit(library: Any) -> None:
+            for part in library._linking_libraries:
+                if part not in found:
+                    if isinstance(part, LeanLibrary) and not part.is_early:
+                        visit(part)
+                    found[part] = None
+
+        visit(self)
+        return list(found)[::-1]
+
     def _optimize_final_module(self) -> None:
         if self.is_entry:
             super()._optimize_final_module()
-        elif self.is_early:
+        else:
             passes, builder = self._codegen._module_pass_manager()
             passes.run(self._final_module, builder)
+
+    def _verify_declare_only_symbols(self) -> None:
+        """Without a function that is called, a user's process would crash."""
+        for function in self._final_module.functions:
+            if function.is_declaration and function.name.startswith("_ZN"):
+                raise TypeError(f"{function.name} is called, and was not linked")
 
     def _finalize_final_module(self) -> None:
         if self.is_entry:
             super()._finalize_final_module()
-            return
-        self._finalize_dynamic_globals()
-        self._finalized = True
 
     def get_pointer_to_function(self, name: str) -> int:
         return int(super().get_pointer_to_function(name)) if self.is_entry else 0
@@ -191,30 +215,6 @@ def replaced(owner: Any, name: str, value: Any) -> Iterator[None]:
         yield
     finally:
         setattr(owner, name, usual)
-
-
-@functools.cache
-def shorten_message_about_shapes() -> None:
-    """Shorten numba's error message for an assignment to a row of another length.
-
-    The full message contains both shapes. Formatting it took a third of the compilation time and of
-    the code of every function that assigns a row.
-    """
-    numba.core.registry.cpu_target.typing_context.refresh()
-    kind = numba.core.registry.cpu_target.typing_context.resolve_value_type(
-        raise_with_shape_context
-    )
-    for template in kind.templates:
-        template._overload_func = staticmethod(fail_by_shape)
-
-
-def fail_by_shape(source: Any, rows: Any) -> Callable[..., None]:
-    """The compiled code for an array that does not fit."""
-
-    def fail(source: Any, rows: Any) -> None:
-        raise ValueError("an array of another shape cannot be assigned")
-
-    return fail
 
 
 # ---- functions that Python calls ----------------------------------------------------------------
