@@ -1060,6 +1060,22 @@ def test_machine_code_of_two_processes_has_no_symbol_in_common():
     assert abs(first - second) > 1_000_000
 
 
+@needs_compiler
+def test_code_that_calls_a_function_that_was_not_linked_is_refused() -> None:
+    """It would crash the process that calls it; what other libraries define may be missing."""
+    import llvmlite.binding
+    from numba.core.registry import cpu_target
+
+    from kinoedu.compiled.compiler import LeanLibrary
+
+    library = LeanLibrary(cpu_target.target_context.codegen(), "library")
+    library._final_module = llvmlite.binding.parse_assembly("declare double @sin(double)")
+    library._verify_declare_only_symbols()
+    library._final_module = llvmlite.binding.parse_assembly("declare void @_ZN7kinoedu4grow()")
+    with pytest.raises(TypeError, match="_ZN7kinoedu4grow is called, and was not linked"):
+        library._verify_declare_only_symbols()
+
+
 OWNERS = """
 import json
 from llvmlite import ir

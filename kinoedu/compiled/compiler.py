@@ -30,7 +30,7 @@ from . import attributes, boxing, choices
 from .choices import Function
 from .kinds import Kind
 from .machine import OPTIONS, numba_type
-from .savings import save_time
+from .savings import replace_slow_parts
 from .tiers import TieredFunction
 
 INLINED = {"forceinline": True, "error_model": "numpy"}
@@ -63,7 +63,7 @@ def compile_as(
 ) -> CompileResult:
     """Compile a function and those that it calls, by numba's passes, into libraries of a kind."""
     register_choices()
-    save_time()
+    replace_slow_parts()
     boxing.use_c_functions_alone()
     entry = borrowing(function.py_func) if function.is_algorithm else function.py_func
     dispatcher = numba.njit(**OPTIONS, pipeline_class=pipeline)(entry)
@@ -156,7 +156,10 @@ class LeanLibrary(JITCodeLibrary):
             passes.run(self._final_module, builder)
 
     def _verify_declare_only_symbols(self) -> None:
-        """Without a function that is called, a user's process would crash."""
+        """Refuse code that calls a function that was not linked: it would crash a user's process.
+
+        Numba's own looks for functions of numba alone.
+        """
         for function in self._final_module.functions:
             if function.is_declaration and function.name.startswith("_ZN"):
                 raise TypeError(f"{function.name} is called, and was not linked")

@@ -1,6 +1,6 @@
-"""Parts of numba that took much of a compilation's time, replaced by others that do the same.
+"""Parts of numba that took much of a compilation's time, replaced by quicker ones.
 
-They hold in a process that compiles.
+They are replaced only in a process that compiles. The machine code does the same.
 """
 
 import functools
@@ -19,12 +19,12 @@ compare_all_options = TargetConfig.__eq__
 
 
 @functools.cache
-def save_time() -> None:
+def replace_slow_parts() -> None:
     """Replace them, once in a process."""
     shorten_message_about_shapes()
     NRTContext.get_meminfos = find_owners
     TargetConfig.__eq__, TargetConfig.__hash__ = have_equal_options, hash_of_options
-    # numba would time each call of LLVM, once for each function that is being compiled
+    # numba would report each call of LLVM to a timer of each function that is being compiled
     llvmlite.binding.ffi.lib._lock._cblist.clear()
 
 

@@ -19,7 +19,7 @@ from .tasks import StudentProblem, scene_of
 DIGITS = 9  # of a number in a key: another processor may round the last digits differently
 BITS = 30  # of a number of an array in a key, about as many
 NEGLIGIBLE = 1e-13  # of an array's largest number: what is smaller is rounding
-PLAIN = {type(None), bool, int, float, str}  # is JSON as it is
+PLAIN = {type(None), bool, int, float, str}  # types of values that are JSON as they are
 
 
 def encode(value: Any) -> Json:
