@@ -38,6 +38,7 @@ from kinoedu.spaces import (
     diameter,
     distance,
     interpolate,
+    near,
     nearest,
     sample,
     wrapped_configuration,
@@ -357,7 +358,9 @@ def squares_from(space: Any, nodes: Any, q: Any) -> Any:
 @pytest.mark.parametrize("name", SPACES)
 @pytest.mark.parametrize("kind", ["spread", "at the wrap", "lattice", "one place"])
 def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: str) -> None:
-    """The nearest of 1 to 1,500 nodes, and the k nearest of 300, with ties to the first."""
+    """The nearest of 1 to 1,500 nodes, those within a radius, and the k nearest of 8 to 300, with
+    ties to the first.
+    """
     rng, space = np.random.default_rng(4), SPACES[name]
     nodes, tree = around(space, kind, rng, 1500), empty_tree(1500, space.lo, space.hi)
     for n, node in enumerate(nodes, start=1):
@@ -375,13 +378,18 @@ def test_near_nodes_across_the_wrap_are_what_brute_force_finds(name: str, kind: 
                 assert distance(space, nodes[found], q) == pytest.approx(
                     math.sqrt(squares.min()), abs=1e-14
                 )
+                radius = rng.choice([0.1, 1.0, 9.0])
+                within = near(space, tree, wrapped_configuration(space, q), radius)
+                assert np.array_equal(np.sort(within), np.flatnonzero(squares <= radius * radius))
     free = ProblemRecord(
         RoundRobot(0.0), Band(0.0), space, nodes[0], nodes[1], 0.0, np.zeros(2, np.int64)
     )
-    some = nodes[:300]
-    apart = np.array([squares_from(space, some, q) for q in some])
-    np.fill_diagonal(apart, np.inf)
-    assert np.array_equal(k_closest(free, some, 6), np.argsort(apart, axis=1, kind="stable")[:, :6])
+    for n, k in ((8, 5), (12, 11), (30, 20), (300, 6)):
+        some = nodes[:n]
+        apart = np.array([squares_from(space, some, q) for q in some])
+        np.fill_diagonal(apart, np.inf)
+        nearest_first = np.argsort(apart, axis=1, kind="stable")[:, :k]
+        assert np.array_equal(k_closest(free, some, k), nearest_first)
 
 
 class Band(NamedTuple):

@@ -5,7 +5,7 @@ their distance is at least the distance in these two coordinates.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,10 +84,12 @@ def add(tree: GrowingTree, q: Array, parent: int) -> int:
 
 
 @inlined
-def first_ring(tree: GrowingTree, column: int, row: int) -> int:
-    """The number of the first ring of buckets around (column, row) that can have nodes."""
-    used = tree.used
-    return max(max(used[0] - column, column - used[1]), max(used[2] - row, row - used[3]))
+def first_ring(part: Any, column: int, row: int) -> int:
+    """The number of the first ring of buckets around (column, row) that meets a part of them.
+
+    The part is its first and last column and its first and last row, as in `tree.used`.
+    """
+    return max(max(part[0] - column, column - part[1]), max(part[2] - row, row - part[3]))
 
 
 @inlined

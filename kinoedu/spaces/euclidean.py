@@ -33,7 +33,7 @@ def nearest_euclidean_node(tree: GrowingTree, q: Array) -> int:
     column, row = bucket_of(tree, q[0], q[1] if len(q) > 1 else 0.0)
     x, y = q[0] - tree.x, (q[1] if len(q) > 1 else 0.0) - tree.y
     best, least = nearest_in_bucket(tree, row * tree.columns + column, q, -1, np.inf)
-    for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
+    for ring in range(max(first_ring(used, column, row), 1), max(tree.columns, tree.rows)):
         below = squared_gap(y, row - ring, tree.cell)
         above = squared_gap(y, row + ring, tree.cell)
         left = squared_gap(x, column - ring, tree.cell)

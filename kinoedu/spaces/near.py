@@ -5,6 +5,8 @@ Spaces whose distance is bounded by the buckets use them. Other spaces compare e
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,7 +15,8 @@ from ..geometry.checks import Array
 from .buckets import GrowingTree, bucket_of
 from .interface import Space, distance
 from .real import RealSpace
-from .rings import squared_distance
+from .rings import search_near, squared_distance, squared_radius, visit_bucket
+from .wrapping import WrappingSpace
 
 
 @generic(1)
@@ -48,3 +51,43 @@ def near_in_buckets(
                     size += 1
                 node = tree.next[node]
     return found[:size].copy()
+
+
+class Within(NamedTuple):
+    """A search for the nodes within a distance, of which `found` has the first `size`."""
+
+    found: NDArray[np.int64]
+    size: int
+    squared: float
+
+
+@visit_bucket.register(Within)
+def visit_for_those_within(
+    search: Within, space: Space, tree: GrowingTree, bucket: int, q: Array
+) -> Within:
+    """With the bucket's nodes that are near enough."""
+    found, size = search.found, search.size
+    node = tree.head[bucket]
+    while node >= 0:
+        if squared_distance(space, tree.nodes, node, q) <= search.squared:
+            if size == len(found):
+                found = np.concatenate((found, found))
+            found[size] = node
+            size += 1
+        node = tree.next[node]
+    return Within(found, size, search.squared)
+
+
+@squared_radius.register(Within)
+def squared_distance_within(search: Within) -> float:
+    """It stays the same."""
+    return search.squared
+
+
+@near.register(WrappingSpace)
+def near_images(
+    space: WrappingSpace, tree: GrowingTree, q: Array, radius: float
+) -> NDArray[np.int64]:
+    """`near` by the buckets around q and around its images; O(k) for evenly spread nodes."""
+    search = search_near(space, tree, q, Within(np.empty(16, np.int64), 0, radius * radius))
+    return search.found[: search.size].copy()

@@ -1,8 +1,8 @@
 """A search for nodes near a place, through a tree's buckets, ring by ring around the place.
 
 It ends when no farther ring can hold a node that is wanted. The nodes found so far are a record,
-the *search*. It visits buckets and returns an updated record, and it knows the distance beyond
-which nodes are not wanted. Each kind of space defines its distance.
+the *search*. It visits each bucket at most once and returns an updated record, and it knows the
+distance beyond which nodes are not wanted. Each kind of space defines its distance.
 """
 
 from typing import Any, NamedTuple
@@ -69,16 +69,20 @@ def best_squared_distance(search: Nearest) -> float:
 
 
 @inlined
-def search_rings(space: Space, tree: GrowingTree, q: Array, x: float, y: float, search: Any) -> Any:
-    """The search record after all wanted nodes near q.
+def search_rings(
+    space: Space, tree: GrowingTree, q: Array, x: float, y: float, part: Any, search: Any
+) -> Any:
+    """The search record after all wanted nodes near q in a part of the buckets.
 
-    The centre (x, y) of the rings is equivalent to the first two coordinates of q.
+    The centre (x, y) of the rings is equivalent to the first two coordinates of q. The part is its
+    first and last column and its first and last row, as in `tree.used`.
     """
     wx, wy = coordinate_weight(space, 0), coordinate_weight(space, 1)
-    used = tree.used
     column, row = bucket_of(tree, x, y)
-    search = visit_bucket(search, space, tree, row * tree.columns + column, q)
-    for ring in range(max(first_ring(tree, column, row), 1), max(tree.columns, tree.rows)):
+    first = first_ring(part, column, row)
+    if first <= 0:
+        search = visit_bucket(search, space, tree, row * tree.columns + column, q)
+    for ring in range(max(first, 1), max(tree.columns, tree.rows)):
         below = squared_gap(y - tree.y, row - ring, tree.cell, wy)
         above = squared_gap(y - tree.y, row + ring, tree.cell, wy)
         left = squared_gap(x - tree.x, column - ring, tree.cell, wx)
@@ -86,12 +90,12 @@ def search_rings(space: Space, tree: GrowingTree, q: Array, x: float, y: float, 
         if squared_radius(search) < min(min(below, above), min(left, right)):
             break
         for j, gap in ((row - ring, below), (row + ring, above)):
-            if used[2] <= j <= used[3] and gap <= squared_radius(search):
-                for i in range(max(column - ring, used[0]), min(column + ring, used[1]) + 1):
+            if part[2] <= j <= part[3] and gap <= squared_radius(search):
+                for i in range(max(column - ring, part[0]), min(column + ring, part[1]) + 1):
                     search = visit_bucket(search, space, tree, j * tree.columns + i, q)
         for i, gap in ((column - ring, left), (column + ring, right)):
-            if used[0] <= i <= used[1] and gap <= squared_radius(search):
-                for j in range(max(row - ring + 1, used[2]), min(row + ring - 1, used[3]) + 1):
+            if part[0] <= i <= part[1] and gap <= squared_radius(search):
+                for j in range(max(row - ring + 1, part[2]), min(row + ring - 1, part[3]) + 1):
                     search = visit_bucket(search, space, tree, j * tree.columns + i, q)
     return search
 
@@ -109,7 +113,7 @@ def squared_gap(offset: float, number: int, cell: float, weight: float) -> float
 @generic(1)
 def search_near(space: Space, tree: GrowingTree, q: Array, search: Any) -> Any:
     """The search record after all wanted nodes near q."""
-    return search_rings(space, tree, q, q[0], q[1] if len(q) > 1 else 0.0, search)
+    return search_rings(space, tree, q, q[0], q[1] if len(q) > 1 else 0.0, tree.used, search)
 
 
 @inlined

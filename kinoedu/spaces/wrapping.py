@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..compiled import compiled
 from ..errors import InvalidPoint
 from ..geometry.checks import Array, as_array, integer, positive
 from ..support.constructors import with_type_names
@@ -186,23 +187,58 @@ def wrapping_weight(space: WrappingSpace, i: int) -> float:
 
 @search_near.register(WrappingSpace)
 def search_images(space: WrappingSpace, tree: GrowingTree, q: Array, search: Any) -> Any:
-    """Search around q, then around each image of q a full turn away that is near the buckets."""
-    wx, wy = coordinate_weight(space, 0), coordinate_weight(space, 1)
+    """Search around q and around its images a full turn away, each in the buckets closest to it.
+
+    So no bucket is visited twice.
+    """
     x_wraps, y_wraps = space.wraps[0], len(q) > 1 and space.wraps[1]
     x, y = q[0], q[1] if len(q) > 1 else 0.0
     if x_wraps:
         x = wrap_angle(x)
     if y_wraps:
         y = wrap_angle(y)
-    for right in (0.0, FULL_TURN, -FULL_TURN):
-        for up in (0.0, FULL_TURN, -FULL_TURN):
-            if (right != 0.0 and not x_wraps) or (up != 0.0 and not y_wraps):
-                continue
-            across, along = 0.0, 0.0
-            if right != 0.0:
-                across = squared_gap(x + right - tree.x, 0, tree.cell * tree.columns, wx)
-            if up != 0.0:
-                along = squared_gap(y + up - tree.y, 0, tree.cell * tree.rows, wy)
-            if across + along <= squared_radius(search):
-                search = search_rings(space, tree, q, x + right, y + up, search)
+    used = tree.used
+    for right in (0, 1, -1):
+        left, until = closest_to_image(x_wraps, x - tree.x, tree.cell, right, used[0], used[1])
+        across = gap_of_image(space, 0, x - tree.x, tree.cell, right, left, until)
+        for up in (0, 1, -1):
+            low, high = closest_to_image(y_wraps, y - tree.y, tree.cell, up, used[2], used[3])
+            along = gap_of_image(space, 1, y - tree.y, tree.cell, up, low, high)
+            if left <= until and low <= high and across + along <= squared_radius(search):
+                part = (left, until, low, high)
+                around_x, around_y = x + right * FULL_TURN, y + up * FULL_TURN
+                search = search_rings(space, tree, q, around_x, around_y, part, search)
     return search
+
+
+@compiled
+def closest_to_image(
+    wraps: bool, offset: float, cell: float, turns: int, first: int, last: int
+) -> tuple[int, int]:
+    """Of the columns first to last, the first and last whose centres are closest to an image.
+
+    The images of a coordinate that wraps are -1, 0 and 1 turns away; another coordinate has no
+    image but itself. Where there is no such column, the first is after the last.
+    """
+    if not wraps:
+        return (first, last) if turns == 0 else (1, 0)
+    back = (offset - math.pi) / cell - 0.5  # half a turn from the coordinate
+    ahead = (offset + math.pi) / cell - 0.5
+    begin = math.ceil(min(max(back, first), last + 1.0))
+    end = math.ceil(min(max(ahead, first), last + 1.0))
+    if turns == 0:
+        return begin, end - 1
+    return (end, last) if turns > 0 else (first, begin - 1)
+
+
+@compiled
+def gap_of_image(
+    space: WrappingSpace, i: int, offset: float, cell: float, turns: int, first: int, last: int
+) -> float:
+    """The squared, weighted distance of coordinate i's image from the columns closest to it."""
+    if turns == 0:
+        return 0.0
+    nearest_column = last if turns > 0 else first
+    return squared_gap(
+        offset + turns * FULL_TURN, nearest_column, cell, coordinate_weight(space, i)
+    )
