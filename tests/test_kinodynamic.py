@@ -15,8 +15,10 @@ import kinoedu as ke
 from kinoedu.collision import is_free_trajectory
 from kinoedu.curves import integrators
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.planners.driving.common import as_car_problem, closest_step
+from kinoedu.planners.driving.common import as_car_problem, begin_tree, closest_step
 from kinoedu.planners.driving.parameters import as_drives
+from kinoedu.planners.driving.sst import Sparse, add_witness, cheapest_near, nearest_witness
+from kinoedu.planners.problem_input import new_tree
 from kinoedu.spaces.angles import angle_difference
 
 INSIDE = [(10, 10), (290, 10), (290, 290), (10, 290)]  # the map's walls are 10 thick
@@ -212,6 +214,31 @@ def test_longer_search_is_cheaper() -> None:
     costs = [ke.sst(EASY, max_iterations=n, rng=2).cost for n in (2000, 8000, 30_000)]
     assert costs[0] >= costs[1] >= costs[2] > 62
     assert costs[2] < 110
+
+
+@pytest.mark.parametrize("m", [1, 5, 300])
+def test_the_nearest_witness_and_the_cheapest_node_near_it_are_what_brute_force_finds(m) -> None:
+    """By buckets of any size; a node is within a radius of its witness."""
+    rng, problem = np.random.default_rng(m), as_car_problem(EASY, "sst", None)
+    weight = problem.space.weight[2]
+    for radius, reach, buckets in ((90.0, 100.0, 1), (30.0, 60.0, m), (60.0, 1.0, 4 * m)):
+        witnesses = np.array([problem.sample(rng) for _ in range(m)])
+        off = 0.57 * radius * rng.uniform(-1, 1, (m, 3)) / (1, 1, weight)
+        nodes, cost = witnesses + off, rng.random(m)
+        growth = begin_tree(problem, m + 1)
+        sparse = Sparse(new_tree(problem, m, buckets), np.zeros(m, np.int64), cost, radius, reach)
+        growth.tree.nodes[:m] = nodes
+        for node in range(m):
+            add_witness(sparse, witnesses[node], node)
+        for _ in range(60):
+            q = problem.sample(rng)
+            apart = np.array([problem.distance(one, q) for one in nodes])
+            within = np.where(apart <= reach, cost, np.inf)
+            expected = within.argmin() if np.isfinite(within).any() else apart.argmin()
+            assert cheapest_near(problem, growth, sparse, q) == expected
+            apart = np.array([problem.distance(one, q) for one in witnesses])
+            found = nearest_witness(problem, sparse, q)
+            assert found == (apart.argmin() if apart.min() <= radius else -1)
 
 
 def test_edges_are_directed() -> None:

@@ -16,7 +16,9 @@ from ...compiled import algorithm, callable_from_compiled
 from ...geometry.checks import Array, as_generator
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
-from ..problem_input import count_checks
+from ...spaces.buckets import GrowingTree, add
+from ..problem_input import count_checks, new_tree
+from ..trees.near import near_nodes
 from ..tuning import integer, positive
 from .common import (
     DrivenGrowth,
@@ -36,22 +38,23 @@ from .parameters import (
     as_goal_region,
 )
 
+ROUNDING = 1e-9  # of a distance, so that no witness is lost
+
 
 class Sparse(NamedTuple):
     """The witnesses that keep a tree sparse.
 
     Within `radius` of each witness only the cheapest node is driven on from.
 
-    witnesses : (m, 3), of which the first size[0] exist.
+    witnesses : the poses of the witnesses, in buckets; they have no parents.
     cheapest : (m,), the cheapest node of each witness.
     cost : (n,), the length of the drive from the root to each node.
     radius : delta_s.
     reach : delta_BN, the radius round a target within which the cheapest node is chosen.
     """
 
-    witnesses: Array
+    witnesses: GrowingTree
     cheapest: NDArray[np.int64]
-    size: NDArray[np.int64]
     cost: Array
     radius: float
     reach: float
@@ -99,19 +102,22 @@ def grow_sparsely(
 @callable_from_compiled
 def add_witness(sparse: Sparse, q: Array, node: int) -> None:
     """Add a witness at q, with its cheapest node."""
-    witness = sparse.size[0]
-    sparse.witnesses[witness] = q
-    sparse.cheapest[witness] = node
-    sparse.size[0] = witness + 1
+    sparse.cheapest[add(sparse.witnesses, q, -1)] = node
 
 
 @callable_from_compiled
 def cheapest_near(problem: CarProblem, growth: DrivenGrowth, sparse: Sparse, q: Array) -> int:
-    """The cheapest node within reach of q among those of the witnesses, or else the nearest."""
+    """The cheapest node within reach of q among those of the witnesses, or else the nearest.
+
+    A node is at most a radius from its witness, so the witnesses around q are enough.
+    """
+    nodes, witnesses = growth.tree.nodes, sparse.witnesses.nodes
+    apart = problem.distance(witnesses[problem.nearest(sparse.witnesses, q)], q)
+    around = max(apart + sparse.radius, sparse.reach) + sparse.radius
     nearest, cheapest, least_apart, least_cost = 0, -1, np.inf, np.inf
-    for witness in range(sparse.size[0]):
+    for witness in near_nodes(problem, sparse.witnesses, q, around * (1.0 + ROUNDING)):
         node = sparse.cheapest[witness]
-        apart = problem.distance(growth.tree.nodes[node], q)
+        apart = problem.distance(nodes[node], q)
         if apart < least_apart:
             nearest, least_apart = node, apart
         if apart <= sparse.reach and sparse.cost[node] < least_cost:
@@ -121,13 +127,15 @@ def cheapest_near(problem: CarProblem, growth: DrivenGrowth, sparse: Sparse, q: 
 
 @callable_from_compiled
 def nearest_witness(problem: CarProblem, sparse: Sparse, q: Array) -> int:
-    """The nearest witness within whose radius q lies, or -1."""
-    best, least = -1, sparse.radius
-    for witness in range(sparse.size[0]):
-        apart = problem.distance(sparse.witnesses[witness], q)
-        if apart <= least:
-            best, least = witness, apart
-    return best
+    """The nearest witness, where it is within a radius of q; else -1."""
+    witness = problem.nearest(sparse.witnesses, q)
+    return witness if problem.distance(sparse.witnesses.nodes[witness], q) <= sparse.radius else -1
+
+
+def expected_witnesses(problem: CarProblem, radius: float, limit: int) -> int:
+    """For how many witnesses there are buckets: one in each square of a radius, at most `limit`."""
+    width, height, _ = map(float, problem.space.hi - problem.space.lo)
+    return max(int(min(width / radius * (height / radius), limit)), 1)
 
 
 def sst(
@@ -144,7 +152,8 @@ def sst(
 ) -> Plan:
     """Plan by stable sparse trees: grow a tree in which each witness keeps its cheapest node.
 
-    The drives become near-shortest. O(n m) distances for n iterations and m witnesses.
+    The drives become near-shortest. O(n k) distances for n iterations, each with
+    k witnesses near its target.
 
     Parameters
     ----------
@@ -186,19 +195,19 @@ def sst(
     base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = integer(max_iterations, "max_iterations", least=0)
+    delta_s = 0.4 * base if radius is None else positive(radius, "radius")
     sparse = Sparse(
-        witnesses=np.empty((limit + 1, 3)),
+        witnesses=new_tree(car_problem, limit + 1, expected_witnesses(car_problem, delta_s, limit)),
         cheapest=np.empty(limit + 1, np.int64),
-        size=np.zeros(1, np.int64),
         cost=np.zeros(limit + 1),
-        radius=0.4 * base if radius is None else positive(radius, "radius"),
+        radius=delta_s,
         reach=0.8 * base if reach is None else positive(reach, "reach"),
     )
     growth, before = begin_tree(car_problem, limit + 1), count_checks(car_problem)
     at_goal = grow_sparsely(
         car_problem, growth, sparse, bias, longest, near, limit, as_generator(rng)
     )
-    stats = {"witnesses": int(sparse.size[0]), "iterations": limit}
+    stats = {"witnesses": int(sparse.witnesses.size[0]), "iterations": limit}
     stats["checks"] = count_checks(car_problem) - before
     plan = plan_from_driven_tree(car_problem, growth, at_goal, "SST", stats)
     return replace(plan, problem=problem)
