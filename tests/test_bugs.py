@@ -578,6 +578,46 @@ def test_the_way_between_touching_obstacles_is_shut():
         assert BUGS[name]((4, 1e-9), (10, 0), wall, 1.0).cost > 10.0
 
 
+def on_edge_of_one(seed):
+    """A triangle, a point exactly on one of its edges, and another triangle that meets it."""
+    rng = np.random.default_rng(seed)
+    first = np.array([(0.0, 0.0), (3.0, 0.0), (1.0, 2.0)])
+    point = np.array([0.25, 0.5])  # on y = 2 x
+    while True:
+        other = rng.uniform(-1, 3, (3, 2))
+        solid = shapely.Polygon(other)
+        if solid.area > 0.2 and solid.distance(shapely.Point(point)) > 1e-3:
+            return first, point, other
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_a_start_or_goal_on_a_wall_is_seen_where_obstacles_meet(seed):
+    """The union of obstacles is rounded, the obstacles are not."""
+    first, point, other = on_edge_of_one(seed)
+    with pytest.raises(InvalidStart):
+        ke.bug1(point, (-2, 1), [first, other], 100.0)
+    with pytest.raises(InvalidGoal):
+        ke.bug1((-2, 1), point, [first, other], 100.0)
+
+
+@pytest.mark.parametrize("offset", [0.0, 5e6, -(2.0**30)])
+def test_walls_far_from_the_origin_are_as_exact_as_their_floats(offset):
+    """Obstacles that overlap keep their corners; a start a few digits off a wall is free."""
+    first, other = (
+        np.array(ring) + offset
+        for ring in (
+            [(1, -1), (2, -1), (2, 2.3), (1, 2.3)],
+            [(1.5, -1), (3, -1), (3, 1.1), (1.5, 1.1)],
+        )
+    )
+    digit = np.spacing(abs(offset) + 3.0)
+    walls, corners = make_walls([first, other], 0.0), [*first[[0, 2, 3]], *other[1:3]]
+    for corner in corners:
+        assert np.abs(walls.points - corner).max(axis=1).min() <= digit + 2.0**-42
+    above = np.array([offset + 1.5, first[2, 1] + 64 * digit])
+    assert ke.bug1(above, (offset + 8, offset + 2.5), [first, other], 100.0).path is not None
+
+
 def test_obstacles_that_share_a_hit_point():
     """Three obstacles that meet at the hit point form one wall."""
     fan = [[(5, 0), (8, -4), (8, -2)], [(5, 0), (8, -1), (8, 1)], [(5, 0), (8, 2), (8, 4)]]

@@ -255,6 +255,25 @@ def test_any_unit_will_do(tmp_path, scale):
     assert (np.ptp(outline, axis=0) / scale).tolist() == pytest.approx([2, 1], rel=1e-11)
 
 
+@pytest.mark.parametrize("offset", [0.0, 1e6, -1e9, 2.0**40])
+def test_a_mesh_far_from_the_origin_is_as_exact_as_its_floats(tmp_path, offset):
+    """In its projection and in a slice."""
+    box = np.add(trimesh.creation.box((2.2, 1.6, 1.0)).vertices, (1.3, 0.7, 0.0))
+    corners = [(offset + x, offset / 2 + y, z) for x, y, z in box]
+    faces = trimesh.creation.box().faces + 1
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.array(corners).tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in faces]
+    file = tmp_path / "far.obj"
+    file.write_text("\n".join(lines))
+    x, y = np.array(corners)[:, :2].T
+    digit = 1e-11 + np.spacing(abs(offset))
+    for solids in (read_mesh(file), read_mesh(file, slice_at=0.1)):
+        ((outline, _),) = solids
+        assert outline.min(axis=0) == pytest.approx([x.min(), y.min()], rel=0, abs=digit)
+        assert outline.max(axis=0) == pytest.approx([x.max(), y.max()], rel=0, abs=digit)
+        assert len(outline) == 4
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_meshes_cut_short_are_refused(tmp_path, kind):
     """In every format and at any byte; but an .obj between two lines has fewer triangles."""

@@ -40,8 +40,9 @@ def read_mesh(
     """Read the polygons of a mesh as pairs (outline, rooms): obstacles for `PolygonWorld`.
 
     Outlines are counter-clockwise and disjoint; holes of the mesh are rooms. Coordinates are exact
-    to 2^-39 of the size of the mesh. A slice shows the bodies just above its height. An .obj file
-    that is truncated between two lines cannot be distinguished from a complete one.
+    to 2^-36 of the size of the mesh, or to the last digit of a float where that is coarser. A slice
+    shows the bodies just above its height. An .obj file that is truncated between two lines cannot
+    be distinguished from a complete one.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Polygons from triangles in space: their projection to the plane, or a slice at one height.
 
-shapely computes the unions, on a grid of 2^-40 of the size of the mesh: narrow gaps between
+shapely computes the unions, on a grid of about 2^-40 of the size of the mesh: narrow gaps between
 triangles that should share an edge are closed, and the results are simple polygons. Coordinates in
 single precision, as in STL files, lie on this grid already.
 """
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.checks import Array
+from ..geometry.frames import Frame, frame_of, into_frame, out_of_frame
 from ..geometry.rings import as_ring
 
 GRID = 2.0**-40
@@ -21,11 +22,11 @@ def project_triangles(triangles: Array) -> list[Solid]:
     """The projection of triangles (m, 3, 3) to the plane. Vertical triangles cover no area."""
     import shapely
 
-    unit = unit_of(triangles)
-    flat = np.round(triangles[:, :, :2] / (unit * GRID)) * GRID
+    frame = frame_of(triangles[:, :, :2].reshape(-1, 2), GRID)
+    flat = np.round(into_frame(frame, triangles[:, :, :2]) / frame.grid) * frame.grid
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
     covered = shapely.union_all(shapely.polygons(flat[ax * by != ay * bx]))
-    return as_solids(shapely.set_precision(covered, GRID), unit)
+    return as_solids(shapely.set_precision(covered, frame.grid), frame)
 
 
 def slice_triangles(triangles: Array, height: float) -> list[Solid] | None:
@@ -37,29 +38,25 @@ def slice_triangles(triangles: Array, height: float) -> list[Solid] | None:
     """
     import shapely
 
-    unit = unit_of(triangles)
-    lines = intersect_plane(triangles / unit, height / unit)
+    frame = frame_of(triangles[:, :, :2].reshape(-1, 2), GRID)
+    in_plane = into_frame(frame, triangles[:, :, :2])
+    heights = np.ldexp(triangles[:, :, 2:], -frame.power)
+    lines = intersect_plane(
+        np.concatenate([in_plane, heights], axis=2), float(np.ldexp(height, -frame.power))
+    )
     if not is_closed(lines):
         return None
     lines = lines[(lines[:, 0] != lines[:, 1]).any(axis=1)]
-    noded = shapely.union_all(shapely.linestrings(lines), grid_size=GRID)
+    noded = shapely.union_all(shapely.linestrings(lines), grid_size=frame.grid)
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
     inside = shapely.get_coordinates(shapely.point_on_surface(faces))
     solid = [face for face, q in zip(faces, inside) if winding_number(lines, q) != 0]
-    return as_solids(shapely.union_all(solid, grid_size=GRID), unit)
+    return as_solids(shapely.union_all(solid, grid_size=frame.grid), frame)
 
 
 def rectangle(lo: Array, hi: Array) -> Array:
     """The corners of a rectangle, (4, 2)."""
     return np.array([(lo[0], lo[1]), (hi[0], lo[1]), (hi[0], hi[1]), (lo[0], hi[1])])
-
-
-def unit_of(triangles: Array) -> float:
-    """A power of two above the largest planar coordinate.
-
-    With it as the unit, shapely's products neither overflow nor vanish.
-    """
-    return float(2.0 ** np.frexp(np.abs(triangles[:, :, :2]).max())[1])
 
 
 def intersect_plane(triangles: Array, height: float) -> Array:
@@ -107,18 +104,18 @@ def winding_number(lines: Array, q: Array) -> int:
     )
 
 
-def as_solids(shape: object, unit: float) -> list[Solid]:
+def as_solids(shape: object, frame: Frame) -> list[Solid]:
     """The polygons of a shapely geometry, from left to right, without corners inside an edge."""
     import shapely
 
     parts = [
         part
-        for part in shapely.get_parts(shapely.simplify(shape, GRID))
+        for part in shapely.get_parts(shapely.simplify(shape, frame.grid))
         if part.geom_type == "Polygon" and not part.is_empty
     ]
 
     def checked(ring: object) -> Array:
-        return as_ring(shapely.get_coordinates(ring)[:-1] * unit)
+        return as_ring(out_of_frame(frame, shapely.get_coordinates(ring)[:-1]))
 
     solids = [
         (checked(part.exterior), [checked(room) for room in part.interiors]) for part in parts

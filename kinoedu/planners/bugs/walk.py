@@ -18,7 +18,7 @@ from ...worlds.open_world import OpenWorld
 from ..tuning import nonnegative, one_of, positive
 from .robot import BugRobot, corners_of, new_robot
 from .trail import HITS, LEAVES, SIZE
-from .walls import check_obstacles, contact, make_walls, rings_of
+from .walls import check_obstacles, contact, contact_with_rings, make_walls, rings_of
 
 MOST_POINTS = 10_000_000  # that memory can hold
 
@@ -54,10 +54,11 @@ def plan_walk(
     heading = -1 if one_of(turn, "turn", ("left", "right")) == "left" else 1
     rings = check_obstacles(obstacles)
     walls = make_walls(rings, margin)
-    if contact(walls, q_start) >= 0:
+    given = [] if margin else rings
+    if max(contact(walls, q_start), contact_with_rings(given, q_start)) >= 0:
         near = get_message("bug.near", clearance=f"{margin:g}") if margin else ""
         raise InvalidStart(get_message("bug.start", q=tuple(q_start.tolist()), near=near))
-    if contact(walls, q_goal) == 0:
+    if contact(walls, q_goal) == 0 or contact_with_rings(given, q_goal) == 0:
         raise InvalidGoal(get_message("bug.goal", q=tuple(q_goal.tolist())))
     robot = new_robot(walls, q_start, q_goal, heading)
     reason = reasons[algorithm(robot)]

@@ -15,6 +15,7 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...geometry.convex import convex_parts
 from ...geometry.exact import orientation_sign
+from ...geometry.frames import frame_of, into_frame, out_of_frame
 from ...geometry.polygons import locate_point
 from ...geometry.rings import as_ring, ring_orientation
 from ...geometry.segments import segments_meet
@@ -24,8 +25,8 @@ from ...support.text import shortened
 # 1 / cos(CORNER / 2) < 1.001 times the clearance.
 CORNER = math.radians(5.0)
 
-# The union of obstacles is rounded to a grid of this fraction of the world's size, so that rounding
-# leaves no gaps between obstacles that meet.
+# The union of obstacles is rounded to a grid of this fraction of their extent, or to that of their
+# coordinates where it is coarser, so that rounding leaves no gaps between obstacles that meet.
 GRID = 2.0**-44
 
 
@@ -92,6 +93,15 @@ def contact(walls: Walls, q: Array) -> int:
     return inside
 
 
+def contact_with_rings(rings: list[Array], q: Array) -> int:
+    """Where a point is among rings that are given: as `contact`, but 1 on an edge that two share.
+
+    Exact also where obstacles meet, while the walls round them are rounded.
+    """
+    sides = [int(locate_point(q[0], q[1], ring)) for ring in rings]
+    return 1 if 1 in sides or sides.count(0) > 1 else 0 if 0 in sides else -1
+
+
 @compiled
 def grow_ring(ring: Array, clearance: float) -> Array:
     """A convex ring grown by `clearance`; the edges are exact, the corners are short tangents."""
@@ -145,14 +155,13 @@ def unite_rings(rings: list[Array]) -> list[Array]:
     """The outlines of the union: obstacles counter-clockwise, holes clockwise."""
     import shapely
 
-    _, power = math.frexp(max(float(np.abs(ring).max()) for ring in rings))
-    # scaled to sizes near 1, so that nothing overflows
-    scaled = [shapely.Polygon(np.ldexp(ring, -power)) for ring in rings]
-    union = shapely.set_precision(shapely.union_all(scaled), GRID)
+    frame = frame_of(np.concatenate(rings), GRID)
+    solids = [shapely.Polygon(into_frame(frame, ring)) for ring in rings]
+    union = shapely.set_precision(shapely.union_all(solids), frame.grid)
     outlines = []
     for part in shapely.get_parts(union):
         for i, outline in enumerate((part.exterior, *part.interiors) if not part.is_empty else ()):
-            ring = np.ldexp(shapely.get_coordinates(outline)[:-1], power)
+            ring = out_of_frame(frame, shapely.get_coordinates(outline)[:-1])
             outlines.append(ring if (ring_orientation(ring) > 0) == (i == 0) else ring[::-1].copy())
     return outlines
 
