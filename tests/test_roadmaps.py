@@ -1,5 +1,6 @@
 """Connection rules, samplers, queries, grids, shortcuts, properties, and receding horizons."""
 
+from dataclasses import replace
 from itertools import combinations, pairwise
 
 import networkx
@@ -271,6 +272,44 @@ def test_shortcuts_of_what_cannot_be_shortened():
     assert ke.shortcut(plan, tries=0, rng=0) is plan
 
 
+def test_a_shortcut_that_finds_nothing_counts_its_checks():
+    """A shortest path stays, and its plan's checks grow by the questions that were asked."""
+    problem = problem_of()
+    plan = ke.plan_by_visibility(problem)
+    before = int(problem.query_counts[0])
+    same = ke.shortcut(plan, tries=50, rng=0)
+    asked = int(problem.query_counts[0]) - before
+    assert asked > 0 and same.stats["checks"] == plan.stats.get("checks", 0) + asked
+    assert same.cost == plan.cost and np.array_equal(same.path, plan.path)
+
+
+@pytest.mark.parametrize("planner", [ke.plan_by_visibility, ke.plan_by_decomposition])
+def test_other_routes_of_exact_planners_lead_from_start_to_goal(planner):
+    """Wherever start and goal are in the roadmap; the first route is the plan's own."""
+    world = ke.PolygonWorld(SQUARE, [[(4, 2), (6, 2), (6, 7), (4, 7)]])
+    problem = ke.Problem(ke.Point(), world, (1, 5), (9, 5))
+    plan = planner(problem)
+    routes = ke.alternative_routes(plan, 2, penalty=10)
+    assert np.array_equal(routes[0].path, plan.path) and len(routes) == 2
+    for route in routes:
+        assert route.path[0].tolist() == [1, 5] and route.path[-1].tolist() == [9, 5]
+        assert all(problem.is_semi_free_path(a, b) for a, b in pairwise(route.path))
+    nowhere = replace(plan, path=plan.path + 0.1)
+    with pytest.raises(InvalidParameter, match="no nodes of its roadmap"):
+        ke.alternative_routes(nowhere)
+
+
+def test_a_query_takes_angles_of_any_turn():
+    """A start a full turn away is the same start, and the path keeps its angles in [-pi, pi)."""
+    world = ke.PolygonWorld([(-5, -5), (5, -5), (5, 5), (-5, 5)], [[(2, -2), (3, -2), (3, 3)]])
+    problem = ke.Problem(ke.TwoLinkArm(1.5, 1.5, 0.1), world, (1.6, 0.1), (-1.6, 0.3))
+    roadmap = ke.build_roadmap(problem, n=50, rng=0)
+    for asked in (problem, ke.Recorder(problem)):
+        plan = ke.query(asked, roadmap, (1.6 + 2 * np.pi, 0.1), (-1.6, 0.3 - 2 * np.pi))
+        assert plan.path[0] == pytest.approx([1.6, 0.1]) and np.abs(plan.path).max() <= np.pi
+        assert plan.cost == pytest.approx(ke.query(problem, roadmap).cost)
+
+
 def test_the_properties_of_known_roadmaps():
     """The visibility roadmap has all four, with delta = 1; an empty one has none; one in pieces is
     not connected.
@@ -319,6 +358,17 @@ def test_a_scan_measures_what_shapely_measures(seed):
         expected = found.distance(shapely.Point(q)) if not found.is_empty else None
         assert hit == (expected is not None)
         assert distance == pytest.approx(6.0 if expected is None else expected, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_scan_from_inside_a_disc_sees_its_rim(seed):
+    """As it sees a polygon's edges from inside."""
+    rng = np.random.default_rng(seed)
+    angle, off = rng.uniform(0, 2 * np.pi), rng.uniform(0, 0.99)
+    q = np.array([5.0, 5.0]) + off * np.array([np.cos(angle), np.sin(angle)])
+    seen = ke.scan(ke.PolygonWorld(SQUARE, [((5, 5), 1)]), q, rays=17)
+    assert seen.hit.all()
+    assert np.hypot(*(seen.points - 5.0).T) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_a_scan_refuses_what_it_cannot_see():

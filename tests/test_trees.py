@@ -264,6 +264,22 @@ def test_rrt_star_refuses_tuning_of_its_own(options):
         ke.rrt_star(problem_of(), rng=0, **options)
 
 
+def test_angles_of_an_expansion_are_wrapped():
+    """So the nearest of many nodes is found by their buckets."""
+    world = ke.PolygonWorld([(-5, -5), (5, -5), (5, 5), (-5, 5)], [[(2, -2), (3, -2), (3, 3)]])
+    problem = ke.Problem(ke.TwoLinkArm(1.5, 1.5, 0.1), world, (1.6, 0.1), (-1.6, 0.3))
+
+    def wander(problem, tree, rng):
+        q, nodes = problem.sample(rng), tree.nodes[: tree.size[0]]
+        apart = [problem.distance(node, q) for node in nodes]
+        assert apart[problem.nearest(tree, q)] == min(apart)
+        node = int(rng.integers(len(nodes)))
+        return node, nodes[node] + rng.uniform(-1, 1, 2)
+
+    plan = ke.tree_roadmap(problem, wander, reach=0.01, max_nodes=300, rng=0)
+    assert len(plan.tree.nodes) > 200 and np.abs(plan.tree.nodes).max() <= np.pi
+
+
 @pytest.mark.parametrize(
     "answer",
     [

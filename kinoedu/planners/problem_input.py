@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..problems import MOTIONS, ProblemRecord
+from ..problems.configurations import as_configuration
 from ..problems.protocols import PlanningProblem, ProblemLike
 from ..problems.recorder import unwrap_recorder
 from ..robots.round import RoundRobot
@@ -123,6 +124,12 @@ def as_step_size(problem: PlanningProblem, value: object, name: str) -> float:
         Where it is neither None nor a positive number.
     """
     return positive(world_size(problem) / 20.0 if value is None else value, name)
+
+
+def in_space(problem: PlanningProblem, q: Array) -> Array:
+    """A configuration (d,) with its angles in [-pi, pi); of a reader's own problem, as it is."""
+    inner = unwrap_recorder(problem)
+    return as_configuration(q, inner.space, "q") if isinstance(inner, ProblemRecord) else q
 
 
 def new_tree(problem: PlanningProblem, capacity: int, expected: int | None = None) -> GrowingTree:

@@ -102,16 +102,16 @@ def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) ->
             "as rrt's"
         )
     attempts, generator = integer(tries, "tries", least=0), as_generator(rng)
-    if plan.path is None or len(plan.path) < 3:
+    if plan.path is None or len(plan.path) < 3 or attempts == 0:
         return plan
     problem = as_problem(plan.problem)
     before = count_checks(problem)
     path = cut_corners(problem, plan.path, attempts, generator)
     cost = float(cost_along(problem, path))
-    if cost >= plan.cost:
-        return plan
     stats = {
         **plan.stats,
         "checks": plan.stats.get("checks", 0) + count_checks(problem) - before,
     }
+    if cost >= plan.cost:
+        return replace(plan, stats=stats)
     return replace(plan, path=path, cost=cost, stats=stats)

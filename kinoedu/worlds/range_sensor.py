@@ -119,8 +119,10 @@ def distances_along(edges: Array, discs: Array, q: Array, angles: Array, reach: 
 def distance_to_disc(
     x: float, y: float, ux: float, uy: float, cx: float, cy: float, radius: float
 ) -> float:
-    """The distance from (x, y) along the unit vector u to a disc; infinite for a miss."""
+    """The distance from (x, y) along the unit vector u to a disc's rim; infinite for a miss."""
     along, across = (cx - x) * ux + (cy - y) * uy, (cx - x) * uy - (cy - y) * ux
+    if length(cx - x, cy - y) < radius:  # from inside
+        return along + math.sqrt(max((radius - across) * (radius + across), 0.0))
     if along < 0.0 or abs(across) > radius:
         return math.inf
     return max(along - math.sqrt((radius - across) * (radius + across)), 0.0)

@@ -29,7 +29,8 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
 
     Parameters
     ----------
-    plan : a plan with a roadmap, of `prm`, `prm_star`, `kinodynamic_prm` or a similar planner.
+    plan : a plan with a roadmap, of `prm`, `prm_star`, `kinodynamic_prm`, `plan_by_visibility` or a
+        similar planner.
     k : how many routes.
     penalty : the fraction of its length by which an edge becomes longer each time a route uses it.
         The larger it is, the less the routes share.
@@ -42,7 +43,8 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     Raises
     ------
     InvalidParameter
-        Where the plan has no roadmap, `k` is not a positive integer, or `penalty` is not positive.
+        Where the plan has no roadmap with its start and goal, `k` is not a positive integer, or
+        `penalty` is not positive.
 
     Examples
     --------
@@ -64,11 +66,11 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     if plan.path is None:
         return []
     roadmap, driven = plan.roadmap, isinstance(plan.roadmap, DrivenRoadmap)
-    lengths, goals = find_lengths_and_goals(plan)
+    lengths, start, goals = find_lengths_and_ends(plan)
     found: list[NDArray[np.int64]] = []
     weights = lengths.copy()
     for _ in range(3 * count):  # a route may repeat until its penalties suffice
-        numbers = find_route(len(roadmap.nodes), roadmap.edges, weights, goals, driven)
+        numbers = find_route(len(roadmap.nodes), roadmap.edges, weights, start, goals, driven)
         if not any(np.array_equal(numbers, other) for other in found):
             found.append(numbers)
         if len(found) == count:
@@ -80,9 +82,14 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
 
 
 def find_route(
-    n: int, edges: NDArray[np.int64], weights: Array, goals: NDArray[np.int64], directed: bool
+    n: int,
+    edges: NDArray[np.int64],
+    weights: Array,
+    start: int,
+    goals: NDArray[np.int64],
+    directed: bool,
 ) -> NDArray[np.int64]:
-    """The nodes of the lightest path from node 0 to any of the goals.
+    """The nodes of the lightest path from the start to any of the goals.
 
     One more node is added, to which every goal has an edge of weight zero.
     """
@@ -93,7 +100,7 @@ def find_route(
         np.append(weights, np.zeros(len(goals))),
         directed=directed,
     )
-    numbers, _ = astar(graph, 0, n)
+    numbers, _ = astar(graph, start, n)
     if numbers is None:
         raise InvalidParameter(
             "the plan has a path, but its roadmap does not lead from start to goal; plan again"
@@ -111,13 +118,19 @@ def edges_along(
     return np.array([e for e, (u, v) in enumerate(edges.tolist()) if (u, v) in steps], np.int64)
 
 
-def find_lengths_and_goals(plan: Plan) -> tuple[Array, NDArray[np.int64]]:
-    """The length of each edge (m,), and the nodes that count as the goal (k,)."""
-    roadmap = plan.roadmap
+def find_lengths_and_ends(plan: Plan) -> tuple[Array, int, NDArray[np.int64]]:
+    """The length of each edge (m,), the start's node, and the nodes that count as the goal (k,)."""
+    roadmap, path = plan.roadmap, plan.path
+    assert path is not None  # without one there are no routes
     if isinstance(roadmap, DrivenRoadmap):
-        return np.abs(roadmap.controls[:, 0] * roadmap.durations), roadmap.goals
-    problem = as_problem(plan.problem)
-    return motion_costs(problem, roadmap.nodes, roadmap.edges), np.array([1])
+        return np.abs(roadmap.controls[:, 0] * roadmap.durations), 0, roadmap.goals
+    starts, goals = (np.flatnonzero((roadmap.nodes == end).all(axis=1)) for end in path[[0, -1]])
+    if len(starts) == 0 or len(goals) == 0:
+        raise InvalidParameter(
+            "the ends of the plan's path are no nodes of its roadmap, so no other route is known"
+        )
+    lengths = motion_costs(as_problem(plan.problem), roadmap.nodes, roadmap.edges)
+    return lengths, int(starts[0]), goals[goals != starts[0]] if len(goals) > 1 else goals
 
 
 def plan_along_route(plan: Plan, numbers: NDArray[np.int64]) -> Plan:

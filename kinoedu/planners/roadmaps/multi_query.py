@@ -15,7 +15,7 @@ from ...problems import Plan, Problem, ProblemRecord, Roadmap
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...problems.recorder import unwrap_recorder
 from ...support.text import shortened
-from ..problem_input import as_two_way_problem, count_checks
+from ..problem_input import as_two_way_problem, count_checks, in_space
 from ..tuning import integer
 from .connecting import KClosest, Rule, connect_nodes
 from .prm import Sampler, free_configurations, plan_by_astar
@@ -161,7 +161,7 @@ def as_free(problem: PlanningProblem, value: ArrayLike | None, name: str) -> Arr
     error = InvalidStart if name == "start" else InvalidGoal
     if q.shape != problem.start.shape:
         raise error(f"the {name} must have shape {problem.start.shape}, got {q.shape}")
-    inner: PlanningProblem = unwrap_recorder(problem)
+    q, inner = in_space(problem, q), unwrap_recorder(problem)
     if not inner.is_free(q):
         raise error(f"the {name} {tuple(q.tolist())} is not free; move it into the open")
     return q

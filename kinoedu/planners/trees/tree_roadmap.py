@@ -24,7 +24,7 @@ from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
 from ...support.text import shortened
 from ..answers import plan_from_tree
-from ..problem_input import as_problem, as_step_size, count_checks, new_tree, world_size
+from ..problem_input import as_problem, as_step_size, count_checks, in_space, new_tree, world_size
 from ..tuning import fraction, integer, iteration_limit, positive
 from .goal import join_goal
 
@@ -93,7 +93,7 @@ def tree_roadmap(
     at_goal = join_goal(problem, tree, add(tree, problem.start, -1), near_goal)
     while at_goal < 0 and iteration < limit and tree.size[0] < most:
         iteration += 1
-        node, q_nearby = as_expansion(expansion(problem, tree, generator), tree)
+        node, q_nearby = as_expansion(expansion(problem, tree, generator), problem, tree)
         if problem.is_free_path(tree.nodes[node], q_nearby):
             at_goal = join_goal(problem, tree, add(tree, q_nearby, node), near_goal)
     reason = (
@@ -136,8 +136,8 @@ def nodes_expansion(expand: Callable[[Any, Array, np.random.Generator], Any]) ->
     return lambda problem, tree, rng: expand(problem, tree.nodes[: tree.size[0]], rng)
 
 
-def as_expansion(answer: object, tree: GrowingTree) -> tuple[int, Array]:
-    """The answer of an expansion as a node's number and a configuration.
+def as_expansion(answer: object, problem: PlanningProblem, tree: GrowingTree) -> tuple[int, Array]:
+    """The answer of an expansion as a node's number and a configuration of the problem's space.
 
     Raises
     ------
@@ -162,4 +162,4 @@ def as_expansion(answer: object, tree: GrowingTree) -> tuple[int, Array]:
         raise InvalidParameter(
             f"an expansion's configuration must have shape {tree.nodes[0].shape}, got {q.shape}"
         )
-    return int(node), q
+    return int(node), in_space(problem, q)
