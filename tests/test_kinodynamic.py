@@ -241,6 +241,14 @@ def test_the_nearest_witness_and_the_cheapest_node_near_it_are_what_brute_force_
             assert found == (apart.argmin() if apart.min() <= radius else -1)
 
 
+@pytest.mark.parametrize("share", [0.6, 2 / 3, 0.4, 0.1, 1 / 150])
+def test_no_drive_is_longer_than_its_duration(share):
+    """Whatever the time step: a part of a step is left out, and rounding loses no step."""
+    drives = as_drives(EASY, ke.Drives(duration=0.9, time_step=0.9 * share))
+    assert drives.steps == int(1 / share + 1e-6)
+    assert drives.steps * drives.time_step <= 0.9 * (1 + 1e-9)
+
+
 def test_edges_are_directed() -> None:
     """A roadmap grown by a car without a reverse gear is searched forward only: replayed, every
     route still leads there.

@@ -145,6 +145,19 @@ def test_costs_that_make_no_sense_are_refused(cost):
         ke.Terrain(np.ones((2, 2)), cost=cost)
 
 
+def test_costs_are_those_of_a_point_of_the_body():
+    """A polygon beside its reference point is refused where cells have costs, and only there."""
+    free = np.ones((6, 6), bool)
+    free[2, 2] = False
+    beside = ke.TranslatingPolygon([(1.0, -0.2), (1.4, -0.2), (1.2, 0.2)])
+    around = ke.TranslatingPolygon([(-0.2, -0.2), (0.2, -0.2), (0.0, 0.2)])
+    costs = ke.Terrain(free, cost=np.ones((6, 6)))
+    with pytest.raises(InvalidParameter, match=r"vertices around \(0, 0\)"):
+        ke.Problem(beside, costs, (-0.5, 4.5), (3.5, 4.5))
+    assert ke.rrt(ke.Problem(beside, ke.Terrain(free), (-0.5, 4.5), (3.5, 4.5)), rng=0).cost < 9
+    assert ke.rrt(ke.Problem(around, costs, (0.5, 4.5), (4.5, 0.5)), rng=0).cost < 12
+
+
 def test_scenes_keep_costs(tmp_path):
     """Costs are written and read back."""
     problem = ford()

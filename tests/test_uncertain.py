@@ -156,6 +156,12 @@ def test_certain_obstacles_and_the_boundary():
     assert collision_probability(Point(), world, [(1, 3), (11, 3)], n=50, rng=0).estimate == 1.0
     assert collision_bound(Point(), world, [(1, 1), (11, 1)]) == 0.0
     assert collision_bound(Point(), world, [(1, 3), (11, 3)]) == 1.0
+    uncertain = UncertainWorld(BOX, [((6, 4), 1)], 0.3)
+    for path in ([(1, 0), (11, 0)], [(1, 1), (11, 9)], [(0, 1)]):  # along, across and on a wall
+        assert collision_bound(Point(), uncertain, path) == 1.0
+        assert collision_probability(Point(), uncertain, path, n=9, rng=0).estimate == 1.0
+    assert collision_bound(Disk(1.0), uncertain, [(2, 1.5), (10, 1.5)]) < 1.0
+    assert collision_bound(Disk(1.0), uncertain, [(2, 1), (10, 1)]) == 1.0
     assert (
         collision_probability(
             Point(), UncertainWorld(BOX, [], 1.0), [(1, 1), (13, 1)], n=7, rng=0

@@ -13,6 +13,7 @@ import numpy as np
 from ..compiled import compiled, generic
 from ..errors import InvalidParameter
 from ..geometry.checks import Array
+from ..geometry.polygons import locate_point
 from ..robots.kinds import Robot
 from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
@@ -46,13 +47,21 @@ def check_cost(robot: Robot, world: World) -> None:
     Raises
     ------
     InvalidParameter
-        Where the terrain has costs and the robot has no single point at which they are evaluated.
+        Where the terrain has costs and the robot has no single point of its body at which they are
+        evaluated.
     """
     on_costs = isinstance(world, TerrainRecord) and world.cost.size
     if on_costs and not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
         raise InvalidParameter(
             "a terrain with costs needs Point(), Disk(r) or TranslatingPolygon(...); use a terrain "
             "without cost="
+        )
+    if not on_costs or not isinstance(robot, TranslatingPolygonRobot):
+        return
+    if locate_point(0.0, 0.0, robot.outline) < 0:
+        raise InvalidParameter(
+            "a terrain's costs are those at the robot's reference point, which must be part of its "
+            "body; give TranslatingPolygon vertices around (0, 0)"
         )
 
 

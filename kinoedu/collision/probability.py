@@ -88,8 +88,7 @@ def collision_probability(
     offsets = scenarios(world, n, rng=rng)
     if len(offsets) == 0:
         raise InvalidParameter("a probability is estimated from at least one scenario, n >= 1")
-    segments = zip(points, [*points[1:], points[-1]])
-    if any(not is_free_path(mover, world.empty, a, b, 0.0) for a, b in segments):
+    if not stays_inside(mover, world, points):
         return Chance(1.0, 1.0, 1.0, len(offsets), len(offsets))
     gaps = part_gaps(mover, world.parts, points)
     hits = int(hit_scenarios(mover, world.parts, world.owner, gaps, points, offsets).sum())
@@ -128,7 +127,8 @@ def collision_bound(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
     """An upper bound of the probability of a collision along a path.
 
     The sum of exp(-d^2 / (2 sigma^2)) over the obstacles, at most 1, where d is the clearance of
-    the path from the obstacle: a shorter offset cannot reach the path.
+    the path from the obstacle: a shorter offset cannot reach the path. It is 1 where the path
+    touches the boundary, which is certain.
 
     Returns
     -------
@@ -148,6 +148,8 @@ def collision_bound(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
     0.1353
     """
     d, sigma = path_clearances(robot, world, path), world.sigma
+    if not stays_inside(as_mover(robot), world, as_path(path)):
+        return 1.0
     certain = sigma == 0.0
     if (certain & (d == 0.0)).any():
         return 1.0
@@ -188,6 +190,12 @@ def hit_scenarios(
             if hit[s]:
                 break
     return hit
+
+
+def stays_inside(robot: Any, world: UncertainWorldRecord, path: Array) -> bool:
+    """Whether a path does not touch the boundary."""
+    segments = zip(path, [*path[1:], path[-1]])
+    return all(is_free_path(robot, world.empty, a, b, 0.0) for a, b in segments)
 
 
 def check_uncertain(world: object) -> None:

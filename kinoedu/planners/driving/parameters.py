@@ -15,6 +15,7 @@ from ...support.text import shortened
 from ..tuning import integer, nonnegative, positive
 
 Parameters = TypeVar("Parameters")
+ROUNDING = 1e-9  # of a number of time steps
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class Drives:
     duration : delta t, for how long each control is simulated; by default as long as a drive of
         0.75 wheelbases takes at top speed.
     time_step : the time step of the simulation; by default a 150th of the duration. The best drive
-        ends at the time step that is closest to the target.
+        ends at the time step that is closest to the target; a part of a step is left out.
     batches : how many times M controls are drawn while the best drive is not free.
 
     Raises
@@ -165,7 +166,8 @@ def as_drives(problem: Any, drives: Drives) -> DrivesRecord:
         raise InvalidParameter(
             f"the time_step {time_step:g} must not be longer than the duration {duration:g}"
         )
-    steps = integer(round(duration / time_step), "duration / time_step", least=1)
+    whole = math.floor(duration / time_step * (1.0 + ROUNDING))
+    steps = integer(whole, "duration / time_step", least=1)
     return DrivesRecord(int(given.trials), steps, time_step, int(given.batches))
 
 
