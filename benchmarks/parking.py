@@ -3,8 +3,8 @@ warehouse. A table, not a race.
 
 Each planner plans again and again from one generator, each time with twice the nodes or iterations,
 until it has a path; seconds are those of the processor. The radii of SST shrink by a tenth each
-time: SST*, algorithm 7 of its paper. Every path is replayed from its controls
-and judged by shapely in fine steps before it counts.
+time: SST*, algorithm 7 of its paper. Every path is replayed from its controls and judged by shapely
+in fine steps before it counts.
 """
 
 import json

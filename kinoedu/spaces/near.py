@@ -65,7 +65,7 @@ class Within(NamedTuple):
 def visit_for_those_within(
     search: Within, space: Space, tree: GrowingTree, bucket: int, q: Array
 ) -> Within:
-    """With the bucket's nodes that are near enough."""
+    """The search with the bucket's nodes that are near enough added."""
     found, size = search.found, search.size
     node = tree.head[bucket]
     while node >= 0:
@@ -80,7 +80,7 @@ def visit_for_those_within(
 
 @squared_radius.register(Within)
 def squared_distance_within(search: Within) -> float:
-    """It stays the same."""
+    """The squared distance of the search, however many nodes it has found."""
     return search.squared
 
 
