@@ -15,7 +15,8 @@ from kinoedu.figures.plane import inward
 from kinoedu.problems import Plan
 
 ROOM = PolygonWorld([(0, 0), (20, 0), (20, 12), (0, 12)])
-LINES = [(14, 9), (14, 3), (6, 9), (6, 3)]  # through the sides of (10, 6)
+ACROSS = [(14, 9), (14, 3), (6, 9), (6, 3)]  # through the sides of (10, 6)
+STRAIGHT = [(14, 6), (10, 3), (6, 6), (10, 9)]
 PROBLEM = Problem(Point(), ROOM, start=(4, 6), goal=(16, 6))
 
 
@@ -27,7 +28,7 @@ def ax():
 
 
 def sides(ax):
-    """The sides of all names, by name: 1 right or -1 left, 1 above or -1 below."""
+    """The sides of all names, by name: 1 right, 0 or -1 left, 1 above, 0 or -1 below."""
     return {text.get_text(): tuple(np.sign(text.xyann).astype(int)) for text in ax.texts}
 
 
@@ -71,11 +72,26 @@ def test_a_name_keeps_off_the_path_at_least(ax):
     """Where a line passes on each of its sides; without the path it stays where it is."""
     draw_problem(PROBLEM, ax)
     write_name((10, 6), "p", "black", (1, 1), ax)
-    lines = np.concatenate([spread(np.array([(10, 6), to])) for to in LINES])
+    lines = np.concatenate([spread(np.array([(10, 6), to])) for to in (*ACROSS, *STRAIGHT)])
     move_names_off_points(lines, ax)
     assert sides(ax)["p"] == (1, 1)
-    move_names_off_points(lines, ax, spread(np.array([(10, 6), LINES[0]])))
+    move_names_off_points(lines, ax, spread(np.array([(10, 6), ACROSS[0]])))
     assert sides(ax)["p"] == (1, -1)
+
+
+@pytest.mark.parametrize("free", range(4))
+def test_a_name_is_straight_beside_its_place_where_that_alone_is_free(ax, free):
+    """Right, below, left or above, in the middle."""
+    ax.set(xlim=(0, 20), ylim=(0, 12))
+    write_name((10, 6), "p", "black", (1, 1), ax)
+    lines = [*ACROSS, *(to for k, to in enumerate(STRAIGHT) if k != free)]
+    points = np.concatenate([spread(np.array([(10, 6), to])) for to in lines])
+    move_names_off_points(points, ax)
+    assert sides(ax)["p"] == ((1, 0), (0, -1), (-1, 0), (0, 1))[free]
+    ax.figure.canvas.draw()
+    (text,) = ax.texts
+    pixels = ax.transData.transform(points)
+    assert not any(text.get_window_extent().contains(*pixel) for pixel in pixels)
 
 
 def test_names_keep_off_obstacles(ax):

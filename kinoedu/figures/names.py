@@ -29,7 +29,7 @@ GRID = (13, 4)  # places of a name's box that are looked at, across and up
 
 NOWHERE = np.empty((0, 2))
 
-Side = tuple[int, int]  # of the place: 1 right or -1 left, 1 above or -1 below
+Side = tuple[int, int]  # of the place: 1 right, 0 or -1 left, and 1 above, 0 or -1 below
 Box = tuple[Array, Array]  # its lower left and its upper right corner
 
 
@@ -72,7 +72,7 @@ def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> An
 def put(text: Annotation, side: Side) -> None:
     """Put a name on a side of its place."""
     right, up = side
-    text.set(ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top")
+    text.set(ha=("center", "left", "right")[right], va=("center", "bottom", "top")[up])
     text.xyann = offset_on(side)
 
 
@@ -100,7 +100,7 @@ def move_names_off_points(points: Array, ax: Axes, path: Array = NOWHERE) -> Non
     texts = [text for text in ax.texts if isinstance(text, Annotation) and text.get_text()]
     beside = [text for text in texts if text.anncoords == OFFSET]
     for text in beside:
-        if text.get_gid() == NAME and text.get_horizontalalignment() != "center":
+        if text.get_gid() == NAME:
             others = [box_of(one, one.xyann, ax) for one in beside if one is not text]
             boxes = {side: box_of(text, offset_on(side), ax) for side in sides_of(text)}
             within = [side for side, box in boxes.items() if is_within(box, (low, high))]
@@ -114,9 +114,11 @@ def move_names_off_points(points: Array, ax: Axes, path: Array = NOWHERE) -> Non
 
 
 def sides_of(text: Annotation) -> list[Side]:
-    """The four sides of a name's place, its present one first."""
-    right, up = (1 if offset > 0.0 else -1 for offset in text.xyann)
-    return [(right, up), (right, -up), (-right, up), (-right, -up)]
+    """The sides of a place: that of its name, then the corners, then straight beside it."""
+    here: Side = tuple(np.sign(text.xyann).astype(int).tolist())
+    right, up = here[0] or 1, here[1] or 1
+    across = [(right, up), (right, -up), (-right, up), (-right, -up)]
+    return [here, *across, (right, 0), (0, up), (0, -up), (-right, 0)]
 
 
 def is_nearest(text: Annotation, box: Box, texts: list[Annotation], ax: Axes) -> bool:
@@ -164,5 +166,5 @@ def box_of(text: Annotation, offset: tuple[float, float], ax: Axes) -> Box:
     """About the box that a text fills at an offset from its place, in points."""
     size = np.array([WIDTH * len(text.get_text()), 1.0]) * text.get_fontsize()
     corner = in_points(np.array([text.xy]), ax.transData, ax)[0] + offset
-    other = corner + size * np.where(np.array(offset) < 0.0, -1.0, 1.0)
-    return np.minimum(corner, other), np.maximum(corner, other)
+    low = corner + size * (np.sign(offset) - 1.0) / 2.0
+    return low, low + size
