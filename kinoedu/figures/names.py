@@ -90,9 +90,9 @@ def move_names_off(line: Array, ax: Axes) -> None:
 def move_names_off_points(points: Array, ax: Axes, path: Array = NOWHERE) -> None:
     """Put names that cover a point of some (n, 2), or another text, on a side where they do not.
 
-    Where there is no such side, a name that covers a point of `path` (m, 2) is put on a side where
-    it covers none of these. If it can be, no place of another name is nearer to a name that is
-    moved than its own place.
+    Where there is no such side, a name that covers a point of `path` (m, 2) is put where it covers
+    none of these, and few others. If it can be, no place of another name is nearer to a name that
+    is moved than its own place.
     """
     ax.apply_aspect()
     passed, way = (in_points(lines, ax.transData, ax) for lines in (points, path))
@@ -108,6 +108,7 @@ def move_names_off_points(points: Array, ax: Axes, path: Array = NOWHERE) -> Non
             here = sides_of(text)[0]
             if not free and covers(boxes[here], way, []):
                 free = [side for side in within if not covers(boxes[side], way, others)]
+                free.sort(key=lambda side: count_within(boxes[side], passed))
             clear = [s for s in free if s == here or is_nearest(text, boxes[s], beside, ax)]
             for side in (clear or free)[:1]:
                 put(text, side)
@@ -143,8 +144,14 @@ def is_within(inner: Box, outer: Box) -> bool:
 def covers(box: Box, points: Array, others: list[Box]) -> bool:
     """Whether a box covers one of some points (n, 2), or a part of another box."""
     low, high = box
-    is_met = ((low < points) & (points < high)).all(axis=1).any()
-    return bool(is_met) or any((low < b).all() and (a < high).all() for a, b in others)
+    is_near = any((low < b).all() and (a < high).all() for a, b in others)
+    return is_near or count_within(box, points) > 0
+
+
+def count_within(box: Box, points: Array) -> int:
+    """How many of some points (n, 2) a box covers."""
+    low, high = box
+    return int(((low < points) & (points < high)).all(axis=1).sum())
 
 
 def in_points(line: Array, transform: Transform, ax: Axes) -> Array:

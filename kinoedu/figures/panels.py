@@ -71,12 +71,26 @@ def draw_plans(
     wide = min(WIDTH / across, 6.5) if width is None else width
     x, y = figure_size(next(iter(plans.values())).problem.world)
     shape = wide * (y - 0.4) / x
+    axes = panels(len(plans), columns=across, width=wide, height=shape)
+    for ax, name in zip(axes, plans):
+        dress(ax, name or " ")
+    lay_out(axes[0])  # so that names keep off the paths where they will be
     artists: list[Artist] = []
-    for ax, (name, plan) in zip(
-        panels(len(plans), columns=across, width=wide, height=shape), plans.items()
-    ):
-        artists += draw_plan(plan, ax)
-        if name:
-            artists.append(ax.set_title(name, fontsize=palette.TEXT_SIZE + 1))
-        ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
+    for ax, (name, plan) in zip(axes, plans.items()):
+        artists += [*draw_plan(plan, ax), ax.title]
+        dress(ax, name)
     return artists
+
+
+def dress(ax: Axes, name: str) -> None:
+    """Leave a panel without ticks and labels, and under its name, if it has one."""
+    ax.set(xlabel="", ylabel="", xticks=[], yticks=[])
+    if name:
+        ax.set_title(name, fontsize=palette.TEXT_SIZE + 1)
+
+
+def lay_out(ax: Axes) -> None:
+    """Place the panels of a figure now, not when it is drawn."""
+    figure = ax.get_figure(root=True)
+    if figure and (engine := figure.get_layout_engine()):
+        engine.execute(figure)
