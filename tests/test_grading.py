@@ -123,6 +123,31 @@ def test_what_is_asked_for_is_not_lent_and_a_message_says_so(box):
     assert "not lent" in failed["failure"]["outcome"]["message"]
 
 
+NEVER_BEYOND = """
+import numpy as np
+def point_segment_distance(q, p1, p2):
+    d = p2 - p1
+    t = min(max((q - p1) @ d / max(d @ d, 1e-300), 0.0), 1.0)
+    while t == 1.0 and tuple(q) not in SHOWN:
+        pass
+    return float(np.hypot(*(q - p1 - t * d)))
+"""
+
+
+@needs_sandbox
+def test_who_never_answers_one_kind_keeps_the_points_of_the_others(box):
+    """Hidden cases come in an order that nobody knows: those of other kinds are asked again."""
+    cases = draw_cases("point_segment_distance", SECRET)
+    shown = [tuple(case.given["q"].tolist()) for case in cases.cases[: cases.seen]]
+    data = notebook(f"SHOWN = {shown}", NEVER_BEYOND)
+    record = grade(data, read_assignment("01_geometry"), SECRET, box, patience=0.2)
+    (found,) = (one for one in record["questions"] if one["question"] == "point_segment_distance")
+    assert (found["kinds"], found["late"]) == (["beyond_p2"], True)
+    assert found["passed"] == [
+        kind for kind in find(found["question"]).kinds if kind != "beyond_p2"
+    ]
+
+
 @needs_sandbox
 def test_hidden_cases_do_not_show():
     known = draw_cases("point_line_distance", SECRET)

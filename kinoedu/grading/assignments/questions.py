@@ -126,13 +126,15 @@ def draw_cases(name: str, secret: bytes, variant: str = "") -> Cases:
     """An exercise's cases, drawn from the secret; equal for all students with the same contract.
 
     The small cases, which are always the same, come first. `check` shows them to everybody. Where
-    all cases are drawn, the first of each kind that `check` shows comes first.
+    all cases are drawn, the first of each kind that `check` shows comes first. The order of the
+    others is drawn too: a program that counts its calls does not know which case it is asked.
     """
     exercise = find(name, variant)
     digest = hmac.digest(
         secret, (f"{name}:{variant}" if variant else name).encode(), hashlib.sha256
     )
-    cases = list(exercise.cases(np.random.default_rng(int.from_bytes(digest))))
+    rng = np.random.default_rng(int.from_bytes(digest))
+    cases = list(exercise.cases(rng))
     shown = exercise.fixed_cases
     spelled = {spell_case(exercise, case) for case in shown}
     hidden = [case for case in cases if spell_case(exercise, case) not in spelled]
@@ -143,7 +145,7 @@ def draw_cases(name: str, secret: bytes, variant: str = "") -> Cases:
             for kind in exercise.kinds
             if any(case.kind == kind for case in shown)
         ]
-    return Cases(seen + hidden, len(seen))
+    return Cases(seen + [hidden[i] for i in rng.permutation(len(hidden))], len(seen))
 
 
 @functools.lru_cache(maxsize=256)

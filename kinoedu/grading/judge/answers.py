@@ -3,7 +3,8 @@
 A program runs twice: on the cases that everybody has seen, and in a new sandbox on the hidden ones.
 A student may read what the first run says, such as an exception's message. Of the second one only
 the judgement remains. Where a program ends its sandbox, what it did so in is not run again; the
-remaining cells and questions are run in a new one.
+remaining cells and questions are run in a new one. Hidden cases come in a random order, so where a
+program takes too long for one of them, those of other kinds are asked in a further run.
 """
 
 import builtins
@@ -37,6 +38,7 @@ DRAWING = (
 )
 PLANNING = ("kinoedu.course.lent_problem",)
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
+HIDDEN_RUNS = 4  # runs on hidden cases: each but the last may break off in another kind
 NO_VALUE = Maybe(Truth())
 
 
@@ -66,10 +68,13 @@ class Answers(NamedTuple):
     outcomes : for each question the outcomes of its cases in order, or None if there is no such
         function.
     troubles : what failed in each cell, by its number.
+    cases : the cases of each question in the order of the outcomes; those that were not asked are
+        last.
     """
 
     outcomes: dict[str, list[Outcome] | None]
     troubles: dict[int, list[Trouble]]
+    cases: dict[str, list[Case]]
 
     def stopped(self) -> set[int]:
         """The numbers of the cells that could not be stopped."""
@@ -106,7 +111,8 @@ def run_program(
         Where the sandbox does not start or breaks.
     """
     patience *= slowdown()
-    run = Run(sandbox, lent, patience, time.monotonic() + LONGEST * patience, Answers({}, {}))
+    empty = Answers({}, {}, {one.name: one.cases for one in questions})
+    run = Run(sandbox, lent, patience, time.monotonic() + LONGEST * patience, empty)
     shown = [Question(one.exercise, one.cases[: one.shown], one.shown) for one in questions]
     run.ask_apart(cells, shown)
     hidden = [
@@ -114,13 +120,7 @@ def run_program(
         for one in questions
         if is_open(one, run.found.outcomes.get(one.name, []))
     ]
-    later = run._replace(found=Answers({}, {}))
-    later.ask_apart([cell for cell in cells if cell.number not in run.found.stopped()], hidden)
-    for one in hidden:
-        outcomes = later.found.outcomes.get(one.name) or []
-        before = run.found.outcomes.setdefault(one.name, [])
-        if before is not None:
-            before += [forget_words(outcome) for outcome in outcomes]
+    run.ask_hidden([cell for cell in cells if cell.number not in run.found.stopped()], hidden)
     return run.found
 
 
@@ -135,6 +135,22 @@ class Run(NamedTuple):
     patience: float
     until: float
     found: Answers
+
+    def ask_hidden(self, cells: list[Cell], questions: list[Question]) -> None:
+        """Ask hidden cases. Where a program breaks off, ask those of other kinds in a new run."""
+        asked = {one.name: list[tuple[Case, Outcome]]() for one in questions}
+        left = questions
+        for _ in range(HIDDEN_RUNS):
+            later = self._replace(found=Answers({}, {}, {}))
+            later.ask_apart(cells, left)
+            for one in left:
+                outcomes = map(forget_words, later.found.outcomes.get(one.name) or [])
+                asked[one.name] += zip(one.cases, outcomes, strict=False)
+            left = [rest for one in left if (rest := leave_kind(one, asked[one.name])).cases]
+            if not left:
+                break
+        for one in questions:
+            store_hidden(one, asked[one.name], self.found)
 
     def ask_apart(self, cells: list[Cell], questions: list[Question]) -> None:
         """Ask the questions, those that need other modules each in sandboxes of their own.
@@ -259,6 +275,27 @@ def is_open(question: Question, outcomes: list[Outcome] | None) -> bool:
     if outcomes and (ends_a_run(outcomes[-1]) or is_stopped(outcomes[-1])):
         return False
     return len(outcomes) < len(question.cases)
+
+
+def leave_kind(question: Question, asked: list[tuple[Case, Outcome]]) -> Question:
+    """The cases that were not asked, without those of the kind of the last one that was."""
+    known = {id(case) for case, _ in asked}
+    left = [case for case in question.cases if id(case) not in known]
+    last = {case.kind for case, _ in asked[-1:]}
+    return question._replace(cases=[case for case in left if last and case.kind not in last])
+
+
+def store_hidden(question: Question, asked: list[tuple[Case, Outcome]], found: Answers) -> None:
+    """Store the outcomes of hidden cases, last those that came too late: they end the judging."""
+    before = found.outcomes.setdefault(question.name, [])
+    if before is None:
+        return
+    ordered = sorted(asked, key=lambda one: ends_a_run(one[1]))
+    cases, known = found.cases[question.name], {id(case) for case, _ in asked}
+    shown = cases[: len(before)]
+    rest = [case for case in cases[len(before) :] if id(case) not in known]
+    found.cases[question.name] = [*shown, *(case for case, _ in ordered), *rest]
+    before += [outcome for _, outcome in ordered]
 
 
 def describe_end(reply: Reply) -> Outcome:

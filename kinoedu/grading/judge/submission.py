@@ -69,7 +69,7 @@ def grade(
             describe_syntax_error(
                 judge_in_time(
                     question,
-                    drawn,
+                    drawn._replace(cases=answers.cases[question.exercise.name]),
                     answers.outcomes.get(question.exercise.name),
                     draw_trivial_kinds(*whose),
                     patience,
