@@ -734,6 +734,63 @@ def test_names_come_from_a_table_or_from_gradescope(tmp_path):
     assert read_gradescope_names(tmp_path / "class.zip") == {"s7": "Bo"}
 
 
+LISTED = """
+submission_1:
+  :submitters: []
+submission_2:
+  :submitters:
+  - :name: Ann
+    :sid: 0012
+  :created_at: 2024-99-99
+submission_3:
+  :submitters:
+  - :name: Bo
+    :sid:
+    :email: bo@example.org
+submission_4: of nobody
+"""
+
+
+def test_each_entry_of_gradescopes_list_stands_for_itself(tmp_path):
+    """One without a student costs no other one the name; an id keeps its zeros, a bad date is no
+    matter, and a list that is no YAML names nobody.
+    """
+    for number in range(1, 5):
+        (tmp_path / f"submission_{number}").mkdir()
+        write(tmp_path / f"submission_{number}" / f"{NAME}.ipynb", "{}")
+    write(tmp_path / METADATA, LISTED)
+    students = {one.student for one in collect(tmp_path)}
+    assert students == {"submission_1", "0012", "bo@example.org", "submission_4"}
+    assert read_gradescope_names(tmp_path) == {"0012": "Ann", "bo@example.org": "Bo"}
+    write(tmp_path / METADATA, "a: [")
+    assert {one.student for one in collect(tmp_path)} == {f"submission_{k}" for k in range(1, 5)}
+
+
+def test_students_have_the_names_that_tables_show(tmp_path):
+    """Two names that look the same are one student, who handed in twice; a decision about a name
+    counts however many spaces it is written with.
+    """
+    for folder, text in (
+        ("ann", "{}"),
+        ("ann ", "{ }"),
+        ("Jane  Doe_4711_assignsubmission_file_", "{}"),
+    ):
+        (tmp_path / "class" / folder).mkdir(parents=True)
+        write(tmp_path / "class" / folder / f"{NAME}.ipynb", text)
+    ann, jane = sorted(collect(tmp_path / "class"), key=lambda one: one.student.casefold())
+    assert (ann.student, jane.student) == ("ann", "Jane Doe_4711")
+    assert "more than once, with differences" in ann.trouble
+    assert all(one.student == escape_formula(one.student) for one in (ann, jane))
+    question = next(iter(POINTS))
+    write(
+        tmp_path / "overrides.csv",
+        f"student,assignment,question,score,comment\nJane  Doe_4711 ,{NAME},{question},2,\n",
+    )
+    assert set(read_decisions(tmp_path)) == {("Jane Doe_4711", NAME, question)}
+    short = write(tmp_path / "names.csv", "student,name\nJane  Doe_4711,Jane\nbob\n")
+    assert find_name("Jane Doe_4711", read_names(short)) == "Jane"
+
+
 def write(file: Path, text: str) -> Path:
     """The file with that text."""
     file.write_text(text, encoding="utf-8")

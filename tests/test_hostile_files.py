@@ -97,6 +97,26 @@ def test_names_without_end_are_cut(tmp_path):
     assert "more than once" in one.trouble and len(one.trouble) + len(one.file) < 4000
 
 
+def test_names_that_are_none_cost_nobody_a_grade(tmp_path):
+    """A member whose name begins with a NUL, one that is a point, and one from the root."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as archive:
+        archive.writestr("01_geometry.ipynb", "{}")
+        archive.writestr("X", "")
+    work = bytearray(packed.getvalue())
+    for mark, offset in ((b"PK\x03\x04", 30), (b"PK\x01\x02", 46)):
+        at = work.rfind(mark) + offset
+        assert work[at : at + 1] == b"X"
+        work[at] = 0
+    with zipfile.ZipFile(tmp_path / "class.zip", "w") as archive:
+        archive.writestr("ann.zip", bytes(work))
+        archive.writestr("bob/01_geometry.ipynb", "{}")
+        archive.writestr("/cy/01_geometry.ipynb", "{}")
+        archive.writestr(".", "")
+    found = collect(tmp_path / "class.zip")
+    assert [(one.student, one.trouble) for one in found] == [("ann", ""), ("bob", ""), ("cy", "")]
+
+
 def test_a_long_name_in_a_zip_is_read_at_once():
     """What copies add to names is looked for in as many letters as a name in a folder may have."""
     assert find_assignment("-1" * 2**20 + "x.ipynb", (), {}, ["01_geometry"]) == ""

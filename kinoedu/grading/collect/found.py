@@ -28,6 +28,7 @@ UNREADABLE = (
     NotImplementedError,
     RuntimeError,
     EOFError,
+    IndexError,  # of a member without a name, in some versions of Python
 )
 
 
@@ -91,7 +92,10 @@ def unpack(file: Found, *, top: bool = False) -> Iterator[Found]:
     try:
         with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
             for member in list_members(archive, top=top):
-                place = (*above, *PurePosixPath(member.filename.replace("\\", "/")).parts)
+                within = PurePosixPath(member.filename.replace("\\", "/").lstrip("/")).parts
+                if not within:  # such as "." and a name that begins with a NUL
+                    continue
+                place = (*above, *within)
                 inner = read_member(archive, member, place)
                 yield from unpack(inner) if top and not inner.trouble else [inner]
     except (*UNREADABLE, UnreadableSubmission) as error:
@@ -107,7 +111,7 @@ def list_members(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo
     members = [
         one
         for one in archive.infolist()
-        if not one.is_dir() and (top or one.filename.lower().endswith(".ipynb"))
+        if not one.filename.endswith("/") and (top or one.filename.lower().endswith(".ipynb"))
     ]
     if (
         len(members) > most

@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ...errors import InvalidParameter
-from ...support.csv_cells import unescape_formula
+from ...support.csv_cells import one_line, unescape_formula
 from .found import METADATA, UNREADABLE, read_member
+from .gradescope import read_submitters
 from .notebook import UnreadableSubmission, read_bytes
 
 Names = dict[str, str]  # by id, in small letters
@@ -21,7 +22,7 @@ CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID")
 
 def find_name(student: str, names: Names) -> str:
     """The name of a student, or ""."""
-    return names.get(student.strip().casefold(), "")
+    return names.get(one_line(student).casefold(), "")
 
 
 def read_names(file: Path) -> Names:
@@ -33,7 +34,7 @@ def read_names(file: Path) -> Names:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise InvalidParameter(f"{file} cannot be read as CSV in UTF-8: {error}") from error
     if {"student", "name"} <= set(head):
-        pairs = [(row["student"], row["name"]) for row in rows]
+        pairs = [(row["student"] or "", row["name"] or "") for row in rows]
     elif {"Student", "ID"} <= set(head):
         pairs = [pair for row in rows for pair in name_in_canvas(row)]
     else:
@@ -41,7 +42,7 @@ def read_names(file: Path) -> Names:
             f"{file} has neither the columns student and name nor those of Canvas's gradebook"
         )
     return {
-        unescape_formula(one.strip()).casefold(): unescape_formula(name.strip())
+        one_line(unescape_formula(one.strip())).casefold(): unescape_formula(name.strip())
         for one, name in pairs
         if one
     }
@@ -62,25 +63,11 @@ def name_in_canvas(row: dict[str, str | None]) -> Iterator[tuple[str, str]]:
 
 def read_gradescope_names(folder: Path) -> Names:
     """The names in the list beside Gradescope's folders; none where there is no such list."""
-    import yaml
-
     try:
-        submissions = yaml.safe_load(read_list(folder)) or {}
-        submitters = [one[":submitters"][0] for one in submissions.values()]
-        return {
-            str(one.get(":sid") or one.get(":email") or one[":name"]).casefold(): str(one[":name"])
-            for one in submitters
-        }
-    except (
-        *UNREADABLE,
-        UnreadableSubmission,
-        yaml.YAMLError,
-        AttributeError,
-        KeyError,
-        TypeError,
-        IndexError,
-    ):
+        submitters = read_submitters(read_list(folder)).values()
+    except (*UNREADABLE, UnreadableSubmission):
         return {}
+    return {one_line(one.id).casefold(): one.name for one in submitters if one.name}
 
 
 def read_list(folder: Path) -> bytes:

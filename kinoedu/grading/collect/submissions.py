@@ -19,6 +19,7 @@ from ...course.release import HOUSE, assignments
 from ...errors import InvalidParameter
 from ...support.csv_cells import one_line
 from .found import METADATA, Found, read_files
+from .gradescope import read_submitters
 from .marks import choose_most_shared, count_shared, find_assignment, find_questions, strip_zip
 from .notebook import MOST_BYTES, UnreadableSubmission
 
@@ -28,6 +29,7 @@ CANVAS = re.compile(
 MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
 GRADESCOPE = re.compile(r"^submission_\d+$")
 EXPORTED = re.compile(r"^assignment_\d+_export$")  # Gradescope's folder of all submissions
+NAMELESS = "unnamed"  # a folder whose name is of spaces
 NO_ANSWERS = "has none of the functions that it asks for"
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a path, files in a message
 
@@ -227,6 +229,8 @@ def select_assignment(only: str, submissions: list[Submission]) -> Iterator[Subm
 def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
     """The student whose file this is, and the file's own name without the system's prefix.
 
+    The student's name is on one line and has no two spaces in a row, as in every table.
+
     >>> find_owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
     ('doejane_1234', '01_geometry-1.ipynb')
     >>> find_owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
@@ -235,13 +239,13 @@ def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str
     ('jane', '01_geometry.ipynb')
     """
     first, name = strip_zip(place[0]), place[-1]
-    if first in owners:
-        return owners[first], name
-    if (moodle := MOODLE.match(first)) is not None:
-        return f"{moodle['student']}_{moodle['id']}", name
-    if (canvas := CANVAS.match(first)) is not None:
-        return f"{canvas['student']}_{canvas['id']}", canvas["file"] if len(place) == 1 else name
-    return (first if len(place) > 1 else PurePosixPath(first).stem), name
+    student = owners.get(first, first if len(place) > 1 else PurePosixPath(first).stem)
+    if first not in owners and (moodle := MOODLE.match(first)) is not None:
+        student = f"{moodle['student']}_{moodle['id']}"
+    elif first not in owners and (canvas := CANVAS.match(first)) is not None:
+        student = f"{canvas['student']}_{canvas['id']}"
+        name = canvas["file"] if len(place) == 1 else name
+    return one_line(student) or NAMELESS, name
 
 
 def read_gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
@@ -250,28 +254,13 @@ def read_gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
     Only the submission_metadata.yml beside the folders is read, since a student may hand in a file
     of that name too.
     """
-    import yaml
-
-    owners: dict[str, str] = {}
-    for file in files:
-        if file.place == (METADATA,) and len(file.data) < MOST_BYTES:
-            try:
-                about = yaml.safe_load(file.data)
-                entries = {str(key): value[":submitters"][0] for key, value in about.items()}
-                owners |= {
-                    key: str(one.get(":sid") or one.get(":email") or one[":name"])
-                    for key, one in entries.items()
-                }
-            except (
-                yaml.YAMLError,
-                AttributeError,
-                KeyError,
-                TypeError,
-                IndexError,
-                RecursionError,
-            ):
-                continue
-    return owners
+    lists = [file.data for file in files if file.place == (METADATA,)]
+    return {
+        folder: submitter.id
+        for data in lists
+        if len(data) < MOST_BYTES
+        for folder, submitter in read_submitters(data).items()
+    }
 
 
 def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:

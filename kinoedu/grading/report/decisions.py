@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...errors import InvalidParameter
-from ...support.csv_cells import unescape_formula
+from ...support.csv_cells import one_line, unescape_formula
 
 OVERRIDES, BY_HAND = "overrides.csv", "by_hand.csv"
 COLUMNS = ("student", "assignment", "question", "score", "comment")
@@ -80,7 +80,7 @@ def read_table(file: Path) -> Decisions:
                 f"{source} has more cells than the first line; write 2.5 with a point, and a "
                 "comment with commas in quotation marks"
             )
-        whose = (row["student"], row["assignment"], row["question"])
+        whose = (one_line(row["student"]), row["assignment"], row["question"])
         if not any(row.values()):
             continue
         if whose in found:
