@@ -1,7 +1,8 @@
 """Worlds and robots from triangle meshes, projected to the plane or sliced at a height.
 
-trimesh reads the files and does not rotate them. The up-axis that a file declares is often wrong,
-so z is up unless the parameter `up` says otherwise.
+trimesh reads the files, but for .obj, and does not rotate them. What it would leave out without a
+word is an error. The up-axis that a file declares is often wrong, so z is up unless the parameter
+`up` says otherwise.
 """
 
 from __future__ import annotations
@@ -19,9 +20,11 @@ from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter, InvalidRobot, SceneTooLarge, UnknownFormat, UnreadableScene
 from ..geometry.checks import LIMIT, Array, as_array, as_point, positive
-from ..support.reading import regular_file
+from ..support.reading import as_path, read_bytes
 from ..support.text import shortened
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
+from .mesh_losses import refuse_what_trimesh_loses
+from .obj import read_obj
 from .outlines import Solid, project_triangles, rectangle, slice_triangles
 
 ENDINGS = (".dae", ".glb", ".obj", ".stl")
@@ -40,9 +43,9 @@ def read_mesh(
     """Read the polygons of a mesh as pairs (outline, rooms): obstacles for `PolygonWorld`.
 
     Outlines are counter-clockwise and disjoint; holes of the mesh are rooms. Coordinates are exact
-    to 2^-36 of the size of the mesh, or to the last digit of a float where that is coarser. A slice
-    shows the bodies just above its height. An .obj file that is truncated between two lines cannot
-    be distinguished from a complete one.
+    to 2^-36 of the size of the mesh, or to the last digit of a float where that is coarser: one of
+    32 bits in a .dae or .glb. A slice shows the bodies just above its height. An .obj file that is
+    truncated between two lines cannot be distinguished from a complete one.
 
     Parameters
     ----------
@@ -82,7 +85,7 @@ def read_mesh(
     """
     if up not in (*UPRIGHT, "file"):
         raise InvalidParameter(f'up must be "x", "y", "z" or "file", got {shortened(up)}')
-    file = Path(path)
+    file = as_path(path)
     triangles = read_triangles(file, up)
     if slice_at is None:
         made: list[Solid] | None = project_triangles(triangles)
@@ -190,8 +193,7 @@ def read_triangles(file: Path, up: str) -> Array:
     ending = file.suffix.lower()
     if ending not in ENDINGS:
         raise UnknownFormat(f"{file}: expected {', '.join(ENDINGS)}, got {ending or 'no ending'}")
-    with regular_file(file).open("rb") as stream:
-        data = stream.read(MAX_BYTES + 1)
+    data = read_bytes(file, MAX_BYTES)
     if len(data) > MAX_BYTES:
         raise SceneTooLarge(
             f"{file}: expected at most {MAX_BYTES:,} bytes, got more; simplify the mesh"
@@ -213,21 +215,16 @@ def read_triangles(file: Path, up: str) -> Array:
 
 
 def load_triangles(data: bytes, kind: str, file: Path) -> Array:
-    """Read the triangles of all bodies by trimesh, at their positions in the scene."""
-    import trimesh
-
-    data = data.removeprefix(codecs.BOM_UTF8)  # trimesh would lose the first vertex of an .obj
-    if damage := describe_truncation(data, kind):
-        raise UnreadableScene(
-            f"{file}: expected a whole .{kind} file, got {damage}; export it again"
-        )
-    options: dict[str, Any] = {"skip_materials": True} if kind in ("obj", "glb") else {}
+    """Read the triangles of all bodies, at their positions in the scene."""
+    data = data.removeprefix(codecs.BOM_UTF8)
     try:
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")  # the results are checked below
-            scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False, **options)
-            surfaces = any(isinstance(body, trimesh.Trimesh) for body in scene.geometry.values())
-            return np.array(scene.triangles, np.float64) if surfaces else np.empty((0, 3, 3))
+        if kind == "obj":
+            return read_obj(data)
+        refuse_what_trimesh_loses(data, kind)
+        is_text = kind == "stl" and data.lstrip()[:5] == b"SOLID"
+        return load_by_trimesh(data.lower() if is_text else data, kind)
+    except UnreadableScene as error:
+        raise UnreadableScene(f"{file}: {error}") from None
     except ImportError as error:
         raise UnreadableScene(
             f"{file}: reading .{kind} needs a package that is not installed: {error}"
@@ -238,25 +235,16 @@ def load_triangles(data: bytes, kind: str, file: Path) -> Array:
         ) from error
 
 
-def describe_truncation(data: bytes, kind: str) -> str:
-    """Describe how a file is truncated where trimesh does not notice it; empty otherwise."""
-    if kind == "obj":
-        short = re.search(rb"^f(?:[ \t]+[^\s]+){0,2}[ \t\r]*$", data, re.MULTILINE)
-        return (
-            f"the face {short[0].decode(errors='replace').strip()!r}, of fewer than three corners"
-            if short
-            else ""
-        )
-    if kind != "stl":
-        return ""
-    count = int.from_bytes(data[80:84], "little")
-    if len(data) == 84 + 50 * count and len(data) > 84:
-        return ""
-    if not data.lstrip().startswith(b"solid"):
-        return (
-            f"{len(data):,} bytes where a binary one of {count:,} triangles has {84 + 50 * count:,}"
-        )
-    return "" if b"endsolid" in data else "one that stops before endsolid"
+def load_by_trimesh(data: bytes, kind: str) -> Array:
+    """The triangles that trimesh reads, (m, 3, 3)."""
+    import trimesh
+
+    options: dict[str, Any] = {"skip_materials": True} if kind == "glb" else {}
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")  # the results are checked later
+        scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False, **options)
+        surfaces = any(isinstance(body, trimesh.Trimesh) for body in scene.geometry.values())
+        return np.array(scene.triangles, np.float64) if surfaces else np.empty((0, 3, 3))
 
 
 def declared_up_axis(data: bytes, ending: str) -> str:

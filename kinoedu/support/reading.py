@@ -48,6 +48,24 @@ def regular_file(path: str | os.PathLike[str]) -> Path:
     return path
 
 
+def read_bytes(path: str | os.PathLike[str], most: int) -> bytes:
+    """The bytes of a file, of a longer one the first `most` and one more.
+
+    Raises
+    ------
+    UnreadableScene
+        Where the file is missing or must not be read.
+    """
+    path = regular_file(path)
+    try:
+        with path.open("rb") as stream:
+            # the size that the system reports may be stale or 0
+            return stream.read(most + 1)
+    except OSError as error:
+        why = error.strerror or error
+        raise UnreadableScene(f"{path}: it cannot be read: {why}; check its permissions") from error
+
+
 def read_text(path: str | os.PathLike[str], most: int = MAX_BYTES) -> str:
     """The text of a UTF-8 or ASCII file of at most `most` bytes, with every line end as a newline.
 
@@ -58,20 +76,17 @@ def read_text(path: str | os.PathLike[str], most: int = MAX_BYTES) -> str:
     SceneTooLarge
         Where it is longer than `most` bytes.
     """
-    path = regular_file(path)
-    try:
-        with path.open("rb") as stream:
-            # the size that the system reports may be stale or 0
-            data = stream.read(most + 1)
-        text = data.decode("utf-8-sig")  # some editors write a byte-order mark first
-    except (OSError, UnicodeDecodeError) as error:
-        raise UnreadableScene(
-            f"{path}: expected plain text, got: {error}; save it as UTF-8"
-        ) from error
+    data = read_bytes(path, most)
     if len(data) > most:
         raise SceneTooLarge(
             f"{path}: expected at most {most:,} bytes, got more; is it the right file?"
         )
+    try:
+        text = data.decode("utf-8-sig")  # some editors write a byte-order mark first
+    except UnicodeDecodeError as error:
+        raise UnreadableScene(
+            f"{path}: expected plain text, got: {error}; save it as UTF-8"
+        ) from error
     if "\0" in text:
         raise UnreadableScene(f"{path}: expected plain text, got a NUL byte; save it as UTF-8")
     return text.replace("\r\n", "\n").replace("\r", "\n")
