@@ -215,6 +215,27 @@ def test_the_motions_that_a_function_asks_about_are_drawn():
     assert drawing["text"] == "extend returns (5, 3)"
 
 
+def squares(rows):
+    [print(end="") for row in rows]
+    found = {
+        # a comment keeps the lines apart
+        row: [k * k for k in range(row)]
+        for row in rows
+        if row
+    }
+    while len(rows) > 1:
+        rows = [row - 1 for row in rows][1:]
+    return found, {-k for k in rows}
+
+
+def test_a_comprehension_is_one_moment():
+    """In every version of Python, however many items and lines it has, and without its variable."""
+    with LineTrace(squares, lambda variables, _: set(variables), most=100) as trace:
+        squares([3, 2, 1])
+    assert [moment.line for moment in trace.moments] == [1, 2, 8, 9, 8, 9, 8, 10]
+    assert {name for moment in trace.moments for name in moment.note} == {"rows", "found"}
+
+
 def halves(n):
     total = 0.0
     for i in range(n):

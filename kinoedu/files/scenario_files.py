@@ -116,13 +116,16 @@ def line_of(query: Query) -> str:
         raise InvalidParameter(f"a scenario holds Query records, got {shortened(query)}")
     if not 0.0 <= query.length < math.inf:
         raise InvalidParameter(f"a length must be finite, and zero or more, got {query.length}")
-    if set(query.map_name) & set("\t\r\n"):
-        raise InvalidParameter(f"a map's name is one line without tabs, got {query.map_name!r}")
+    name = query.map_name
+    if not isinstance(name, str) or not name.isprintable() or name != name.strip():
+        raise InvalidParameter(
+            f"a map's name is text on one line, without blanks at its ends, got {shortened(name)}"
+        )
     cells = []
     for q in (query.start, query.goal):
         column, row = float(q[0]) - 0.5, query.rows - 0.5 - float(q[1])
         inside = 0 <= column < query.columns and 0 <= row < query.rows
-        if column != int(column) or row != int(row) or not inside:
+        if not inside or column != int(column) or row != int(row):
             raise InvalidParameter(f"{tuple(map(float, q))} is not the centre of a cell of the map")
         cells += [int(column), int(row)]
     fields = int(query.length // BUCKET), query.map_name, query.columns, query.rows, *cells

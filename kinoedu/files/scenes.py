@@ -41,7 +41,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidParameter, UnknownFormat, UnreadableScene
-from ..geometry.checks import Array
+from ..geometry.checks import Array, integer
 from ..problems import Problem, ProblemRecord
 from ..robots import Point
 from ..robots.kinds import Robot
@@ -315,7 +315,7 @@ def read_query(file: Path, world: Any, number: int) -> tuple[Array, Array]:
             f"{file}: there is no scenario (.scen) beside it; give a start and a goal"
         )
     queries = read_scenario(scenario)
-    if not 0 <= number < len(queries):
+    if not 0 <= integer(number, "query", least=0) < len(queries):
         raise InvalidParameter(f"{scenario} has queries 0 to {len(queries) - 1}, got {number}")
     meant = queries[number]
     if world.free.shape != (meant.rows, meant.columns):

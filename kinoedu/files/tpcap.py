@@ -11,6 +11,7 @@ https://tpcap.github.io/benchmarks.
 
 import math
 import os
+import re
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from .outlines import rectangle
 LENGTH, WIDTH, WHEELBASE = 4.689, 1.942, 2.8  # metres
 REAR_OVERHANG, MAX_STEERING = 0.929, 0.75
 MARGIN = 8.0  # metres of free ground round everything
+WORD = re.compile(r"[-+.0-9eE]+")  # Python's float would read 1_0, and digits of other scripts
 HEAD = 7  # numbers before those of corners
 
 
@@ -71,7 +73,9 @@ def read_tpcap(path: str | os.PathLike[str]) -> ProblemRecord:
 
 def read_numbers(file: str) -> Array:
     """All numbers of a file, at least `HEAD`."""
-    words = read_text(file).replace(",", " ").split()
+    text = read_text(file).strip().removesuffix(",")
+    fields = text.split(",") if text else []
+    words = [word for field in fields for word in field.split() or [""]]
     numbers = np.array([read_number(file, i, word) for i, word in enumerate(words, start=1)])
     if len(numbers) < HEAD:
         raise UnreadableScene(
@@ -84,7 +88,7 @@ def read_numbers(file: str) -> Array:
 def read_number(file: str, i: int, word: str) -> float:
     """The finite number that a word says."""
     try:
-        number = float(word)
+        number = float(word) if WORD.fullmatch(word) else math.nan
     except ValueError:
         number = math.nan
     if not math.isfinite(number):

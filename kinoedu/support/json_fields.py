@@ -2,6 +2,7 @@
 
 import difflib
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -86,9 +87,12 @@ class Field(NamedTuple):
         if isinstance(self.value, bool) or not isinstance(self.value, int | float):
             raise self.wrong("a number")
         try:
-            return float(self.value)
+            number = float(self.value)
         except OverflowError:
-            raise self.wrong("a number of at most 300 digits") from None
+            number = math.inf
+        if not math.isfinite(number):  # Python reads 1e400 as infinite
+            raise self.wrong("a number below 1e308")
+        return number
 
     def numbers(self) -> list[float]:
         """A list of numbers."""

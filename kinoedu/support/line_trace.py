@@ -31,12 +31,14 @@ class Source(NamedTuple):
     code : what Python made of it.
     conditions : the lines with the condition of an `if` or a `while`, each with the first lines
         below it.
+    comprehensions : the offsets of the instructions inside a comprehension, each with its lines.
     """
 
     lines: tuple[str, ...]
     first: int
     code: CodeType
     conditions: dict[int, range]
+    comprehensions: dict[int, range]
 
 
 sources: dict[int, Source] = {}  # those that were read, by the identity of their code
@@ -152,16 +154,23 @@ class CallTrace:
         self.trace, self.frame = trace, frame
         self.now: Moment | None = None
         self.raises = False
+        self.within = range(0)  # the lines of the comprehension that runs
 
     def step(self, frame: FrameType, event: str, value: object) -> Any:
         """Handle an event of this call, as Python asks of a tracer."""
         if event == "exception":
             self.raises = True
             return self.step
+        line = -1  # of no source
+        if event == "line":
+            line = frame.f_lineno - self.trace.source.first
+            self.within = self.lines_of_comprehension(frame, line)
+            if self.now is not None and self.now.line in self.within:
+                return self.step
+            line = min(self.within, default=line)
         if self.now is not None:
             self.now.note = self.trace.note(frame.f_locals, frame.f_globals)
         if event == "line":
-            line = frame.f_lineno - self.trace.source.first
             self.judge_condition(line)
             self.raises = False
             self.now = self.trace.begin(line)
@@ -171,6 +180,14 @@ class CallTrace:
             self.now.result = value
             self.judge_condition(-1)
         return None
+
+    def lines_of_comprehension(self, frame: FrameType, line: int) -> range:
+        """The lines of the comprehension that runs, or has just run in this line; else none.
+
+        From Python 3.12 on each of its items is an event of the function that it is in.
+        """
+        found = self.trace.source.comprehensions.get(frame.f_lasti)
+        return found or (self.within if line in self.within else range(0))
 
     def judge_condition(self, following: int) -> None:
         """Note whether the condition of the last line was true, by the line that follows it."""
@@ -188,6 +205,25 @@ def find_conditions(lines: Sequence[str]) -> dict[int, range]:
         and node.lineno == node.test.end_lineno
         and node.lineno < node.body[0].lineno
     }
+
+
+def find_comprehensions(
+    lines: Sequence[str], first: int, indent: int, code: CodeType
+) -> dict[int, range]:
+    """The `comprehensions` of a source whose lines were indented by some columns."""
+    kinds = ast.ListComp | ast.SetComp | ast.DictComp
+    found = [node for node in ast.walk(parse_lines(lines)) if isinstance(node, kinds)]
+    inside = {}
+    for number, (line, last, column, end) in enumerate(code.co_positions()):
+        if line is None or last is None or column is None or end is None:
+            continue
+        begin, stop = (line - first + 1, column - indent), (last - first + 1, end - indent)
+        for node in found:
+            last_line, last_column = node.end_lineno or 0, node.end_col_offset or 0
+            if (node.lineno, node.col_offset) <= begin and stop <= (last_line, last_column):
+                inside[2 * number] = range(node.lineno - 1, last_line)
+                break
+    return inside
 
 
 def parse_lines(lines: Sequence[str]) -> ast.Module:
@@ -222,5 +258,7 @@ def source_of(function: Callable[..., object]) -> Source:
         except (OSError, TypeError) as error:
             raise InvalidParameter(f"the source of {shortened(function)} is not known") from error
         lines = tuple(textwrap.dedent("".join(found)).splitlines())
-        sources[id(code)] = Source(lines, first, code, find_conditions(lines))
+        indent = len(found[0].rstrip("\n")) - len(lines[0]) if lines else 0
+        within = find_comprehensions(lines, first, indent, code)
+        sources[id(code)] = Source(lines, first, code, find_conditions(lines), within)
     return sources[id(code)]
