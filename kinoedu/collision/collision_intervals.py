@@ -148,7 +148,7 @@ def is_out_of_range(points: Array, x: float, by_s: float, by_t: float) -> bool:
     The coordinate begins at x and changes by up to by_s and -by_t.
     """
     low, high = x + min(by_s, 0.0) - max(by_t, 0.0), x + max(by_s, 0.0) - min(by_t, 0.0)
-    return high < points.min() or low > points.max()
+    return bool(high < points.min() or low > points.max())
 
 
 @compiled

@@ -134,9 +134,9 @@ def draw_plan(plan: Plan) -> Drawing:
         first = np.asarray(roots_of(parent)[grown] == 0)
         for these, colour in ((first, "tree"), (~first, "goal_tree")):
             if these.any():
-                look = {"width": line_width(total), "when": grown[these] + 1}
+                width, when = line_width(total), grown[these] + 1
                 branch = {"node": grown[these], "parent": parent[grown[these]]}
-                layer = edges(segments[these], colour, **look)
+                layer = edges(segments[these], colour, width=width, when=when)
                 layers.append(with_notes(layer, note("node", node=None), **branch))
     if plan.roadmap is not None:
         nodes, pairs = plan.roadmap.nodes[:, :2], plan.roadmap.edges

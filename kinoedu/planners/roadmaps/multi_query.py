@@ -30,8 +30,8 @@ def join_ends(problem: PlanningProblem, nodes: Array, k: int) -> tuple[NDArray[n
     edges, costs, size = np.empty((2 * k, 2), np.int64), np.empty(2 * k), 0
     for end in range(2):
         apart, joined_to = np.empty(len(nodes)), 0
-        for j in range(len(nodes)):
-            apart[j] = problem.distance(nodes[end], nodes[j])
+        for node in range(len(nodes)):
+            apart[node] = problem.distance(nodes[end], nodes[node])
         for j in np.argsort(apart, kind="mergesort"):
             tried_before = end == 1 and j == 0
             if joined_to == k or j == end or tried_before:

@@ -209,4 +209,4 @@ def rim_distances(points: Array, obstacle: Array) -> Array:
     if not len(points):
         return np.empty(0)
     edges = zip(obstacle, np.roll(obstacle, -1, axis=0))
-    return np.min([point_segment_distance(points, a, b) for a, b in edges], axis=0)
+    return np.array([point_segment_distance(points, a, b) for a, b in edges]).min(axis=0)

@@ -85,8 +85,8 @@ class ForwardKinematics(ValueExercise):
                 yield arm_case("stretched", l1, l2, q=(first, 0.0))
                 yield arm_case("bent", l1, l2, q=(first, second))
                 yield arm_case("folded", l1, l2, q=(first, rng.choice([-pi, pi])))
-                q = np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2)
-                yield arm_case("turns", l1, l2, q=q)
+                turned = np.round(rng.uniform(4.0, 30.0, 2) * rng.choice([-1, 1], 2), 2)
+                yield arm_case("turns", l1, l2, q=turned)
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the arm and the student's arm."""

@@ -89,7 +89,7 @@ def steep_edges(rng: np.random.Generator, x: float, size: float) -> Array:
     """Random steep edges that do not cross, one above the other at x, in random order."""
     rows = []
     for level in range(3):
-        slope = rng.choice([-60.0, -3.0, -2.0, 2.0, 3.0, 60.0]) if level else 2.5
+        slope = float(rng.choice([-60.0, -3.0, -2.0, 2.0, 3.0, 60.0])) if level else 2.5
         left, right = (
             rng.uniform(0.05, 0.3 if level else 0.9, 2) * size * min(1.0, 3.0 / abs(slope))
         )

@@ -95,7 +95,7 @@ class PointLineDistance(LineExercise, DistanceExercise):
             yield Case("on", arguments(np.round(p1 + rng.integers(-3, 4) * (p2 - p1), 2), p1, p2))
             yield Case("upright", arguments(q, p1, p1 + UPRIGHT * (1 + rng.integers(9))))
             yield Case("coincident", arguments(q, p1, p1))
-            step = rng.integers(1, 10, 2) * (0.01, 1.0) * rng.choice([-1.0, 1.0], 2)
+            step = rng.integers(1, 10, 2) * np.array((0.01, 1.0)) * rng.choice([-1.0, 1.0], 2)
             for way in (step, step[::-1]):
                 yield Case("beside", arguments(p1 + way / 2 + turn_left(way), p1, p1 + way))
 
