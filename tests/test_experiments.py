@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from children import started
+from children import forks, started
 
 import kinoedu as ke
 from kinoedu.cli import main
@@ -726,6 +726,34 @@ def test_what_took_longer_than_the_limit_is_run_again(tmp_path):
         experiment = Experiment({"rubble": PROBLEM}, {"slow": slow}, time_limit=limit)
         statuses += run(experiment, where="here", out=tmp_path).column("status")
     assert statuses == ["no path", "out of time"]
+
+
+def test_a_planner_may_start_processes(tmp_path):
+    """They hold the run's pipes; the experiment ends all the same, and they with it."""
+    note = tmp_path / "pid"
+    planners = {"forks": partial(forks, note=str(note))}
+    ran = run(Experiment({"rubble": PROBLEM}, planners), workers=1)
+    assert set(ran.column("status")) <= {"found", "wrong"}
+    process = Path(f"/proc/{note.read_text()}/stat")
+    while process.exists() and process.read_text().rpartition(") ")[2][0] != "Z":
+        time.sleep(0.05)  # it was killed, and is about to end
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"status":"found","seconds":null}',
+        '{"status":"found","cost":1,"seconds":0.1,"nodes":"x"}',
+        "[]",
+    ],
+)
+def test_a_result_with_values_of_other_kinds_is_run_again(tmp_path, text):
+    experiment = Experiment({"rubble": PROBLEM}, {"rrt": partial(ke.rrt, max_nodes=10)}, seeds=1)
+    first = run(experiment, where="here", out=tmp_path)
+    (file,) = (tmp_path / "runs").glob("*.json")
+    file.write_text(text)
+    again = run(experiment, where="here", out=tmp_path)
+    assert list(again.column("nodes")) == list(first.column("nodes"))
 
 
 def test_a_planner_that_calls_itself_has_a_digest():

@@ -156,6 +156,9 @@ def test_cells_of_polygons_are_free_where_their_whole_square_is(tmp_path):
     assert free.sum() > 100
 
 
+QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
+
+
 @pytest.mark.parametrize(
     ("write", "error", "words"),
     [
@@ -188,6 +191,16 @@ def test_cells_of_polygons_are_free_where_their_whole_square_is(tmp_path):
         ),
         (lambda to: write_scenario([], to / "a.txt"), UnknownFormat, "ends in .scen"),
         (lambda to: write_scenario([3], to / "a.scen"), InvalidParameter, "holds Query records"),
+        *(
+            (lambda to, q=query: write_scenario([q], to / "a.scen"), InvalidParameter, words)
+            for query, words in (
+                (QUERY._replace(start=np.array([np.nan, 0.5])), "centre of a cell"),
+                (QUERY._replace(goal=np.array([0.5, np.inf])), "centre of a cell"),
+                (QUERY._replace(map_name=" x.map"), "without blanks"),
+                (QUERY._replace(map_name=None), "name is text"),
+            )
+        ),
+        (lambda to: ke.read_problem(GRID / "empty-8-8.map", query=0.5), InvalidParameter, "query"),
         (lambda to: ros_path_text(3), InvalidParameter, "a path is written of a plan"),
         (lambda to: ros_path_text(PLAN, frame="a b"), InvalidParameter, "frame must be a name"),
         (lambda to: poses_along(PLAN, 0.0), InvalidParameter, "spacing must be a positive"),

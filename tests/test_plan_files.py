@@ -90,6 +90,17 @@ def test_a_path_in_rows_has_names_and_every_bit(name, header, tmp_path):
     )
 
 
+def test_a_number_that_is_too_large_for_a_float_is_refused(tmp_path):
+    """Python would read 1e400 as infinite."""
+    file = tmp_path / "plan.json"
+    ke.write_plan(PLANS["tree"](), file)
+    text = file.read_text()
+    cost = text.partition('"cost": ')[2].partition(",")[0]
+    file.write_text(text.replace(f'"cost": {cost}', '"cost": 1e400'))
+    with pytest.raises(UnreadableScene, match="cost must be a number below 1e308"):
+        ke.read_plan(file)
+
+
 def test_what_is_no_plan_or_no_such_file_is_refused(tmp_path):
     """And what was there before stays as it was."""
     plan = PLANS["tree"]()

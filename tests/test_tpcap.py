@@ -99,6 +99,9 @@ def test_numbers_stand_in_a_row_or_in_a_column(tmp_path: Path) -> None:
     ("place", "wrong", "says"),
     [
         (0, "here", "number 1 must be finite, got 'here'"),
+        (3, "1_0", "number 4 must be finite, got '1_0'"),
+        (3, "\u0665", "number 4 must be finite"),
+        (3, "", "number 4 must be finite, got ''"),
         (3, "nan", "number 4 must be finite"),
         (6, "1.5", "number 7 must be a whole number of 0 or more, got 1.5"),
         (6, "-1", "number 7 must be a whole number of 0 or more"),

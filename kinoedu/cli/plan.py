@@ -309,7 +309,7 @@ def plan_with_own(problem: Any, name: str, seed: int, settings: dict[str, Any]) 
         answer = call_planner(partial(function, **settings), asked, seed)
     except KinoeduError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise InvalidParameter(describe_exception(error, name)) from error
     plan = as_plan(answer, problem)
     stats = plan.stats or {"checks": int(asked.query_counts[0])}

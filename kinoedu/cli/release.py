@@ -98,6 +98,8 @@ def run_release(arguments: argparse.Namespace) -> int:
             return release_section(names, arguments)
         if arguments.zip is None:
             raise InvalidParameter("--variant needs --zip FILE or --out FOLDER")
+    if arguments.zip is not None and not arguments.zip.parent.is_dir():
+        raise InvalidParameter(f"there is no folder {arguments.zip.parent} for {arguments.zip}")
     if importlib.util.find_spec("nbgrader") is None:
         raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
 

@@ -9,7 +9,7 @@ Numbers that JSON cannot represent are encoded as "nan", "inf" and "-inf". Every
 the same bits.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -155,6 +155,15 @@ class Record:
         return value
 
 
+def is_row(value: object) -> bool:
+    """Whether a value has items in an order: a list, a tuple, a deque, an array and the like."""
+    if isinstance(value, np.ndarray):
+        return value.ndim > 0
+    return isinstance(value, Sequence) and not isinstance(
+        value, str | bytes | bytearray | memoryview
+    )
+
+
 class Listed(NamedTuple):
     """A list of at most `most` values of one shape."""
 
@@ -168,7 +177,7 @@ class Listed(NamedTuple):
 
     def encode(self, value: Value) -> list[Any]:
         """Encode a list, a tuple or an array."""
-        if not isinstance(value, list | tuple | np.ndarray) or len(value) > self.most:
+        if not is_row(value) or len(value) > self.most:
             raise wrong_shape(self.description, value)
         return [self.row.encode(item) for item in value]
 
@@ -203,8 +212,7 @@ class Together(NamedTuple):
 
     def encode(self, value: Value) -> list[Any]:
         """Encode a tuple or list of the right length, or an array with that many rows."""
-        is_array = type(value) is np.ndarray and value.ndim > 0
-        if not (isinstance(value, list | tuple) or is_array) or len(value) != len(self.places):
+        if not is_row(value) or len(value) != len(self.places):
             raise wrong_shape(self.description, value)
         return [shape.encode(item) for shape, item in zip(self.places, value, strict=True)]
 

@@ -18,6 +18,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, BinaryIO
 
 from ..compiled.tiers import BEGUN, DONE
@@ -54,6 +55,7 @@ class Child:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self.errors,
+            start_new_session=True,  # so that what a planner starts can be ended with it
         )
 
     def run(self, cell: Cell) -> Outcome:
@@ -70,18 +72,27 @@ class Child:
             send_message(task, self.process.stdin)
             return Outcome(*receive_message(self.process.stdout))
         except (EOFError, OSError):
-            self.process.kill()
-            status = self.process.wait()
+            status = self.kill()
             self.errors.seek(0)
             if STOPPED in self.errors.read():
                 return out_of_time(cell)
             raise ProcessEnded(f"the process of the run ended with status {status}") from None
 
     def end(self) -> None:
-        """End the process immediately."""
+        """End the process immediately, and do not wait for others that hold its pipes."""
+        self.kill()
+        for pipe in (self.process.stdin, self.process.stdout, self.errors):
+            with suppress(OSError):  # what was written last has no reader
+                pipe.close()  # type: ignore[union-attr]
+
+    def kill(self) -> int:
+        """Kill the process, and the processes that it started; the status with which it ended."""
         self.process.kill()
-        self.process.communicate()
-        self.errors.close()
+        status = self.process.wait()
+        if hasattr(os, "killpg"):
+            with suppress(OSError):  # there is no other
+                os.killpg(self.process.pid, signal.SIGKILL)
+        return status
 
 
 class Children:

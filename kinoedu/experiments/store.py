@@ -37,6 +37,8 @@ class Store:
             outcome = Outcome(**json.loads(text))
         except (OSError, ValueError, TypeError):
             return None
+        if not has_kinds(outcome):
+            return None
         if outcome.status == OUT_OF_TIME:
             return outcome if outcome.seconds >= cell.time_limit else None
         return outcome if outcome.seconds <= cell.time_limit else None
@@ -46,3 +48,13 @@ class Store:
         if self.folder is not None and outcome.status != NOT_RUN:
             with written_whole(self.folder / f"{cell.key}.json") as part:
                 part.write_text(json.dumps(outcome._asdict()), encoding="utf-8")
+
+
+def has_kinds(outcome: Outcome) -> bool:
+    """Whether every value of an outcome has the kind that it is written with."""
+    counts = (outcome.motions, outcome.places, outcome.nodes, outcome.iterations)
+    return (
+        all(isinstance(text, str) for text in (outcome.status, outcome.reason, outcome.path))
+        and all(isinstance(x, int | float) for x in (outcome.cost, outcome.seconds))
+        and all(count is None or isinstance(count, int) for count in counts)
+    )

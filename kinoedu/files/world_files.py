@@ -35,8 +35,8 @@ def write_world(
     ----------
     path : a name in .map for MovingAI, whose cells have the side 1 and no place; or in .yaml for
         the map_server of ROS, with the picture beside it in .pgm.
-    resolution : the side of a cell, needed for a world of polygons. A cell is free where no point
-        of it touches an obstacle or lies outside the world.
+    resolution : the side of a cell, needed for a world of polygons. A cell is free where the
+        circle round its corners touches no obstacle and lies inside the world.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def as_terrain(world: Any, resolution: float | None) -> TerrainRecord:
 
 
 def raster(world: PolygonWorldRecord, resolution: float) -> TerrainRecord:
-    """The cells of a world of polygons. A cell is free where its whole square is."""
+    """The cells of a world of polygons. A cell is free where the circle round its corners is."""
     columns, rows = (math.ceil(s) for s in (world.hi - world.lo) / resolution)
     if columns * rows > MOST_RASTERED:
         raise SceneTooLarge(

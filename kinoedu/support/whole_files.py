@@ -12,9 +12,17 @@ def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A temporary file beside `path`, which replaces `path` when the block ends.
 
     It is removed where the block fails.
+
+    Raises
+    ------
+    OSError
+        Where no file can be made there; it names `path`.
     """
     file = Path(path)
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=file.stem, suffix=".part")
+    try:
+        handle, name = tempfile.mkstemp(dir=file.parent, prefix=file.stem, suffix=".part")
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, str(file)) from None
     os.close(handle)
     part = Path(name)
     try:

@@ -44,10 +44,11 @@ def read_bytes(file: Path) -> bytes:
         )
     except OSError as error:
         raise UnreadableSubmission(f"the file cannot be opened: {error.strerror}") from error
+    about = os.fstat(handle)
+    if not stat.S_ISREG(about.st_mode):
+        os.close(handle)
+        raise UnreadableSubmission("this is not a plain file")
     with os.fdopen(handle, "rb") as stream:
-        about = os.fstat(handle)
-        if not stat.S_ISREG(about.st_mode):
-            raise UnreadableSubmission("this is not a plain file")
         if about.st_size > MOST_BYTES:
             raise UnreadableSubmission(
                 f"the file is too large: {about.st_size / 2**20:.0f} MB, and "
