@@ -11,6 +11,7 @@ from PIL import Image
 
 import kinoedu as ke
 from kinoedu.cli import main
+from kinoedu.support.whole_files import written_whole
 
 GRID = Path(__file__).parent / "data" / "grid"
 MAZE = str(GRID / "maze-32-32-2.map")
@@ -332,3 +333,23 @@ def test_warm_names_what_could_not_be_compiled(monkeypatch, capsys):
     monkeypatch.setattr("kinoedu.warm.warm_up", lambda: ["kinoedu.planners.trees.rrt.grow"])
     assert main(["warm"]) == 1
     assert "rrt.grow could not be compiled" in capsys.readouterr().err
+
+
+def test_a_planner_that_ends_python_is_an_error(tmp_path, capsys):
+    """Not the end of the command, with the planner's status."""
+    own = tmp_path / "own.py"
+    own.write_text("def leaves(problem):\n    raise SystemExit(0)\n")
+    assert main(["plan", MAZE, "--planner", f"{own}:leaves"]) == 2
+    assert "SystemExit" in capsys.readouterr().err
+
+
+def test_a_folder_that_is_missing_is_named_at_once(tmp_path, capsys):
+    """Not a temporary file in it, and before any work is done."""
+    there = tmp_path / "no" / "kit.zip"
+    assert main(["release", "--zip", str(there)]) == 2
+    assert str(there.parent) in capsys.readouterr().err
+    with pytest.raises(FileNotFoundError) as error, written_whole(there):
+        pass
+    assert error.value.filename == str(there)
+    assert main(["hand-in", str(tmp_path)]) == 2
+    assert "not a plain file" in capsys.readouterr().err

@@ -156,7 +156,11 @@ class Record:
 
 
 def is_row(value: object) -> bool:
-    """Whether a value has items in an order: a list, a tuple, a deque, an array and the like."""
+    """Whether a value has items in an order: a list, a tuple, a deque, an array and the like.
+
+    >>> is_row(range(3)), is_row(np.zeros(3)), is_row(np.array(3.0)), is_row("abc")
+    (True, True, False, False)
+    """
     if isinstance(value, np.ndarray):
         return value.ndim > 0
     return isinstance(value, Sequence) and not isinstance(
