@@ -18,7 +18,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PIL import Image
 
+import kinoedu as ke
 from kinoedu.errors import (
+    InvalidPolygon,
+    InvalidStart,
     KinoeduError,
     MendedPolygons,
     SceneTooLarge,
@@ -698,3 +701,38 @@ VALUES = st.recursive(
 def test_any_settings_read_or_are_refused(tmp_path: Path, changes: dict[str, Any]) -> None:
     """Values of every kind that YAML has."""
     read_or_refuse(ros(tmp_path, **changes))
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "error"),
+    [
+        ("flat.csv", "0,0,0, 9,0,0, 1, 3, 4,1, 5,1, 6,1", InvalidPolygon),
+        ("hit.csv", "0,0,0, 9,0,0, 1, 3, -1,-1, 5,1, 5,2", InvalidStart),
+        ("far.csv", "1e160,0,0, 9,0,0, 0", KinoeduError),
+        ("many.csv", "0,0,0, 9,0,0, 1e300", UnreadableScene),
+        (
+            "turning.json",
+            '{"polygons": [[[2, 2], [3, 2], [3, 3]]], "start": [1, 1, 0], "goal": [9, 9, 0]}',
+            KinoeduError,
+        ),
+    ],
+)
+def test_what_is_wrong_with_a_problem_names_its_file(tmp_path, name, text, error):
+    """Also where a polygon, a start or a number is wrong, and not the form of the file."""
+    (tmp_path / name).write_text(text)
+    with pytest.raises(error, match=name) as raised:
+        ke.read_problem(tmp_path / name)
+    assert len(str(raised.value)) < 300 + len(str(tmp_path))
+
+
+@pytest.mark.parametrize("name", ["x.csv", "x.png", "x.stl", "x.json", "x.map"])
+def test_a_file_that_must_not_be_read_is_called_so(tmp_path, monkeypatch, name):
+    (tmp_path / name).write_text("")
+
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied", name)
+
+    monkeypatch.setattr(Path, "open", refuse)
+    monkeypatch.setattr("builtins.open", refuse)
+    with pytest.raises(UnreadableScene, match=f"{name}: it cannot be read: Permission denied"):
+        read_world(tmp_path / name) if name == "x.png" else ke.read_problem(tmp_path / name)

@@ -104,6 +104,9 @@ def load_image(path: str | os.PathLike[str]) -> Image:
                 return image
     except KinoeduError:
         raise
+    except PermissionError as error:
+        why = error.strerror
+        raise UnreadableScene(f"{path}: it cannot be read: {why}; check its permissions") from error
     except Image.DecompressionBombError as error:
         raise SceneTooLarge(
             f"{path}: expected at most {MAX_CELLS:,} cells: {error}; shrink it"

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import UnreadableScene
-from ..support.reading import read_text
+from ..support.reading import naming, read_text
 from ..worlds.terrain import Terrain, TerrainRecord
 from .images import deep_grey, load_image
 
@@ -64,7 +64,8 @@ def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
     _expect(isinstance(name, str) and name != "", path, "image: the name of a picture", name)
     free_below, image = _free_threshold(path, settings), load_image(path.parent / str(name))
     free = _free_cells(image, free_below, bool(negate), averages_alpha=mode == "trinary")
-    return Terrain(free[::-1], resolution=resolution, origin=origin)
+    with naming(path):
+        return Terrain(free[::-1], resolution=resolution, origin=origin)
 
 
 def _expect(holds: bool, path: Path, expected: str, got: object) -> None:

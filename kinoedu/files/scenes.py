@@ -46,7 +46,7 @@ from ..problems import Problem, ProblemRecord
 from ..robots import Point
 from ..robots.kinds import Robot
 from ..support.json_fields import Field, JsonObject, read_json
-from ..support.reading import as_path
+from ..support.reading import as_path, naming
 from ..support.text import shortened
 from ..support.whole_files import written_whole
 from ..worlds import PolygonWorld, Terrain
@@ -304,7 +304,8 @@ def make_problem(
         )
     if start is None or goal is None:
         start, goal = read_query(file, world, 0 if query is None else query)
-    return Problem(Point() if robot is None else robot, world, start, goal, clearance=clearance)
+    with naming(file):
+        return Problem(Point() if robot is None else robot, world, start, goal, clearance=clearance)
 
 
 def read_query(file: Path, world: Any, number: int) -> tuple[Array, Array]:

@@ -19,7 +19,7 @@ from ..errors import UnreadableScene
 from ..geometry.checks import Array
 from ..problems import Problem, ProblemRecord
 from ..robots import Car
-from ..support.reading import as_path, read_text
+from ..support.reading import as_path, naming, read_text
 from ..support.text import shortened
 from ..worlds import PolygonWorld
 from .mending import mend_polygons
@@ -68,7 +68,8 @@ def read_tpcap(path: str | os.PathLike[str]) -> ProblemRecord:
     places = np.vstack([corners, start[:2], goal[:2]])
     boundary = rectangle(places.min(axis=0) - MARGIN, places.max(axis=0) + MARGIN)
     car = Car(LENGTH, WIDTH, WHEELBASE, rear_overhang=REAR_OVERHANG, max_steering=MAX_STEERING)
-    return Problem(car, PolygonWorld(boundary, mend_polygons(drawn, file)), start, goal)
+    with naming(file):
+        return Problem(car, PolygonWorld(boundary, mend_polygons(drawn, file)), start, goal)
 
 
 def read_numbers(file: str) -> Array:
@@ -112,7 +113,7 @@ def read_counts(file: str, numbers: Array) -> list[int]:
 
 def read_count(file: str, i: int, value: float, least: int) -> int:
     """A count, at least `least`."""
-    if not value.is_integer() or value < least:
+    if not value.is_integer() or not least <= value < 2**53:
         raise UnreadableScene(
             f"{file}: number {i} must be a whole number of {least} or more, got {value:g}"
         )

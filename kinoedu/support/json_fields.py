@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from ..errors import KinoeduError, UnreadableScene
-from .reading import read_text
+from .reading import naming, read_text
 from .text import shortened
 
 Json = Any  # what json.loads returns
@@ -134,11 +134,8 @@ def read_json(file: Path, name: str, build: Callable[[Field], Built]) -> Built:
     UnreadableScene
         Where the file is not JSON. This error and those of `build` name the file and the field.
     """
-    try:
+    with naming(file):
         return build(Field(name, parse_json(read_text(file)), file.parent))
-    except KinoeduError as error:
-        message = str(error) if str(file) in str(error) else f"{file}: {error}"
-        raise type(error)(message) from error
 
 
 def parse_json(text: str) -> Any:

@@ -1,14 +1,27 @@
 """Safe reading of files: only regular files of text up to a maximal size."""
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
 
-from ..errors import SceneTooLarge, UnreadableScene
+from ..errors import KinoeduError, SceneTooLarge, UnreadableScene
 from .text import shortened
 
 # The longest file of a terrain of 5,000 x 5,000 cells: one cell per line, Windows line ends.
 MAX_BYTES = 75_001_000
+
+
+@contextmanager
+def naming(file: object) -> Iterator[None]:
+    """Let errors of this package name the file that the block reads."""
+    try:
+        yield
+    except KinoeduError as error:
+        if str(file) in str(error):
+            raise
+        raise type(error)(f"{file}: {error}") from error
 
 
 def as_path(path: str | os.PathLike[str]) -> Path:
