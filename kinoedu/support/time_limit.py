@@ -6,6 +6,7 @@ what that program itself computes.
 """
 
 import functools
+import gc
 import statistics
 import sys
 import threading
@@ -14,9 +15,9 @@ from collections.abc import Callable
 from concurrent.futures import Future, wait
 from contextlib import suppress
 from contextvars import copy_context
-from itertools import accumulate, chain, repeat, starmap, takewhile
-from operator import methodcaller
-from types import FrameType
+from itertools import accumulate, chain, repeat, starmap, takewhile, tee
+from operator import attrgetter, methodcaller
+from types import CodeType, FrameType
 from typing import Any, NamedTuple, Protocol, TypeVar
 
 from .threads import WAITING_FILES, library_seconds, raise_in, spent_by, withdraw_exception
@@ -42,6 +43,9 @@ LONGEST = 20.0  # every program ends after this many times the limit of wall-clo
 
 REFERENCE = 0.0015  # seconds that time_practice_loop() takes on a typical computer
 SLOWEST = 20.0  # no computer counts as more times slower than that
+
+
+Call = tuple[FrameType, tuple[CodeType, int | None]]  # its frame, its code and the line in it
 
 
 class SeenLines(NamedTuple):
@@ -264,17 +268,17 @@ class SeenCalls:
 
     def __init__(self) -> None:
         self.looks = 0
-        self.calls: list[FrameType] = []  # running at every look, outermost first
+        self.calls: list[Call] = []  # running at every look, outermost first
         self.lines: list[set[int]] = []  # the lines of each call in which it was seen
 
-    def add(self, calls: list[FrameType]) -> None:
+    def add(self, calls: list[Call]) -> None:
         """Record where the thread is now."""
         now = calls[::-1]
         if not self.looks:
             self.calls, self.lines = now, [set() for _ in now]
         same = 0
-        while same < min(len(now), len(self.calls)) and now[same] is self.calls[same]:
-            line = now[same].f_lineno
+        while same < min(len(now), len(self.calls)) and now[same][0] is self.calls[same][0]:
+            _, (_, line) = now[same]
             if line is not None:  # None between two lines
                 self.lines[same].add(line)
             same += 1
@@ -285,29 +289,45 @@ class SeenCalls:
         """Where the thread was at every look; None where that is not a few lines."""
         if self.looks < self.MIN_LOOKS or not self.calls or not self.lines[-1]:
             return None
-        code, first, last = self.calls[-1].f_code, min(self.lines[-1]), max(self.lines[-1])
+        _, (code, _) = self.calls[-1]
+        first, last = min(self.lines[-1]), max(self.lines[-1])
         is_known = last - first < self.MAX_LINES
         return SeenLines(code.co_filename, code.co_name, first, last) if is_known else None
 
 
-def calls_of(thread: int) -> list[FrameType]:
+def calls_of(thread: int) -> list[Call]:
     """The calls on a thread's stack at one moment, innermost first; none where it has ended.
 
-    Only C functions follow the stack, so the thread does not run meanwhile. A process once crashed
-    where Python functions followed a stack that could change.
+    Only C functions follow the stack and read it, without a collection of cycles between them, so
+    the thread does not run meanwhile. Processes crashed where Python functions followed a stack
+    that could change, and where a frame was asked later: only its identity is of use.
     """
-    innermost = map(methodcaller("get", thread), starmap(sys._current_frames, [()]))
-    return list(takewhile(bool, accumulate(chain(innermost, repeat("f_back")), getattr)))
+    was_enabled = gc.isenabled()
+    try:
+        gc.disable()
+        innermost = map(methodcaller("get", thread), starmap(sys._current_frames, [()]))
+        frames = takewhile(bool, accumulate(chain(innermost, repeat("f_back")), getattr))
+        kept, asked = tee(frames)
+        return list(zip(kept, map(attrgetter("f_code", "f_lineno"), asked)))
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
-def waits_for_machine_code(calls: list[FrameType]) -> bool:
+def waits_for_machine_code(calls: list[Call]) -> bool:
     """Whether a thread only waits until machine code is made or loaded."""
-    return calls != [] and calls[0].f_code.co_filename in WAITING_FILES
+    return calls != [] and file_of(calls[0]) in WAITING_FILES
 
 
-def loads_a_module(calls: list[FrameType]) -> bool:
+def loads_a_module(calls: list[Call]) -> bool:
     """Whether a thread is importing a module."""
-    return any(call.f_code.co_filename.startswith("<frozen importlib") for call in calls)
+    return any(file_of(call).startswith("<frozen importlib") for call in calls)
+
+
+def file_of(call: Call) -> str:
+    """The file of a call's function."""
+    _, (code, _) = call
+    return code.co_filename
 
 
 def clock_of_this_thread() -> int | None:
