@@ -31,11 +31,11 @@ def ends_of_links(q: Array, lengths: Array) -> Array:
 def gaps(q: Array, lengths: Array, width: float, discs: Array) -> Array:
     """Distance between each link and each disc, negative where they overlap; (2, m)."""
     ends = ends_of_links(q, lengths)
+    centres, radii = discs[:, :2], discs[:, 2]
     rows = [
-        [point_segment_distance(disc[:2], a, b) - disc[2] - width / 2 for disc in discs]
-        for a, b in zip(ends, ends[1:])
+        point_segment_distance(centres, a, b) - radii - width / 2 for a, b in zip(ends, ends[1:])
     ]
-    return np.array(rows, float).reshape(2, len(discs))
+    return np.array(rows)
 
 
 @withheld
