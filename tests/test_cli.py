@@ -343,6 +343,14 @@ def test_a_planner_that_ends_python_is_an_error(tmp_path, capsys):
     assert "SystemExit" in capsys.readouterr().err
 
 
+def test_a_wrong_letter_of_a_variant_is_an_error_before_any_release(tmp_path, capsys):
+    """It was noticed when all notebooks had been run."""
+    assert main(["release", "--zip", str(tmp_path / "kit.zip"), "--variant", "Q9"]) == 2
+    said = capsys.readouterr()
+    assert "--variant is one of the letters A, B" in said.err
+    assert "made exercises" not in said.out
+
+
 def test_a_folder_that_is_missing_is_named_at_once(tmp_path, capsys):
     """Not a temporary file in it, and before any work is done."""
     there = tmp_path / "no" / "kit.zip"

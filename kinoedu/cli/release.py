@@ -88,7 +88,9 @@ def add_release(commands: Commands) -> None:
 
 def run_release(arguments: argparse.Namespace) -> int:
     """Make the exercises, and print where they are."""
+    from ..course.lessons import EXERCISES
     from ..course.release import assignments, pack_course, release
+    from ..course.section import choose_for_section
 
     if arguments.variants is not None:
         return release_variants(arguments)
@@ -98,6 +100,7 @@ def run_release(arguments: argparse.Namespace) -> int:
             return release_section(names, arguments)
         if arguments.zip is None:
             raise InvalidParameter("--variant needs --zip FILE or --out FOLDER")
+        choose_for_section(EXERCISES.values(), arguments.variant)  # a wrong letter is an error now
     if arguments.zip is not None and not arguments.zip.parent.is_dir():
         raise InvalidParameter(f"there is no folder {arguments.zip.parent} for {arguments.zip}")
     if importlib.util.find_spec("nbgrader") is None:
