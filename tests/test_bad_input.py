@@ -111,6 +111,24 @@ REFUSED = {
     "a grid of five in a square": lambda: ke.corner_grid(5),
     "a map that is not there": lambda: ke.read_world("no.map"),
     "a circle of no radius": lambda: ke.dubins_path((0, 0, 0), (1, 1, 0), 0),
+    "a place to measure with a heading too many": lambda: ke.clearance_of(
+        TASK.robot, WORLD, (5, 5, 0)
+    ),
+    "discs of two numbers": lambda: ke.worlds.scattered(
+        3, keep_free=[(1, 2), (3, 4), (5, 6)], rng=0
+    ),
+    "offsets of other obstacles": lambda: ke.worlds.scenario_world(
+        ke.UncertainWorld(ROOM, [SQUARE], 0.1), [(0, 0), (1, 1)]
+    ),
+    "two segments against three": lambda: ke.geometry.segments_intersect(
+        ROOM[:2], ROOM[1:3], ROOM[:3], ROOM[1:]
+    ),
+    "a tolerance of nearly nothing": lambda: ke.c_space.free_regions(1.0, WORLD, tolerance=1e-17),
+    "a painted list": lambda: ke.collision.paint_configuration_space(ARM, [SQUARE], 36),
+    "edges of no nodes": lambda: ke.Graph(edges=[(0, 1)]),
+    "a roadmap without start and goal": lambda: ke.plan_on_roadmap(
+        TASK, ke.build_roadmap(TASK, n=9, rng=0)
+    ),
 }
 
 

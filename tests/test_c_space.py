@@ -348,6 +348,23 @@ def test_a_grown_polygon_is_measured_in_closed_form():
         assert np.allclose(shape.segments[:, 1], np.roll(ends, -1, axis=0))
 
 
+def test_a_corner_that_is_nearly_straight_is_no_full_turn():
+    """A corner may be convex by so little that the rounded directions of its edges turn back."""
+    rng, found = np.random.default_rng(0), 0
+    while found < 3:
+        a, c = rng.uniform(1.0, 9.0, (2, 2))
+        along = c - a
+        middle = a + rng.uniform(0.1, 0.9) * along
+        far = (a + c) / 2 + 0.5 * np.array([-along[1], along[0]])
+        hull = convex_hull([a, middle, c, far])
+        sides = np.roll(hull, -1, axis=0) - hull
+        turns = np.diff(np.unwrap(np.arctan2(sides[:, 1], sides[:, 0])))
+        if len(hull) == 4 and (turns < 0.0).any():
+            found += 1
+            assert Rounded(hull, 1.0).arcs[:, 3].sum() == pytest.approx(2 * np.pi)
+            assert shapely.is_valid(shapely.Polygon(Rounded(hull, 1.0).polyline(1e-4)))
+
+
 def test_a_disk_is_free_where_its_centre_is_in_a_free_region():
     """By collision tests at thousands of positions, except within the tolerance of the outline."""
     world = PolygonWorld(NOTCHED, [HOOK, [(14, 2), (17, 4), (15, 7)], ((3, 11), 1.5)])

@@ -365,6 +365,13 @@ def test_collected_convex_pairs(case: Any, expected: Any) -> None:
     assert convex_polygons_intersect(case["Q"], case["P"]) is expected["intersect_closed"]
 
 
+def test_the_tangent_at_a_straight_vertex_is_that_of_the_edges() -> None:
+    """Inside the polygon as outside; it was the opposite one inside."""
+    room = [(0, 0), (2, 0), (4, 0), (4, 4), (0, 4)]
+    for q in ((2, 1), (1.9, 1), (2.1, 1), (2, -1), (2, 0)):
+        assert polygon_tangent(q, room).tolist() == [1, 0]
+
+
 @pytest.mark.parametrize(("case", "expected"), cases("tangent"))
 def test_collected_tangents(case: Any, expected: Any) -> None:
     """The direction is counter-clockwise, for vertices in either order."""

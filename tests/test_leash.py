@@ -33,6 +33,13 @@ def test_a_path_follows_as_far_as_any_walk_of_both(seed):
             assert count_followed_points(path, guide, leash) == expected
 
 
+def test_a_path_of_no_points_is_followed_nowhere():
+    """And vertices of a path keep every bit."""
+    assert count_followed_points(np.empty((0, 2)), [(0, 0), (1, 1)], 0.5) == 0
+    path = np.random.default_rng(0).normal(0.0, 1e3, (5, 2)) ** 3
+    assert all(p in densify_path(path, 1e8).tolist() for p in path.tolist())
+
+
 def test_points_are_added_along_each_segment():
     """Corners stay, no gap is longer than the spacing, and a point that repeats stays too."""
     path = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (1.0, 2.5)])

@@ -150,6 +150,8 @@ def test_one_roadmap_answers_many_queries():
         assert np.array_equal(plan.roadmap.nodes[2:], roadmap.nodes)
     recorded = ke.query(ke.Recorder(problem), roadmap)
     assert recorded.cost == ke.query(problem, roadmap).cost
+    elsewhere = ke.query(ke.Recorder(problem), roadmap, (5, 9))
+    assert elsewhere.problem.start.tolist() == [5, 9] and elsewhere.problem.log
 
 
 def test_queries_that_cannot_be_answered():

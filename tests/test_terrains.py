@@ -251,6 +251,8 @@ def test_an_unchanged_world_asks_for_nearly_nothing():
     """Where no cell differs, only the origin is compared."""
     problem = ke.Problem(ke.Point(), ke.Terrain(np.ones((20, 20))), (3, 3), (17, 17))
     roadmap = ke.changing_roadmap(problem, n=50, rng=0)
+    recorded = ke.changing_roadmap(ke.Recorder(problem), n=50, rng=0)
+    assert np.array_equal(recorded.pairs, roadmap.pairs)
     assert (
         ke.after_change(problem, roadmap, *ke.changed_box(problem.world, problem.world)).judged == 0
     )

@@ -22,7 +22,8 @@ from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
 
-FINE = 1e-4  # the default tolerance, as a fraction of the radius
+# of the radius: the default tolerance, and the least; an arc's tangents number 1 / sqrt(tolerance)
+FINE, FINEST = 1e-4, 1e-9
 
 
 def grown_obstacles(radius: float, world: PolygonWorldRecord) -> list[Rounded]:
@@ -101,7 +102,7 @@ def free_regions(
 
     Parameters
     ----------
-    tolerance : a length; by default 1e-4 of the radius.
+    tolerance : a length, at least 1e-9 of the radius; by default 1e-4 of it.
 
     Returns
     -------
@@ -117,8 +118,10 @@ def free_regions(
 
     size = as_radius(radius)
     fine = as_array(FINE * size if tolerance is None else tolerance, "tolerance")
-    if fine.ndim or fine <= 0.0:
-        raise InvalidParameter(f"tolerance must be one positive length, got {tolerance!r}")
+    if fine.ndim or fine < FINEST * size or fine <= 0.0:
+        raise InvalidParameter(
+            f"tolerance must be one length of at least {FINEST:g} of the radius, got {tolerance!r}"
+        )
     solids = [
         shapely.Polygon(shape.polyline(float(fine))) for shape in grown_obstacles(size, world)
     ]

@@ -62,6 +62,7 @@ class Rounded(NamedTuple):
         """
         before = np.roll(self.headings, 1)
         turns = np.mod(self.headings - before, 2.0 * math.pi)
+        turns[turns > 1.5 * math.pi] = 0.0  # a straight corner, rounded to the wrong side
         return np.column_stack([self.corners, before, turns if len(turns) > 1 else [2.0 * math.pi]])
 
     @property

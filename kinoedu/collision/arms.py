@@ -105,6 +105,8 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
     ------
     InvalidRobot
         Where `arm` is not an arm of two links.
+    InvalidWorld
+        Where `world` is not a world.
     InvalidParameter
         Where n is not an integer from 1 to 20,000.
 
@@ -117,6 +119,7 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
     [1224, 0, 72]
     """
     check_arm(arm)
+    check_world(world)
     if len(arm.lengths) != 2:
         raise InvalidRobot(
             "the image is for an arm of two links, one for each axis; this one has "

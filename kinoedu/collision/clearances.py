@@ -16,6 +16,7 @@ from ..robots.moving import place_body
 from ..support.text import shortened
 from ..worlds.checks import World
 from ..worlds.nearby import obstacles_near, rim
+from .interface import coordinates
 
 
 def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
@@ -31,7 +32,7 @@ def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
     Raises
     ------
     InvalidPoint
-        Where q has too few numbers.
+        Where q is not a configuration of this robot.
 
     Examples
     --------
@@ -40,12 +41,10 @@ def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
     >>> clearance_of(RigidPolygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]), world, (3, 5, 0))
     2.0
     """
-    at = as_row(q, "q")
-    try:
-        body = place_body(robot, at)
-    except IndexError:
-        raise InvalidPoint(f"q has too few numbers for this robot, got {shortened(q)}") from None
-    return float(least_distance(body, world))
+    at, count = as_row(q, "q"), coordinates(robot)
+    if at.shape != (count,):
+        raise InvalidPoint(f"q must be {count} numbers for this robot, got {shortened(q)}")
+    return float(least_distance(place_body(robot, at), world))
 
 
 @compiled

@@ -50,14 +50,14 @@ def check_cost(robot: Robot, world: World) -> None:
         Where the terrain has costs and the robot has no single point of its body at which they are
         evaluated.
     """
-    on_costs = isinstance(world, TerrainRecord) and world.cost.size
-    if on_costs and not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
+    has_costs = isinstance(world, TerrainRecord) and world.cost.size
+    if not has_costs or isinstance(robot, RoundRobot):
+        return
+    if not isinstance(robot, TranslatingPolygonRobot):
         raise InvalidParameter(
             "a terrain with costs needs Point(), Disk(r) or TranslatingPolygon(...); use a terrain "
             "without cost="
         )
-    if not on_costs or not isinstance(robot, TranslatingPolygonRobot):
-        return
     if locate_point(0.0, 0.0, robot.outline) < 0:
         raise InvalidParameter(
             "a terrain's costs are those at the robot's reference point, which must be part of its "

@@ -35,8 +35,8 @@ def free_headings(robot: Robot, world: World, point: ArrayLike) -> Array:
     """The open intervals of headings at which a robot is free with its reference point at `point`.
 
     Results are exact to rounding; intervals shorter than the tolerance of collision detection,
-    1e-9, may be missing. O(k log k) and k collision queries for k critical headings: at most 4 for
-    each pair of an edge of the robot and an edge of an obstacle near it.
+    1e-9, may be missing. O(k log k) and 2 k collision queries for k critical headings, of which
+    there are at most 4 for each pair of an edge of the robot and an edge of an obstacle near it.
 
     Parameters
     ----------

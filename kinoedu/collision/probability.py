@@ -76,8 +76,7 @@ def collision_probability(
 
     Examples
     --------
-    >>> from ..robots import Point
-    >>> from ..worlds.uncertain import UncertainWorld
+    >>> from kinoedu import Point, UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4, 3), 1)], 0.5)
     >>> chance = collision_probability(Point(), world, [(1, 1), (8, 1)], rng=0)
     >>> bool(chance.low < 0.0228 < chance.high)
@@ -110,8 +109,7 @@ def path_clearances(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
 
     Examples
     --------
-    >>> from ..robots import Point
-    >>> from ..worlds.uncertain import UncertainWorld
+    >>> from kinoedu import Point, UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4, 3), 1)], 0.5)
     >>> path_clearances(Point(), world, [(1, 1), (8, 1)])
     array([1.])
@@ -141,8 +139,7 @@ def collision_bound(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
 
     Examples
     --------
-    >>> from ..robots import Point
-    >>> from ..worlds.uncertain import UncertainWorld
+    >>> from kinoedu import Point, UncertainWorld
     >>> world = UncertainWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [((4, 3), 1)], 0.5)
     >>> round(collision_bound(Point(), world, [(1, 1), (8, 1)]), 4)
     0.1353

@@ -166,9 +166,11 @@ def allows_contact(case: Case) -> str | None:
     if not problem.is_free_path(a, b):
         return None
     try:
-        return "" if problem.is_semi_free_path(a, b) else "it is free, but not in contact"
+        if problem.is_semi_free_path(a, b):
+            return ""
     except TypeError:
         return None
+    return "it is free, but not where contact is allowed"
 
 
 def blocked_outside(case: Case) -> str | None:

@@ -57,7 +57,8 @@ def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
 def all_dubins_curves(q0: ArrayLike, q1: ArrayLike, radius: float) -> list[Curve]:
     """The curves from q0 to q1 for all of the six words that exist between them.
 
-    Between near poses some words do not exist. Parameters and errors are those of `dubins_path`.
+    LSR and RSL do not exist between near poses, LRL and RLR not between far ones. Parameters and
+    errors are those of `dubins_path`.
 
     Examples
     --------

@@ -40,7 +40,7 @@ CROSSED = -1  # returned where edges cross or overlap, or one obstacle lies in a
 
 @inlined
 def handle_event(sweep: Any, handled: int, stop: int) -> int:
-    """Handle the event points order[met:stop], all of one x, up to the first solid place.
+    """Handle the event points order[handled:stop], all of one x, up to the first solid place.
 
     Returns the number of vertices that have been handled then, or CROSSED.
     """
@@ -151,7 +151,7 @@ def height_between(sweep: Any, edge: int, x: float, level: int, y: float) -> flo
 
 @inlined
 def lowest_touched(sweep: Any, handled: int) -> int:
-    """The node of the lowest cell whose ceiling is not below vertex order[met]; or CROSSED.
+    """The node of the lowest cell whose ceiling is not below vertex order[handled]; or CROSSED.
 
     NOBODY where all cells are below. An edge that ends at the vertex is looked up directly;
     otherwise the cell is found by a binary search, in O(log n).

@@ -70,9 +70,10 @@ def rings_holding(rings: Array, x: float, y: float) -> NDArray[np.bool_]:
 
 
 def triangulation(world: PolygonWorldRecord) -> Triangulation:
-    """Decompose the free space of a PolygonWorld into triangles, with vertices of the world only.
+    """Decompose the free space of a PolygonWorld into triangles.
 
-    It is a constrained Delaunay triangulation.
+    It is a constrained Delaunay triangulation. The corners are vertices of the world, and the
+    points where outlines of obstacles cross.
 
     Returns
     -------

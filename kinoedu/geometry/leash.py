@@ -47,7 +47,7 @@ def count_followed_points(path: ArrayLike, guide: ArrayLike, leash: float) -> in
         possible[0], possible[1:] = False, last_reached > last_far
         if not possible.any():
             return i
-    return len(points) if possible[-1] else len(points) - 1
+    return len(points) if possible[-1] else max(len(points) - 1, 0)
 
 
 def densify_path(path: ArrayLike, spacing: float) -> Array:
@@ -67,4 +67,5 @@ def densify_path(path: ArrayLike, spacing: float) -> Array:
     stride = np.repeat(np.arange(len(parts)), parts)  # of each point but the first
     part = np.arange(1, len(stride) + 1) - np.repeat(np.cumsum(parts) - parts, parts)
     added = points[stride] + (part / parts[stride])[:, None] * strides[stride]
+    added[np.cumsum(parts) - 1] = points[1:]
     return np.vstack([points[:1], added])

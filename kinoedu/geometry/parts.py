@@ -98,11 +98,11 @@ def box_of(points: Array) -> tuple[Array, Array]:
 
 @inlined
 def segment_meets_part(ax: float, ay: float, bx: float, by: float, parts: Parts, i: int) -> bool:
-    """Whether the closed segment a-b shares a point with part i; its radius is ignored. Exact.
+    """Whether the closed segment a-b shares a point with part i, a point or a polygon. Exact.
 
-    A segment and a polygon are disjoint exactly when the polygon is strictly on one side of the
-    segment's line, or the segment is strictly to the right of an edge (separating axis theorem).
-    The segment may be a single point.
+    The part's radius is ignored. A segment and a polygon are disjoint exactly when the polygon is
+    strictly on one side of the segment's line, or the segment is strictly to the right of an edge
+    (separating axis theorem). The segment may be a single point.
     """
     points, begin, end = parts.points, parts.first[i], parts.first[i + 1]
     if end - begin == 1:

@@ -118,9 +118,10 @@ def tangent_to_ring(x: float, y: float, ring: Array) -> tuple[float, float]:
     start = (edge + 1) % len(ring) if region == 2 else edge
     before, vertex, after = ring[start - 1], ring[start], ring[(start + 1) % len(ring)]
     dx, dy = near_y - y, x - near_x
-    if region == 0 or (dx == 0.0 and dy == 0.0):
+    turn = orientation_sign(before[0], before[1], vertex[0], vertex[1], after[0], after[1])
+    if region == 0 or turn == 0 or (dx == 0.0 and dy == 0.0):
         dx, dy = after[0] - vertex[0], after[1] - vertex[1]
-    elif orientation_sign(before[0], before[1], vertex[0], vertex[1], after[0], after[1]) < 0:
+    elif turn < 0:
         dx, dy = -dx, -dy  # a reflex vertex is nearest only to points inside the polygon
     size = length(dx, dy)
     return dx / size + 0.0, dy / size + 0.0

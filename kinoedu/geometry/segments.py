@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
+from ..errors import InvalidPoint
 from .checks import Array, as_point, as_points, one_or_many
 from .exact import dot_sign, height, length, orientation_sign
 
@@ -86,7 +87,7 @@ def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLik
     Raises
     ------
     InvalidPoint
-        Where a point is not two finite numbers.
+        Where a point is not two finite numbers, or there are different numbers of points.
 
     Examples
     --------
@@ -97,8 +98,13 @@ def segments_intersect(p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, p4: ArrayLik
     """
     names = ("p1", "p2", "p3", "p4")
     ends = [as_points(p, name) for p, name in zip((p1, p2, p3, p4), names, strict=True)]
-    size = max(map(len, ends))
-    answers = pairs_meet(*(np.broadcast_to(end, (size, 2)) for end in ends))
+    try:
+        shape = np.broadcast_shapes(*(end.shape for end in ends))
+    except ValueError:
+        raise InvalidPoint(
+            f"p1, p2, p3 and p4 must be one point each, or as many, got {[*map(len, ends)]}"
+        ) from None
+    answers = pairs_meet(*(np.broadcast_to(end, shape) for end in ends))
     return one_or_many(max((p1, p2, p3, p4), key=np.ndim), answers)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..compiled import compiled
 
-BITS = 24  # of a digit: a million products of two digits are summed without overflow
+BITS = 24  # of a digit: 32,768 products of two digits are summed without overflow
 BASE = 1 << BITS
 MANTISSA = 53  # bits of a float
 NO_UNIT = 10000  # more than every float's exponent

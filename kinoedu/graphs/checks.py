@@ -85,6 +85,8 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
             f"edges must be pairs of whole numbers, shape (m, 2), got shape {given.shape} of "
             f"{given.dtype}"
         )
+    if size == 0:
+        raise InvalidGraph("a graph without nodes has no edges; give size= or nodes=")
     if not (0 <= given.min() and given.max() < size):
         wrong = given[((given < 0) | (given >= size)).any(axis=1)][0].tolist()
         raise InvalidGraph(f"edges must name nodes 0 to {size - 1}, got {tuple(wrong)}")

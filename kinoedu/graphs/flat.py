@@ -111,8 +111,9 @@ def compress_rows(
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
     """The compressed sparse rows of a graph: where each node's edges begin, their ends and weights.
 
-    Each edge is stored once (ways = 1), or once in each direction (ways = 2). Two counting sorts,
-    by target and then by source: the second is stable and keeps the order that the first has made.
+    Each edge is stored once (directions = 1), or once in each direction (directions = 2). Two
+    counting sorts, by target and then by source: the second is stable and keeps the order that the
+    first has made.
     """
     m = len(edges)
     by_target, by_source = np.zeros(size + 2, np.int64), np.zeros(size + 2, np.int64)
@@ -142,7 +143,7 @@ def compress_rows(
 def counting_sort(
     keys: NDArray[np.int64], order: NDArray[np.int64], size: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Sort `order` by keys from 0 to size, stably. O(n + size).
+    """Sort `order` by keys from 0 to size - 1, stably. O(n + size).
 
     Returns
     -------

@@ -16,7 +16,7 @@ The queue is a radix heap. Entries are never moved forward: line 9 inserts v onc
 skips a node that has been settled since its entry was inserted.
 
 E. W. Dijkstra (1959); P. E. Hart, N. J. Nilsson, B. Raphael, "A formal basis for the heuristic
-determination of minimum cost paths" (1968); Bullo & Smith, chapter 2; LaValle, section 2.2.
+determination of minimum cost paths" (1968); Bullo & Smith, chapter 5; LaValle, section 2.2.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ def search(
     Returns
     -------
     expanded : (k,), the nodes in the order of expansion.
-    examined : how many edges were examined.
+    examined : how many edges the expanded nodes have; no more are examined.
     """
     expanded = np.empty(len(labels.cost), np.int64)
     n, done = expand(graph, goal, heuristic, labels, queue, expanded, 0)
@@ -191,9 +191,10 @@ def astar(
 
     Parameters
     ----------
-    heuristic : (n,), lower bounds on the cost from each node to the goal. Without
-        it this is Dijkstra's algorithm, stopped at the goal. Where weights are distances,
-        `graph.distances(goal)` is such a heuristic. A record that answers `estimate` computes them.
+    heuristic : (n,), lower bounds on the cost from each node to the goal. Without it this is
+        Dijkstra's algorithm, stopped at the goal. Where weights are distances,
+        `graph.distances(graph.nodes[goal])` is such a heuristic. A record that answers `estimate`
+        computes them.
 
     Returns
     -------

@@ -36,13 +36,15 @@ class OwnProblem:
             )
         self.problem = problem
         self.start = np.atleast_1d(as_array(problem.start, "start"))
+        if self.start.ndim != 1:
+            raise InvalidPoint(f"start must be a row of numbers, got shape {self.start.shape}")
         self.goal = self._configuration(problem.goal, "goal")
         self.query_counts = np.zeros(2, np.int64)
 
     def _configuration(self, value: ArrayLike, name: str) -> Array:
         """A configuration with the shape of the start; raises InvalidPoint otherwise."""
         q = np.atleast_1d(as_array(value, name))
-        if q.shape != self.start.shape or q.ndim != 1:
+        if q.shape != self.start.shape:
             raise InvalidPoint(
                 f"{name} must have the start's shape {self.start.shape}, got {q.shape}"
             )
@@ -116,7 +118,7 @@ def world_size(problem: PlanningProblem) -> float:
 
 
 def as_step_size(problem: PlanningProblem, value: object, name: str) -> float:
-    """A length, checked; by default a twentieth of the world's size.
+    """A length, checked; by default a twentieth of `world_size`.
 
     Raises
     ------

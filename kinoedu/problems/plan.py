@@ -101,8 +101,14 @@ class Plan:
     def __repr__(self) -> str:
         counts = ", ".join(f"{value:,} {name}" for name, value in self.stats.items())
         found = (
-            f"path of {len(self.path)} points, length {self.cost:.6g}"
+            f"path of {len(self.path)} points, {self.measure} {self.cost:.6g}"
             if self.path is not None
             else f"no path: {self.reason}"
         )
-        return f"<Plan: {found}; {counts}>"
+        return f"<Plan: {found}; {counts}>" if counts else f"<Plan: {found}>"
+
+    @property
+    def measure(self) -> str:
+        """What the cost of a path is: its "length", or on a terrain with costs its "cost"."""
+        world = getattr(self.problem, "world", None)
+        return "cost" if np.size(getattr(world, "cost", ())) else "length"

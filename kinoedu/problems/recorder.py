@@ -72,3 +72,12 @@ class Recorder:
 def unwrap_recorder(problem: Any) -> Any:
     """The problem that a recorder records; any other problem is returned unchanged."""
     return problem.problem if isinstance(problem, Recorder) else problem
+
+
+def record_as(problem: Any, changed: Any) -> Any:
+    """A changed problem, with a recorder that writes the same log if the problem has one."""
+    if not isinstance(problem, Recorder):
+        return changed
+    recorder = Recorder(changed)
+    recorder.log = problem.log
+    return recorder

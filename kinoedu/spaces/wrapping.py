@@ -85,7 +85,7 @@ def SE2(lo: ArrayLike, hi: ArrayLike, *, turn_weight: float) -> WrappingSpace:
     ----------
     lo, hi : (2,) bounds of the positions.
     turn_weight : the length that one radian counts as. A robot's radius about (x, y) is a good
-        choice: then its corners move by at most the distance, and by about as much.
+        choice: then no corner moves farther than sqrt(2) times the distance.
 
     Raises
     ------

@@ -94,9 +94,9 @@ def roughness(heights: ArrayLike, *, reach: int = 1) -> Array:
 def clearance_of_cells(free: ArrayLike, *, resolution: float = 1.0) -> Array:
     """The distance from the centre of each cell to the nearest centre of a blocked cell.
 
-    It is 0 for a blocked cell; everything outside is blocked. A. Meijster, J. B. T. M. Roerdink, W.
-    H. Hesselink, "A general algorithm for computing distance transforms in linear time" (2000).
-    O(cells).
+    It is 0 for a blocked cell; everything outside is blocked. O(cells), by scipy: C. R. Maurer, R.
+    Qi, V. Raghavan, "A linear time algorithm for computing exact Euclidean distance transforms of
+    binary images in arbitrary dimensions" (2003).
 
     Returns
     -------

@@ -87,7 +87,8 @@ LANDSCAPES: dict[str, Callable[[np.random.Generator], Cells]] = {
 def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> TerrainRecord:
     """Draw a terrain of a kind: rocks, craters, ridges, dunes, fords or spires.
 
-    Terrains are drawn until START (10, 10) and GOAL (246, 246) are connected.
+    Terrains are drawn until the cells START (10, 10) and GOAL (246, 246) are connected; cells are
+    counted from the lower left corner.
 
     Parameters
     ----------

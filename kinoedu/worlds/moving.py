@@ -124,7 +124,7 @@ class MovingWorld(MovingWorldRecord, metaclass=Constructor):
 
     Examples
     --------
-    >>> from .polygon_world import PolygonWorld
+    >>> from kinoedu import PolygonWorld
     >>> hall = PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
     >>> cart = Moving([(-1, -1), (1, -1), (1, 1), (-1, 1)], [0, 5], [(5, -2), (5, 8)])
     >>> world = MovingWorld(hall, [cart])

@@ -1,6 +1,6 @@
 """A range sensor: the distance to the first wall in each direction.
 
-LaValle, section 11.1.1; Bullo & Smith, chapter 5.
+LaValle, section 11.1.1.
 """
 
 from __future__ import annotations

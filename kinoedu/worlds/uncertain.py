@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import InvalidParameter, InvalidWorld
+from ..errors import InvalidParameter, InvalidPoint, InvalidWorld
 from ..geometry.checks import Array, as_array, as_generator, as_list, integer, is_real
 from ..geometry.convex import convex_parts
 from ..geometry.grown import grow_piece
@@ -191,10 +191,12 @@ def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWo
     Raises
     ------
     InvalidPoint
-        Where offsets are not finite numbers.
+        Where offsets are not a point for each obstacle.
     """
-    moves = as_array(offsets, "offsets").reshape(len(world.sigma), 2)[world.owner]
-    parts = world.parts
+    moves, count = as_array(offsets, "offsets"), len(world.sigma)
+    if moves.shape != (count, 2) and (count or moves.size):
+        raise InvalidPoint(f"offsets must have shape ({count}, 2), got {moves.shape}")
+    parts, moves = world.parts, moves.reshape(count, 2)[world.owner]
     solids: list[Any] = []
     for k, (own, move) in enumerate(zip(parts.radius, moves)):
         piece = parts.points[parts.first[k] : parts.first[k + 1]] + move

@@ -15,7 +15,7 @@ from ...geometry.checks import Array
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
-from ...problems.recorder import unwrap_recorder
+from ...problems.recorder import record_as, unwrap_recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ...spaces import SE2
@@ -142,16 +142,8 @@ def as_car_problem(
     if turn_weight is not None:
         weight = positive(turn_weight, "turn_weight")
     space = SE2(inner.world.lo, inner.world.hi, turn_weight=weight)
-    return record_as(problem, inner._replace(space=space))
-
-
-def record_as(problem: ProblemRecord | Recorder, changed: ProblemRecord) -> CarProblem:
-    """The changed problem of a car, with a recorder that writes the same log if there is one."""
-    if not isinstance(problem, Recorder):
-        return changed
-    recorder = Recorder(changed)
-    recorder.log = problem.log
-    return recorder
+    car_problem: CarProblem = record_as(problem, inner._replace(space=space))
+    return car_problem
 
 
 def check_car(problem: ProblemRecord | Recorder, planner: str) -> ProblemRecord:

@@ -29,12 +29,12 @@ from ...compiled import algorithm
 from ...graphs import extract_path
 from ...problems import Plan, ProblemRecord, Recorder
 from ...problems.protocols import CarProblem
-from ...problems.recorder import unwrap_recorder
+from ...problems.recorder import record_as, unwrap_recorder
 from ...robots.car import CarRobot
 from ...robots.trajectory import DrivenTree, TrajectoryRecord
 from ..problem_input import count_checks
 from ..tuning import integer
-from .common import DrivenGrowth, add_drive, begin_tree, check_car, copy_tree, record_as
+from .common import DrivenGrowth, add_drive, begin_tree, check_car, copy_tree
 from .lattice import Lattice, cell_of, lattices_for
 from .trajectories import controls_along
 

@@ -77,9 +77,9 @@ def lattices_for(
 def lattice_for(problem: ProblemRecord, side: float, step_size: float, angles: int) -> Lattice:
     """The cells of side `side` that cover a world, and the car's moves."""
     car, (lo, hi) = problem.robot, (problem.space.lo, problem.space.hi)
-    gears = {float(car.speeds.max()), float(car.speeds.min())}
+    gears = [float(car.speeds.max())] + [float(car.speeds.min())] * car.both_ways
     steering = np.linspace(-car.max_steering, car.max_steering, angles)
-    moves = [(v, phi) for v in sorted(gears, reverse=True) for phi in steering]
+    moves = [(v, phi) for v in gears for phi in steering]
     columns, rows = (math.ceil(cells) for cells in (hi - lo)[:2] / side + 1.0)
     headings = math.ceil(max(1.0, 2.0 * math.pi * car.radius / step_size))
     x, y = float(lo[0]), float(lo[1])

@@ -67,6 +67,8 @@ def cells_with_headings(
     ------
     InvalidParameter
         Where the robot is not a rigid polygon among polygons, or a parameter is out of its range.
+    InvalidWorld
+        Where an obstacle is round.
 
     Examples
     --------

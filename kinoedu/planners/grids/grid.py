@@ -211,7 +211,7 @@ def plan_on_grid(problem: ProblemRecord, *, spacing: float | None = None) -> Pla
     raster = Raster(grid.x, grid.y, grid.side, grid.columns)
     order = np.empty(grid.size, np.int32)
     tree = Tree(*tree_of_search(raster, found.expanded, found.parent, order))
-    # directions that were examined by cells, not by the problem
+    # directions that the cells answered, not the problem; a jump point has up to 8
     examined = 8 * len(found.expanded) if isinstance(grid.moves, Cells) else 0
     stats = {
         "expanded": len(found.expanded),

@@ -17,6 +17,7 @@ from ...errors import InvalidParameter
 from ...geometry.checks import Array, as_generator, as_point
 from ...problems import ProblemRecord, Recorder, Roadmap
 from ...problems.protocols import PlanningProblem
+from ...problems.recorder import unwrap_recorder
 from ...robots.round import RoundRobot
 from ...support.constructors import with_type_names
 from ...support.text import shortened
@@ -173,6 +174,7 @@ def check_round(problem: PlanningProblem) -> float:
     InvalidParameter
         Where the robot is not round.
     """
-    if not isinstance(problem, ProblemRecord) or not isinstance(problem.robot, RoundRobot):
+    inner = unwrap_recorder(problem)
+    if not isinstance(inner, ProblemRecord) or not isinstance(inner.robot, RoundRobot):
         raise InvalidParameter("a changing roadmap needs a Problem for Point() or Disk(r)")
-    return float(problem.robot.radius + problem.clearance)
+    return float(inner.robot.radius + inner.clearance)

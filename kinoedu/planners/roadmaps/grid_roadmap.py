@@ -86,8 +86,9 @@ def moves(d: int, neighbours: int | None) -> Array:
         raise InvalidParameter(
             f"neighbours must be {2 * d} or {3**d - 1} in {d} dimensions, got {neighbours}"
         )
-    steps = np.array([step for step in product((-1, 0, 1), repeat=d) if step > (0,) * d])
-    return steps[np.abs(steps).sum(axis=1) == 1] if count == 2 * d else steps
+    if count == 2 * d:
+        return np.eye(d, dtype=np.int64)
+    return np.array([step for step in product((-1, 0, 1), repeat=d) if step > (0,) * d])
 
 
 def find_neighbours(

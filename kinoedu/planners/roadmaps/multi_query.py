@@ -13,7 +13,7 @@ from ...errors import InvalidGoal, InvalidParameter, InvalidStart
 from ...geometry.checks import Array, as_array
 from ...problems import Plan, Problem, ProblemRecord, Roadmap
 from ...problems.protocols import PlanningProblem, ProblemLike
-from ...problems.recorder import unwrap_recorder
+from ...problems.recorder import record_as, unwrap_recorder
 from ...support.text import shortened
 from ..problem_input import as_two_way_problem, count_checks, in_space
 from ..tuning import integer
@@ -131,13 +131,8 @@ def query(
             "expected the roadmap that build_roadmap or grid_roadmap made, got "
             f"{shortened(roadmap)}"
         )
-    problem, closest = as_two_way_problem(problem, "a roadmap"), integer(k, "k", least=1)
-    if isinstance(problem, ProblemRecord) and (start is not None or goal is not None):
-        own_start = problem.start if start is None else start
-        own_goal = problem.goal if goal is None else goal
-        problem = Problem(
-            problem.robot, problem.world, own_start, own_goal, clearance=problem.clearance
-        )
+    closest = integer(k, "k", least=1)
+    problem = with_ends(as_two_way_problem(problem, "a roadmap"), start, goal)
     q_start, q_goal = as_free(problem, start, "start"), as_free(problem, goal, "goal")
     before = count_checks(problem)
     nodes = np.concatenate([[q_start, q_goal], roadmap.nodes.reshape(-1, len(q_start))])
@@ -147,6 +142,20 @@ def query(
     return plan_by_astar(
         "roadmap query", problem, nodes, edges, np.concatenate([end_costs, costs]), before
     )
+
+
+def with_ends(
+    problem: PlanningProblem, start: ArrayLike | None, goal: ArrayLike | None
+) -> PlanningProblem:
+    """The problem with another start or goal; a reader's own object stays as it is."""
+    inner = unwrap_recorder(problem)
+    if not isinstance(inner, ProblemRecord) or (start is None and goal is None):
+        return problem
+    ends = (inner.start if start is None else start, inner.goal if goal is None else goal)
+    moved: PlanningProblem = record_as(
+        problem, Problem(inner.robot, inner.world, *ends, clearance=inner.clearance)
+    )
+    return moved
 
 
 def as_free(problem: PlanningProblem, value: ArrayLike | None, name: str) -> Array:

@@ -47,9 +47,9 @@ def k_closest(problem: PlanningProblem, nodes: Array, k: int) -> NDArray[np.int6
 def visiting_order(problem: PlanningProblem, nodes: Array) -> NDArray[np.int64]:
     """An order of the nodes (n, d) in which many that are close follow one another, (n,).
 
-    What is read for one of them is then in the processor's caches for the next. Few nodes are there
-    anyway, and keep the order of growth; so do those of a recorder or of a reader's own problem,
-    who sees the order of the questions.
+    What is read for one of them is then in the processor's caches for the next. Few nodes fit into
+    the caches anyway, and keep their order. So do the nodes of a recorder or of a reader's own
+    problem, because there the order of the queries can be seen.
     """
     if not isinstance(problem, ProblemRecord) or len(nodes) <= FEW:
         return np.arange(len(nodes))

@@ -91,7 +91,8 @@ def prm(
     neighbours : a rule instead of k: KClosest(k), Radius(r) or ComponentKClosest(k).
     sampler : a function of n and d that returns n points of the unit cube, shape (n, d), such as
         `lambda n, d: halton(n)`; the points that are free in the problem's space become nodes.
-        Without a sampler, configurations are drawn at random until n of them are free.
+        Without a sampler, configurations are drawn at random until n of them are free, at most
+        100 n of them.
     rng : a seed or a numpy Generator; not needed with a sampler.
 
     Returns

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from ...errors import InvalidParameter
 from ...graphs import Graph, astar
 from ...problems import Plan
 from ...problems.protocols import ProblemLike, RoadmapLike
@@ -50,6 +51,11 @@ def plan_on_roadmap(
     -------
     Plan with this `roadmap`. Without a path `plan.reason` says why there is none.
 
+    Raises
+    ------
+    InvalidParameter
+        Where nodes 0 and 1 are not the problem's start and goal.
+
     Examples
     --------
     >>> from kinoedu import Point, PolygonWorld, Problem, bfs_path, prm
@@ -62,6 +68,11 @@ def plan_on_roadmap(
     (True, True)
     """
     problem = as_problem(problem)
+    if not np.array_equal(roadmap.nodes[:2], [problem.start, problem.goal]):
+        raise InvalidParameter(
+            "nodes 0 and 1 of the roadmap must be the problem's start and goal; `query` joins them "
+            "to a roadmap without them"
+        )
     before = count_checks(problem)
     costs = motion_costs(problem, roadmap.nodes, roadmap.edges)
     graph = Graph(len(roadmap.nodes), roadmap.edges, costs)

@@ -43,7 +43,7 @@ def draw_sample(
 def sample_everywhere(
     sampler: Everywhere, problem: PlanningProblem, shortest: float, rng: np.random.Generator
 ) -> Array:
-    """A uniform sample of the space."""
+    """The goal with probability goal_bias, until there is a path; else a uniform sample."""
     if shortest == np.inf and rng.random() < sampler.goal_bias:
         return problem.goal
     return problem.sample(rng)

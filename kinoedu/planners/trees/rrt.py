@@ -82,7 +82,7 @@ def rrt(
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours with the same methods.
-    step_size : delta, the longest edge; by default a twentieth of the world's diagonal.
+    step_size : delta, the longest edge; by default a twentieth of the space's diameter.
     goal_bias : the probability that a sample is the goal.
     spacing : refuse a new node nearer than this to another node; less than `step_size`. Default:
         0, which refuses none.

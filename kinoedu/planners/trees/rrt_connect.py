@@ -134,7 +134,7 @@ def rrt_connect(
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours with the same methods.
-    step_size : epsilon, the longest edge; by default a twentieth of the world's diagonal.
+    step_size : epsilon, the longest edge; by default a twentieth of the space's diameter.
     max_nodes : stop at this many nodes, of both trees together.
     max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.

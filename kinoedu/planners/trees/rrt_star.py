@@ -142,15 +142,15 @@ def rrt_star(
 ) -> Plan:
     """Plan by RRT*: grow a tree as RRT does, and rewire it wherever that makes a path cheaper.
 
-    Asymptotically optimal: the cost tends to the least possible one as max_nodes grows. For that, a
-    path must cost at least its length and at most a fixed multiple of it, as on a terrain with
-    costs. O(n log n) motions for n nodes.
+    Asymptotically optimal where a robot can move in every direction: the cost tends to the least
+    possible one as max_nodes grows. For that, a path must cost at least its length and at most a
+    fixed multiple of it, as on a terrain with costs. O(n log n) motions for n nodes.
 
     Parameters
     ----------
     problem : a Problem, a Recorder, or an object of yours with the same methods.
-    step_size : eta, the longest motion towards a sample; by default a twentieth of the world's
-        diagonal.
+    step_size : eta, the longest motion towards a sample; by default a twentieth of the space's
+        diameter.
     goal_bias : the probability that a sample is the goal, until the goal is reached.
     gamma : a tree of n nodes looks for neighbours within gamma (log n / n)^(1/d), at most
         `step_size`. By default large enough that paths converge to the shortest in the problem's

@@ -52,7 +52,7 @@ def tree_roadmap(
         `problem.nearest(tree, q)` is the node nearest to q. By default `rrt_expansion()`, which
         makes this an RRT.
     reach : a new node within this distance of the goal is joined to it; by default a twentieth of
-        the world's diagonal.
+        the space's diameter.
     max_nodes : stop at this many nodes.
     max_iterations : stop after this many iterations; by default ten for each node.
     rng : a seed or a numpy Generator.
@@ -131,7 +131,12 @@ def nodes_expansion(expand: Callable[[Any, Array, np.random.Generator], Any]) ->
 
     Examples
     --------
-    >>> newest = nodes_expansion(lambda problem, nodes, rng: (len(nodes) - 1, problem.sample(rng)))
+    >>> from kinoedu import Point, PolygonWorld, Problem
+    >>> room = PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)])
+    >>> problem = Problem(Point(), room, start=(1, 1), goal=(8, 8))
+    >>> newest = nodes_expansion(lambda problem, nodes, rng: (len(nodes) - 1, problem.goal))
+    >>> tree_roadmap(problem, expand=newest, rng=0).path.tolist()
+    [[1.0, 1.0], [8.0, 8.0]]
     """
     return lambda problem, tree, rng: expand(problem, tree.nodes[: tree.size[0]], rng)
 
