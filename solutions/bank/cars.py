@@ -346,6 +346,9 @@ def fixed_heading_rate(pose, v, phi, t, L, n):
     return stepped(pose, v, phi, t, L, n, bend=lambda angle: tan(angle) * np.sign(v))
 
 
+steps_of_time = changed("euler", ("range(n)", "np.arange(0, t, h)"))
+
+
 # The order of an error
 
 

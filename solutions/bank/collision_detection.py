@@ -339,6 +339,23 @@ def points_of_the_edges(P1, P2):
     return some_in(rows[0], P2) or some_in(rows[1], P1)
 
 
+takes_small_areas_for_zero = changed(
+    "convex_polygons_intersect", (" < 0).all()", " < -1e-9).all()")
+)
+
+
+@wrong("convex_polygons_intersect")
+def shadows_on_unit_normals(P1, P2):
+    """Rounding divides polygons that touch."""
+    for P in (P1, P2):
+        for x, y in P - np.roll(P, 1, axis=0):
+            normal = np.array([y, -x]) / math.hypot(x, y)
+            a, b = P1 @ normal, P2 @ normal
+            if a.max() < b.min() or b.max() < a.min():
+                return False
+    return True
+
+
 # The C-obstacle
 
 
@@ -786,6 +803,16 @@ def far_away(*_):
 inside_by_a_tolerance = changed("point_in_convex_polygon", ("< 0", "< -1e-3"))
 eight_edges = changed("point_in_convex_polygon", ("range(len(P))", "range(min(len(P), 8))"))
 short_segments_are_parallel = changed("segment_intersection", ("whole != 0", "abs(whole) > 1e-9"))
+small_angle = changed(
+    "segment_intersection",
+    ("whole != 0", "abs(whole) > 1e-3 * np.linalg.norm(u) * np.linalg.norm(v)"),
+)
+nearly_on_one_line = changed(
+    "segment_intersection", ("cross(u, w) != 0", "abs(cross(u, w)) > 1e-3")
+)
+nearly_one_point = changed(
+    "segment_intersection", ("low == high", "np.allclose(low, high)"), slip="one_point"
+)
 contact_within_a_thousandth = changed("link_in_contact", ("r + width / 2", "r + width / 2 + 0.001"))
 
 

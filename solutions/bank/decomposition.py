@@ -193,6 +193,13 @@ thin_stretches_left_out = changed(
         "[(a, b) for a, b in zip(levels[::2], levels[1::2]) if b - a > 0.05]",
     ),
 )
+at_least_a_thousandth = changed(
+    "free_intervals",
+    (
+        "list(zip(levels[::2], levels[1::2]))",
+        "[(a, b) for a, b in zip(levels[::2], levels[1::2]) if b - a > 1e-3]",
+    ),
+)
 
 
 # Trapezoids

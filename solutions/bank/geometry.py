@@ -377,6 +377,13 @@ an_angle = changed(
     "polygon_tangent",
     ("vector / np.linalg.norm(vector)", "math.degrees(math.atan2(*vector[::-1]))"),
 )
+nearly_a_vertex = changed(
+    "polygon_tangent",
+    (
+        "0.0 < t < 1.0",
+        "not any(math.isclose(math.dist(q, p), point_segment_distance(q, a, b)) for p in (a, b))",
+    ),
+)
 
 
 @wrong("polygon_tangent", slip="edge_at_vertex")

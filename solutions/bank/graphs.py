@@ -313,6 +313,8 @@ a_thousand_for_infinity = changed(
     ("return cost", "return [c if c < 1000 else inf for c in cost]"),
 )
 refuses_zero_weights_too = changed("dijkstra", ("w < 0", "w <= 0"))
+ignores_little_gains = changed("dijkstra", ("< cost[v]:", "< cost[v] - 1e-4:"))
+rounds_costs = changed("dijkstra", ("cost[v] = c + w", "cost[v] = round(c + w, 3)"))
 weights_by_node = changed(  # as in a matrix
     "dijkstra", (EDGES, "[(v, weights[u][v]) for v in neighbours[u]]")
 )
@@ -543,6 +545,8 @@ expanded_twice_at_most = changed(
     ),
     slip="closed",
 )
+ignores_little_gains_of_a_way = changed("astar", ("< cost[v]:", "< cost[v] - 1e-4:"))
+start_without_edges = changed("astar", ("while heap:", "while heap and neighbours[start]:"))
 
 
 # Variants

@@ -939,6 +939,9 @@ five_turns_at_most = changed(
     ),
 )
 less_than_a_thousand = changed("fastest_drive", ("time.get(v, math.inf)", "time.get(v, 1000.0)"))
+ignores_little_gains = changed(
+    "fastest_drive", ("< time.get(v, math.inf)", "< time.get(v, math.inf) - 1e-4")
+)
 
 
 # Variants

@@ -163,6 +163,10 @@ def divides_by_nothing(p0, p1, c0, c1, r):
 
 
 almost_alike = changed("first_contact", ("if a == 0 or", "if a < 1e-9 or"), slip="alike")
+before_the_end = changed("first_contact", ("0 <= s <= 1", "0 <= s < 1"), slip="last_moment")
+at_least_a_while = changed(
+    "first_contact", ("b * b < a * c", "b * b - a * c < 1e-9"), slip="moments"
+)
 rim_at_the_start = changed(
     "first_contact", ("<= r * r", "< r * r"), ("0 <= s <= 1", "0 < s <= 1"), slip="rim"
 )
@@ -674,6 +678,9 @@ def draws_its_own(path, discs, offsets):
     )
     hits = tries(path, discs, own)
     return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+contact_is_free = changed("collision_probability", ("<= disc[2]", "< disc[2]"))
 
 
 # Break it

@@ -577,6 +577,9 @@ def never_the_goal(problem, step, goal_bias, iterations, rng):
     return grown(problem, step, 0.0, iterations, rng)
 
 
+twelve_iterations_too_many = changed("rrt_for_polygon", ("iterations + 1", "iterations + 13"))
+
+
 # Four chords
 
 

@@ -875,7 +875,18 @@ ties_by_rounding = changed(
     "k_closest",
     ("problem.distance(nodes[i], nodes[j]))", "round(problem.distance(nodes[i], nodes[j]), 2))"),
 )
+first_of_its_own_order = changed(
+    "k_closest",
+    ("for j in range(len(nodes)) if j != i]", "for j in range(len(nodes))]"),
+    ("others[:k]", "others[1 : k + 1]"),
+)
 shorter_than_a_million = changed("shortest_path", ("cost.get(v, math.inf)", "cost.get(v, 1e6)"))
+ignores_little_gains = changed(
+    "shortest_path", ("d < cost.get(v, math.inf)", "d < cost.get(v, math.inf) - 1e-4")
+)
+only_nodes_with_edges = changed(
+    "shortest_path", ("while heap:", "while heap and start in np.asarray(edges):")
+)
 hundred_tries = changed(
     "sampled_roadmap",
     ("while len(nodes) < n + 2:", "for _ in range(10 * n):"),

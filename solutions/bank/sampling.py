@@ -149,6 +149,9 @@ def corners_to_two_digits(n, d):
     return combined([round(i / k, 2) for i in range(k)], d)
 
 
+steps_added_up = changed("corner_grid", ("[i / k for i in range(k)]", "np.arange(0, 1, 1 / k)"))
+
+
 # Sukharev's grid
 
 

@@ -498,6 +498,9 @@ def across_columns(table):
     ]
 
 
+no_zeros = changed("repeated_rows", ("if table[i, c] ==", "if table[i, c] and table[i, c] =="))
+
+
 # Comparing planners
 
 
@@ -611,6 +614,9 @@ def no_path_no_row(run, planners, seeds):
 def share_of_found(run, planners, seeds):
     """Drops failures first, so that the fraction is always 1."""
     return [[1.0, *row(runs)[1:]] for runs in asked(run, planners, seeds)]
+
+
+two_or_more = changed("compare_planners", ("if len(found) else", "if len(found) > 1 else"))
 
 
 # What a motion costs

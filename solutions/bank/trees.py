@@ -133,6 +133,11 @@ one_sample_for_two = changed(
     ("goal_bias else " + SAMPLE, "goal_bias else sample"),
 )
 start_not_tried = changed("rrt", ("<= step and", "<= step * (len(nodes) > 1) and"))
+ten_iterations_too_many = changed(
+    "rrt", ("iterations + 1", "iterations + 11"), ("i < iterations and", "")
+)
+one_iteration_too_few = changed("rrt", ("range(iterations + 1)", "range(iterations - 1)"))
+nearer_than_a_step = changed("rrt", ("goal) <= step", "goal) < step"))
 
 
 @wrong("rrt")
@@ -293,6 +298,15 @@ cheapest_node = changed("insert", (PRICE, "lambda i: cost[i]"))
 costs_not_updated = changed("insert", ("cost[j] -= gain", "pass"))
 everybody_is_a_neighbour = changed("insert", ("apart[i] <= radius and ", ""))
 nearer_than_the_radius = changed("insert", ("<= radius", "< radius"))
+ONE_PASS = """for k in range(1, n):
+                        way = problem.distance(nodes[k], [*nodes, q_new][parent[k]])
+                        cost[k] = cost[parent[k]] + way"""
+three_passes = changed(
+    "insert",
+    ("for j in changed:  # grows as children are found", "for j in changed * 3:"),
+    ("changed += [k for k in range(n) if parent[k] == j]", ONE_PASS),
+    ("cost[j] -= gain", "cost[i] -= gain * (cost[i] > cost[n] + apart[i])"),
+)
 
 
 @wrong("insert")
@@ -417,6 +431,7 @@ at_a_thousand_places = changed(
         "all(problem.is_free(a + s * (q - a)) for s in np.linspace(0, 1, 1000))",
     ),
 )
+no_short_stretch = changed("follow", ("horizon <= 0", "horizon < 0.01"))
 
 
 # Variants

@@ -108,6 +108,8 @@ class Euler(PoseExercise):
             ("straight", (1, 2, 0), 1, 0, 6, 20, 3),
             ("turns", (0, 0, 0), 1, eighth, 20 * math.pi, 20, 2),
             ("back", (0, 0, 0), -1, eighth, 20, 20, 2),
+            ("turns", (0, 0, 0), 1, eighth, 0, 20, 3),
+            ("turns", (0, 0, 0), 1, eighth, 1, 20, 49),
         ):
             yield steps_case(kind, n, *numbers)
         for _ in range(12):

@@ -60,6 +60,9 @@ class ConvexPolygonsIntersect(ValueExercise):
             ("boxes", TRIANGLE, [(4, 4), (1, 4), (4, 1)]),
             ("touching", unit, translate(unit, 1, 1)),
             ("touching", unit, translate(unit, 1, 0)),
+            ("touching", [(-4, 9), (-2, -8), (8, -6)], [(-5, -20), (6, -10), (3, -7), (-1, -9)]),
+            ("apart", 0.01 * unit, 0.01 * translate(unit, 2, 0)),
+            ("apart", 1e-5 * unit, 1e-5 * translate(unit, 2, 0)),
         ):
             yield Case(kind, {"P1": np.array(P1, float), "P2": np.array(P2, float)})
         for number, size in enumerate(sizes(3)):

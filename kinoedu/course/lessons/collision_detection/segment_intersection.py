@@ -93,6 +93,10 @@ class SegmentIntersection(ValueExercise):
             ("crossing", (0, 0), (20000, 0), (0, -100), (20000, 100)),
             ("apart", (0, 0), (20000, 0), (20005, -100), (20006, 100)),
             ("apart", (0, 0), (20000, 0), (10000, 1), (10001, 20000)),
+            # nearly parallel, parallel and short, and a short overlap of long ones
+            ("crossing", (0, 0), (20000, 0), (0, -0.05), (20000, 0.05)),
+            ("parallel", (0, 0), (0.01, 0), (0, 0.01), (0.02, 0.01)),
+            ("overlap", (0, 0), (20000.125, 0), (20000, 0), (24000, 0)),
         ):
             yield case_of(kind, ends)
         for size in sizes(4):

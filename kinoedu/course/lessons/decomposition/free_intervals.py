@@ -57,6 +57,7 @@ class FreeIntervals(ValueExercise):
             ("convex", 4.0, [(0, 0), (6, 0), (8, 4), (1, 4)], []),
             ("convex", 6.0, KITE, []),
             ("convex", 0.01, KITE, []),
+            ("convex", 0.0001, KITE, []),
             ("bays", 8.0, BAY, []),
             ("bays", 6.01, BAY, []),
             ("one", 5.0, KITE, [WEDGE]),

@@ -62,7 +62,7 @@ class PolygonTangent(ValueExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Polygons to draw by hand, then stars of every kind, then many vertices."""
         for polygon, queries in (
-            (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3))),
+            (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3), (3.9, -9000))),
             (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
             (SQUARE, ((0.03, -1), (3.9, -0.5), (-0.5, 3.97), (3.99997, -0.01))),
             (CORNER, ((2.5, 2.5004), (2.5004, 2.5), (6.003, 2.004))),

@@ -26,6 +26,7 @@ from .pictures import draw_costs
 from .weighted import DETOUR, LATE_GAIN, WEIGHTS, graphs_in_units, make_undirected, reverse_weighted
 
 NEGATIVE = (3.0, 1.0, 0.25, 1e-5)
+LITTLE_GAIN = [(0, 2, 2.00001), (0, 1, 1), (1, 2, 1)]
 LIGHT_EDGES = [(0, 1, 3), (0, 3, 4), (1, 2, 3), (2, 3, 1), (2, 4, 1)]
 
 
@@ -114,6 +115,8 @@ class Dijkstra(ValueExercise):
             ("detour", 3, DETOUR, 0),
             ("detour", 4, LATE_GAIN, 0),
             ("detour", 5, LIGHT_EDGES, 0),
+            ("detour", 3, LITTLE_GAIN, 0),
+            ("small", 3, [(0, 1, 1 / 3), (1, 2, 0.0004)], 0),
             ("directed", 3, [(0, 1, 2), (1, 2, 2), (2, 0, 1)], 0),
             ("unreachable", 3, [(0, 1, 2)], 1),
             ("detour", 3, [(0, 1, 0), (1, 2, 0.5), (0, 2, 1)], 2),
@@ -122,6 +125,7 @@ class Dijkstra(ValueExercise):
             ("negative", 2, [(0, 1, -0.5)], 0),
             ("negative", 3, [(0, 1, 1), (0, 2, -1)], 0),
             ("negative", 3, [(0, 1, 2), (1, 2, 1), (2, 0, -0.001)], 0),
+            ("negative", 2, [(0, 1, -1e-9)], 0),
             ("unreachable", 1, [], 0),
         ):
             directed = kind in ("directed", "negative")

@@ -170,10 +170,12 @@ class FastestDrive(ValueExercise):
             ("oneway", 4, [(2, 0, 1), (0, 1, 5), (1, 3, 4), (3, 2, 2)], [2]),
             ("length", 3, [(0, 2, 4, 2), (0, 2, 9, 0.5), (0, 1, 3), (1, 2, 3)], [2]),
             ("detour", 4, [(0, 3, 99_000), (0, 1, 9000), (1, 2, 8000), (2, 3, 7000)], [3]),
+            ("detour", 3, [(0, 2, 7.00002), (0, 1, 3), (1, 2, 4)], [2]),
             ("ends", 4, [(0, 1, 2), (1, 2, 5), (1, 3, 4)], [2, 3]),
             ("none", 3, [(1, 0, 3), (1, 2, 4)], [2]),
             ("none", 2, [(0, 1, 3)], []),
             ("there", 2, [(0, 1, 3)], [1, 0]),
+            ("there", 1, [], [0]),
         ):
             yield make_case(kind, n, rows, ends)
         for n in SIZES:
@@ -256,7 +258,7 @@ class FastestDrive(ValueExercise):
 
 def make_case(kind: str, n: int, rows: Sequence[tuple[float, ...]], ends: list[int]) -> Case:
     """Return a case of a roadmap from rows (from, to, duration, speed); the default speed is 1."""
-    whole = np.array([(*row, 1.0)[:4] for row in rows])
+    whole = np.array([(*row, 1.0)[:4] for row in rows], float).reshape(-1, 4)
     numbers = {
         "controls": np.column_stack([whole[:, 3], np.zeros(len(rows))]),
         "durations": whole[:, 2],

@@ -113,6 +113,12 @@ def miss_first_moment(x: Array, v: Array, r: float) -> float:
     return found[0] if found is not None and 0.0 <= found[0] <= 1.0 else math.inf
 
 
+def miss_last_moment(x: Array, v: Array, r: float) -> float:
+    """Miss contact that begins exactly at the end."""
+    s = find_relative_contact(x, v, r)
+    return math.inf if s == 1.0 else s
+
+
 def miss_rim(x: Array, v: Array, r: float) -> float:
     """Miss contact at the beginning where the distance is exactly r."""
     s = find_relative_contact(x, v, r)
@@ -140,6 +146,7 @@ class FirstContact(ValueExercise):
         Slip("backwards", make_program(lambda p0, p1, c0, c1: (p0 - c0, (c1 - c0) - (p1 - p0)))),
         Slip("ends_only", make_program(find_relative_motion, check_ends_only)),
         Slip("leaving", make_program(find_relative_motion, find_end_of_contact)),
+        Slip("last_moment", make_program(find_relative_motion, miss_last_moment)),
         Slip("any_time", make_program(find_relative_motion, find_at_any_time)),
         Slip("nearest", make_program(find_relative_motion, find_nearest_moment)),
         Slip("not_at_once", make_program(find_relative_motion, miss_first_moment)),
@@ -178,6 +185,8 @@ class FirstContact(ValueExercise):
         yield make_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
         yield make_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
         yield make_case("touching", (2, 0), (6, 0), (0, 0), (0, 0), 2)
+        yield make_case("meets", (0, 0), (8, 0), (10, 0), (10, 0), 2)  # at the last moment
+        yield make_case("meets", (0, 0), (1, 0), (0.5, 0), (0.5, 0), 2e-5)
         yield make_case("together", (0, 0), (5, 5), (3, 0), (8, 5), 1)
         yield make_case("together", (0, 0), (0, 0), (1, 0), (1, 0), 2)
         wanted = dict.fromkeys(self.kinds, 12)

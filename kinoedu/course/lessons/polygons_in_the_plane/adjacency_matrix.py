@@ -127,7 +127,10 @@ class AdjacencyMatrix(ValueExercise):
             yield Case("turn", {"problem": make_problem(STICK, CORRIDOR, poses[0]), "nodes": poses})
         # the disk touches the box between the first and the second node
         beside = np.array([(2, 5), (8, 5), (5, 8)], float)
-        yield Case("two", {"problem": make_problem(Disk(0.5), TOUCHED, beside[0]), "nodes": beside})
+        at_one_place = np.array([(2, 5), (2, 5), (5, 8)], float)
+        for nodes in (beside, at_one_place):
+            problem = make_problem(Disk(0.5), TOUCHED, nodes[0])
+            yield Case("two", {"problem": problem, "nodes": nodes})
         for _ in range(10):
             world = scattered(8, side=10.0, radius=1.4, rng=rng)
             robot = (STICK, Disk(0.4))[int(rng.integers(2))]

@@ -11,7 +11,7 @@ from ...exercise import Case
 from ...shapes import Value
 from ..shared.planned import StudentProblem
 from ..shared.small_problems import SQUARE, box
-from ..trees.rrt import Rrt, aim_at_goal, grow_tree
+from ..trees.rrt import Rrt, aim_at_goal, grow_tree, with_bias
 
 STICK = RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
 NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002)])
@@ -50,8 +50,8 @@ class RrtForPolygon(Rrt):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield every task twice, then runs straight to the goal with and without a path.
 
-        The second wall is a thin one, and the second closed corner has a larger bias. The last run
-        has just enough iterations.
+        The second wall is a thin one, and the second closed corner has a larger bias. Of the last
+        runs one has just enough iterations, and one has goal bias 0.
         """
         for tasks, bias in ((TASKS, BIAS), ({**TASKS, "wall": SHEET}, OFTEN)):
             for kind in tasks:
@@ -63,6 +63,7 @@ class RrtForPolygon(Rrt):
         straight = aim_at_goal(self.make_case("room", TASKS["room"], rng))
         added = len(grow_tree(*straight.given.values())[0]) - 2  # start and goal are not drawn
         yield straight._replace(given={**straight.given, "iterations": added})
+        yield with_bias(self.make_case("sealed", TASKS["sealed"], rng), 0.0, iterations=60)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""

@@ -74,6 +74,7 @@ class RadiusNeighbours(RuleExercise):
             (((2, 2), (6, 5)), 5),
             (((2, 2), (6, 5)), 4),
             (((1, 1), (4, 5), (7, 1)), 5),
+            (((1, 1), (1, 1), (3, 1)), 1),
         ):
             yield make_case("pair", make_hall(), row, float(far))
         yield make_case("wall", make_hall(WALL), ((5, 3), (11, 3)), 8.0)

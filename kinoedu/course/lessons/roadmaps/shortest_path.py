@@ -21,6 +21,7 @@ from .rules import set_title
 
 Pairs = NDArray[np.int64]
 PathAndLength = tuple[list[int] | None, float]
+LITTLE_GAIN = [(0, 0), (4, 0), (1, 1.00001), (3, 1)]
 DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
@@ -144,8 +145,14 @@ class ShortestPath(ValueExercise):
             ("space", [(0, 0, 0), (3, 4, 0), (3, 4, 5)], [(0, 1), (1, 2)], 0, 2),
             ("apart", [(0, 0), (3, 4), (6, 0)], [(0, 1)], 0, 2),
             ("same", [(0, 0), (3, 4)], [(0, 1)], 1, 1),
+            ("same", [(0, 0), (3, 4), (6, 0)], [(0, 1)], 2, 2),
+            ("same", [(0, 0), (3, 4)], [], 0, 0),
+            ("apart", [(0, 0), (3, 4)], [], 0, 1),
+            ("small", [(0, 0), (0, 0), (3, 4)], [(0, 1), (1, 2)], 0, 2),
+            # the second way is shorter by 0.00001
+            ("detour", LITTLE_GAIN, [(0, 2), (2, 1), (0, 3), (3, 1)], 0, 1),
         ):
-            yield make_case(kind, np.array(nodes, float), np.array(edges), s, g)
+            yield make_case(kind, np.array(nodes, float), np.array(edges, np.int64), s, g)
         for n in (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
             for kind, shape in zip(
                 self.kinds, ("tree", "cycle", "cycle", "cycle", "parts", "cycle")

@@ -40,6 +40,7 @@ SMALL = [
 
 SMALL += [(125, 3), (99, 2), (100, 3)]
 LARGE = [(51, 1), (101, 2), (2501, 2), (3600, 2), (6858, 3), (6860, 3), (5000, 1), (4096, 3)]
+LARGE += [(49, 1), (107, 1), (2401, 2)]  # steps of 1 / k add up to a little less than 1
 
 
 class GridExercise(ValueExercise):

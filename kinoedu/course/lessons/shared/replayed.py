@@ -125,6 +125,8 @@ def find_rrt_fault(
         return find_node_off_nearest(tree.problem, tree.nodes, tree.parent) or found.fault
     if 0.0 < goal_bias < 1.0 and number >= FEW and not run.others:
         return Fault("coin", nowhere)
+    if goal_bias == 0.0 and not ended and not iterations <= number <= iterations + 1:
+        return Fault("all_made", nowhere)  # one sample more may be drawn after the last iteration
     tried, chosen = (found.aimed, found.chosen) if always else (iterations, iterations - number)
     spread = SIGMAS * np.sqrt(tried * goal_bias * (1.0 - goal_bias)) + 1.0
     if not ended and abs(chosen - tried * goal_bias) > spread:

@@ -94,6 +94,7 @@ class ComparePlanners(ValueExercise):
             ("all_found", [[4.0, 2.0, 6.0, 8.0, 10.0]], [0, 1, 2, 3, 4]),
             ("other_seeds", [[4.0, 2.0, 6.0, 8.0, 10.0]], [7, 3, 11, 2, 5]),
             ("some_fail", [[4.0, inf, 6.0, inf]], [0, 1, 2, 3]),
+            ("some_fail", [[4.0, inf]], [0, 1]),
             ("none_found", [[inf, inf], [1.0, 2.0]], [0, 1]),
             ("outlier", [[2.0, 2.0, 3.0, 100.0]], [0, 1, 2, 3]),
         ):

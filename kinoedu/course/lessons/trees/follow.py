@@ -120,6 +120,7 @@ class Follow(ValueExercise):
         yield make_case("straight", free, [(1, 1), (9, 1)], 3.0)
         yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
         yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.0)
+        yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.001)
         yield make_case("whole", free, [(1, 1), (4, 1)], 5.0)
         yield make_case(
             "blocked",

@@ -218,6 +218,8 @@ class Insert(ValueExercise):
         # numbers fall all the way down
         places = [(1, 1), (5, 9), (9, 9), (9, 5), (5, 5), (1, 5)]
         yield make_case("below", OPEN, places, [-1, 2, 3, 4, 5, 0], (3, 3), 3.0)
+        places = [(1, 1), (1, 9), (3, 9), (5, 9), (9, 9), (9, 5), (5, 5), (1, 5)]
+        yield make_case("below", OPEN, places, [-1, 2, 3, 4, 5, 6, 7, 0], (3, 3), 3.0)
         yield make_case(
             "blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0
         )

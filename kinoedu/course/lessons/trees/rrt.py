@@ -92,7 +92,7 @@ class Rrt(Watched, TreeExercise):
         return Case(kind, given)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield traps with a goal bias, a goal beside the start, then goal bias 1.
+        """Yield traps with a goal bias, a goal beside the start, then goal bias 1, and 0.
 
         The goal bias is larger the second time where no path exists.
         """
@@ -105,6 +105,11 @@ class Rrt(Watched, TreeExercise):
         yield self.make_case("thin", BEHIND, rng)
         for kind in ("room", "sealed"):
             yield aim_at_goal(self.make_case(kind, TRAPS[kind], rng))
+        yield with_bias(self.make_case("sealed", TRAPS["sealed"], rng), 0.0, iterations=60)
+        # the goal is exactly one step away, or three; or less than two, and the last node joins it
+        for kind, x, iterations in (("room", 3, 9), ("room", 5, 9), ("room", 3.5, 1)):
+            case = self.make_case(kind, in_room((2, 3), (x, 3)), rng)
+            yield aim_at_goal(case, iterations)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer.
@@ -160,14 +165,14 @@ class Rrt(Watched, TreeExercise):
         return [Tree(nodes, parent)], path
 
 
-def with_bias(case: Case, goal_bias: float) -> Case:
-    """Return the case with another goal bias."""
-    return case._replace(given={**case.given, "goal_bias": goal_bias})
+def with_bias(case: Case, goal_bias: float, **others: Value) -> Case:
+    """Return the case with another goal bias, and other arguments."""
+    return case._replace(given={**case.given, "goal_bias": goal_bias, **others})
 
 
-def aim_at_goal(case: Case) -> Case:
+def aim_at_goal(case: Case, iterations: int = 20) -> Case:
     """Return the case with goal bias 1."""
-    return case._replace(given={**case.given, "goal_bias": 1.0, "iterations": 20})
+    return with_bias(case, 1.0, iterations=iterations)
 
 
 def has_same_nodes(case: Case, nodes: Array) -> bool:
