@@ -32,6 +32,12 @@ def reach_out(
     return node, problem.steer(nodes[node], q_rand, 1.0)
 
 
+def revisit(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
+    """Expand a random node to a random place nearby, or to a place where the tree has a node."""
+    node, q = wander(problem, nodes, rng)
+    return node, q if rng.random() < 0.5 else nodes[int(rng.integers(len(nodes)))].copy()
+
+
 @dataclass(frozen=True)
 class Expansion:
     """A rule that proposes the next edge of a tree.
@@ -50,7 +56,7 @@ class Expansion:
 
 
 RULES: dict[str, Callable[..., tuple[int, Array]]] = {
-    rule.__name__: rule for rule in (wander, leap, reach_out)
+    rule.__name__: rule for rule in (wander, leap, reach_out, revisit)
 }
 EXPANSIONS = {name: Expansion(name) for name in RULES}
 

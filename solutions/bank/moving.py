@@ -184,6 +184,10 @@ moments_left_out = changed(
 nothing_later = changed(
     "earliest_arrival", ("if there <= end and", "if there <= min(end, 100) and")
 )
+visits_a_place_twice_at_most = changed(
+    "earliest_arrival",
+    ("if there <= end and", "if sum(p == v for p, _ in rows) < 2 and there <= end and"),
+)
 
 
 def neighbours(moves, both=True):

@@ -44,6 +44,9 @@ four_points = changed("tree_roadmap", (FREE, free_samples("nodes[node]", "q", 4)
 numbers_from_one = changed("tree_roadmap", ("append(node)", "append(node + 1)"), slip="from_one")
 one_long_chain = changed("tree_roadmap", ("append(node)", "append(len(nodes) - 2)"), slip="chained")
 everything_on_the_root = changed("tree_roadmap", ("append(node)", "append(0)"))
+no_place_twice = changed(
+    "tree_roadmap", (FREE, FREE + " and not any(np.array_equal(q, p) for p in nodes)")
+)
 stops_at_the_first_wall = changed(
     "tree_roadmap", ("append(node)", "append(node)\n        else:\n            break")
 )

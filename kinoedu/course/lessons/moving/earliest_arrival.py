@@ -138,6 +138,9 @@ class EarliestArrival(Exercise):
         yield make_case(
             "again", [always, [(0, 3), (6, END)], [(0, 1), (7, END)]], [(0, 1, 2), (1, 2, 2)], 0, 2
         )
+        # the start is visited three times
+        thrice = [[(0, 2), (4, 6), (8, 10)], [(1, 4.5), (6.5, 9)], [(10.5, END)]]
+        yield make_case("again", thrice, [(0, 1, 1), (0, 2, 1)], 0, 2)
         yield make_case("none", [[(0, 5)], [(8, END)]], [(0, 1, 2)], 0, 1)
         yield make_case("none", [always, always, always], [(0, 1, 2)], 0, 2)
         yield make_case("none", [[(2, END)], always], [(0, 1, 2)], 0, 1)
