@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import InvalidParameter
-from ..geometry.checks import Array
+from ..geometry.checks import Array, integer
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.minkowski import corner_pairs, leftmost
 from ..geometry.rings import as_convex_ring, as_ring
@@ -79,15 +78,14 @@ def turning_obstacle(
     """
     from trimesh import Trimesh
 
-    if isinstance(n_angles, bool) or not isinstance(n_angles, int | np.integer) or n_angles < 3:
-        raise InvalidParameter(f"n_angles must be an integer of at least 3, got {n_angles!r}")
+    count = integer(n_angles, "n_angles", least=3)
     robots = [convex_hull(part) for part in convex_parts(as_ring(robot_vertices, "robot"))]
     obstacles = [convex_hull(part) for part in convex_parts(as_ring(obstacle, "obstacle"))]
     vertices: list[Array] = []
     faces: list[Array] = []
     for robot in robots:
         for solid in obstacles:
-            points, triangles = build_solid(robot, solid, 2.0 * np.pi / n_angles)
+            points, triangles = build_solid(robot, solid, 2.0 * np.pi / count)
             faces.append(triangles + sum(map(len, vertices)))
             vertices.append(points)
     return Trimesh(np.concatenate(vertices), np.concatenate(faces), process=False)
