@@ -5,7 +5,7 @@ import io
 import numpy as np
 import pytest
 from PIL import Image
-from test_board import Page
+from test_board import LET_GO, Page
 
 import kinoedu as ke
 from kinoedu.boards import arm_board, slide_board
@@ -141,10 +141,26 @@ def test_what_stands_still_is_not_taken_for_a_pull():
     q = made.q.copy()
     for canvas in (made.canvas, made.square):
         canvas.refresh()
-        canvas.set_state({"scene": canvas._shown})
+        canvas.keep()
     assert (made.q == q).all()
-    made.canvas.set_state({"scene": made.canvas.home})
+    made.canvas.scene = made.canvas.home
     assert made.q == pytest.approx([0.6, 0.3], abs=1e-12)
+
+
+def test_a_picture_that_is_let_go_undoes_nothing_of_the_other():
+    """A disc is released after q was dragged in the square: q stays, and both scenes say so."""
+    made = arm_board(ARM, WORLD, q=(0.6, 0.3))
+    workspace, square = Page(made.canvas), Page(made.square)
+    workspace.moves(("disc", 0, [3, -3]))
+    old = made.canvas.shown
+    square.moves(("handle", 0, [2.0, 1.0]))
+    made.canvas.set_state({"scene": old})  # a page says where it had things
+    workspace.says(LET_GO)
+    assert made.q.tolist() == [2.0, 1.0] and made.canvas.scene["discs"][0]["at"] == [3, -3]
+    for canvas in (made.canvas, made.square):
+        assert canvas.scene == canvas.shown
+    assert at(made.square) == [[2.0, 1.0]]
+    assert at(made.canvas) == [joint.tolist() for joint in ARM.joints(made.q)]
 
 
 def test_a_tip_out_of_reach_says_why():
@@ -257,7 +273,7 @@ def test_the_reference_point_stays_on_the_c_obstacle():
         assert min(point_to_segment(q, a, b) for a, b in corners) < 1e-9
         nearest = min(point_to_segment(p, a, b) for a, b in corners)
         assert np.hypot(*(q - p)) == pytest.approx(nearest, abs=1e-9)
-        made.canvas.set_state({"scene": made.canvas._shown})  # it is let go
+        page.says(LET_GO)
         assert made.gone.value == pytest.approx(made.share, abs=0.001) and made.slide.at(
             made.share
         )[0] == pytest.approx(q)

@@ -37,6 +37,9 @@ def walled(*more):
     return ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [WALL, *more]), (1, 1), (9, 1))
 
 
+LET_GO = {"kind": "keep", "from": "page"}  # what a page sends when a moved thing is released
+
+
 class Page:
     """Replaces a browser: records messages from the board, and sends messages to it."""
 
@@ -134,7 +137,7 @@ def test_the_same_scene_is_answered_once():
     page = Page(canvas)
     assert page.says({"kind": "hello", "from": "page"})[0]["text"] == "done"
     page.moves()
-    canvas.set_state({"scene": canvas.scene})
+    page.says(LET_GO)
     assert len(calls) == 1
 
 
@@ -212,18 +215,25 @@ def test_a_broken_front_raises_nothing(message):
     assert made.canvas.scene == scene
 
 
-@pytest.mark.parametrize(
-    "scene", [None, 5, {}, {"handles": []}, {"handles": [{}, {}], "polygons": [{}], "discs": []}]
-)
-def test_a_front_cannot_write_nonsense_into_the_state(scene):
-    """Invalid scenes, words, colours and home are ignored; a good scene is kept and planned."""
+def test_a_front_cannot_write_into_the_state():
+    """Words, home, and even a good scene are ignored: they may be older than what is shown."""
     made = board(walled())
     before = made.canvas.scene
-    made.canvas.set_state({"scene": scene, "words": {}, "home": {}})
-    assert made.canvas.scene == before and made.canvas.words and made.canvas.home == before
     good = move_parts(before, [("handle", 1, [9, 9])])
-    made.canvas.set_state({"scene": {**good, "lo": "nonsense"}})
-    assert made.canvas.scene == good and made.plan.path[-1].tolist() == [9, 9]
+    made.canvas.set_state({"scene": good, "words": {}, "home": {}})
+    assert made.canvas.scene == before and made.canvas.words and made.canvas.home == before
+
+
+def test_what_is_shown_is_kept_when_something_is_let_go():
+    """`scene` stays through a drag, and becomes the newest scene at its end."""
+    made = board(walled())
+    page, before = Page(made.canvas), made.canvas.scene
+    page.moves(("handle", 1, [9, 9]))
+    assert made.canvas.scene == before
+    assert page.says(LET_GO) == [] and made.canvas.scene == made.canvas.shown
+    assert made.canvas.scene["handles"][1]["at"] == [9, 9]
+    made.canvas.scene = before  # a lesson sets it
+    assert made.plan.path[-1].tolist() == [9, 1]
 
 
 def test_an_answer_that_fails_is_told(caplog):
@@ -528,6 +538,7 @@ def test_a_page_has_a_reply_whatever_happens(wrong):
             page.says(message)
         assert canvas.shown["handles"][0]["at"] == [1, 1]  # as it was answered last
         assert [content["seq"] for content, _ in page.sent] == [3]
+        assert page.sent[0][0]["places"] == [["handle", 0, [1, 1]]]  # where the page puts it back
     else:
         (drawing,) = page.says(message)
         assert drawing["seq"] == 3

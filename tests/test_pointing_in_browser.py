@@ -210,6 +210,49 @@ def test_a_touch_says_it_too(light):
         keep(page, "pointed_touch")
 
 
+# A board with a kernel that the test plays: it answers scenes from when `answering` is set.
+WITH_KERNEL = """key => {
+  const board = globalThis[Symbol.for("kinoedu.boards")].get(key), { model } = board;
+  const plain = { layers: [], text: "", warning: "", total: 0, unit: "", step_texts: [], took: 1 };
+  const drawing = { kind: "drawing", to: null, listing: null, places: [], ...plain };
+  const answer = ({ kind, seq }) => {
+    if (kind === "scene") board.receive({ ...drawing, seq }, []); };
+  const values = { recorded: false }, sent = [];
+  board.model = { get: name => values[name] ?? model.get(name), send: message => {
+    sent.push(message);
+    if (kernel.answering) queueMicrotask(() => answer(message)); } };
+  globalThis.kernel = { board, values, sent, answering: false, start: () => {
+    kernel.answering = true;
+    sent.forEach(answer); } }; }"""
+PLACES = "kernel.board.scene.handles.map(({ at }) => at)"
+SET_SCENE = """places => {
+  const scene = JSON.parse(JSON.stringify(kernel.board.scene));
+  places.forEach((at, i) => { scene.handles[i].at = at; });
+  kernel.values.scene = scene;
+  kernel.board.replaced(); }"""
+
+
+def test_what_is_dragged_is_not_put_back_by_a_scene_of_before(light):
+    """A scene that Python sets meanwhile moves the other things, and the drag is not lost."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        x, y = place(root, 0.89, 0.89)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x - 50, y - 60, steps=5)
+        goal = page.evaluate(PLACES)[1]
+        assert goal != [9, 1]
+        page.evaluate(SET_SCENE, [[2, 3], [9, 1]])
+        assert page.evaluate(PLACES) == [[2, 3], goal]
+        page.mouse.up()
+        page.evaluate("kernel.start()")
+        page.wait_for_function("kernel.sent.at(-1).kind === 'keep'")
+        moved = page.evaluate("kernel.sent.filter(({ kind }) => kind === 'scene').at(-1).moved")
+        assert moved == [["handle", 1, goal]] and page.evaluate(PLACES) == [[2, 3], goal]
+
+
 def test_ten_thousand_nodes_stay_usable(light):
     """Twenty places are pointed at and painted in less than 0.2 s each."""
     with browser() as page:

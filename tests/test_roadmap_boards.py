@@ -5,7 +5,7 @@ import io
 import numpy as np
 import pytest
 from PIL import Image
-from test_board import Page
+from test_board import LET_GO, Page
 from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
@@ -341,8 +341,13 @@ def test_a_race_is_dragged_in_one_and_moves_in_all():
     assert ["handle", 1, [9.0, 9.0]] in pages[0].sent[-1][0]["places"]
     assert all(plan.path[-1].tolist() == [9, 9] for plan in made.plans if plan.path is not None)
     assert {canvas.partner for canvas in made.canvases[1:]} == {made.canvas.key}
-    made.canvases[1].set_state({"scene": made.canvases[1].shown})  # as a page does on release
+    pages[1].says(LET_GO)
     assert all(canvas.scene == made.canvas.shown for canvas in made.canvases)
+    pages[0].moves(("handle", 1, [8, 9]))
+    pages[2].moves(("handle", 0, [2, 1]))
+    pages[0].says(LET_GO)  # the lane that is let go keeps what was moved in another
+    ends = [[item["at"] for item in canvas.scene["handles"]] for canvas in made.canvases]
+    assert ends == [[[2, 1], [8, 9]]] * len(pages)
     for page in pages:
         page.sent.clear()
     pages[2].moves(("handle", 0, [5, 5]))

@@ -134,15 +134,6 @@ function cellsOf(bits, shape) {
     (_, k) => (bits[k >> 3] >> (7 - (k & 7))) & 1), shape];
 }
 
-const LISTS = { handle: "handles", disc: "discs", polygon: "polygons" };
-
-// The places of all things, each [kind, number, coordinates].
-function placesOf(scene) {
-  return Object.entries(LISTS).flatMap(([kind, list]) => scene[list].map(
-    (item, i) => [kind, i, kind === "polygon" ? item.rings : item.at],
-  ));
-}
-
 function move(scene, places) {
   for (const [kind, i, where] of places) {
     scene[LISTS[kind]][i][kind === "polygon" ? "rings" : "at"] = where;

@@ -117,6 +117,8 @@ class ArmBoard(Pictured, widgets.VBox):
         self.square = Canvas(plane, self._in_square, free=self.image)
         self.canvas = make_canvas(world, scene, self.answer)
         self.square.partner = self.canvas.key
+        self.canvas.observe(lambda _: self.square.keep(), "scene")
+        self.square.observe(lambda _: self.canvas.keep(), "scene")
         super().__init__([arrange_in_row([self.canvas, self.square], width="20em")])
 
     @property

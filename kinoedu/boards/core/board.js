@@ -101,6 +101,15 @@ function nameOf({ kind, i, r, v }) {
   return [kind, i, r, v].filter((part) => part !== undefined).join("-");
 }
 
+const LISTS = { handle: "handles", disc: "discs", polygon: "polygons" };
+
+// The places of all things, each [kind, number, coordinates].
+function placesOf(scene) {
+  return Object.entries(LISTS).flatMap(([kind, list]) => scene[list].map(
+    (item, i) => [kind, i, kind === "polygon" ? item.rings : item.at],
+  ));
+}
+
 const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 const distanceOnPage = (a, b) => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
 
@@ -180,6 +189,7 @@ class Board {
     Object.assign(this, { held: new Set(), ticking: 0, completing: 0, asked: 0 });
     Object.assign(this, { lag: 0, painted: -RESTED });   // ms until an answer; when last painted
     this.moved = new Map();                              // the things moved since the last question
+    this.movedIn = new Map();                            // the number of the scene a thing moved in
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
     model.on("change:bitmap", () => this.laid());
@@ -283,8 +293,8 @@ class Board {
   }
 
   hasMoved(...things) {
-    things.forEach(({ kind, i }) => this.moved.set(`${kind}-${i}`, [kind, i]));
     this.seq += 1;
+    this.mark(things);
     this.pendingSince ??= performance.now();
     clearTimeout(this.completing);
     this.ask(false);
@@ -293,7 +303,14 @@ class Board {
     this.timer = setTimeout(() => this.changed(), PENDING + 20);
   }
 
-  settle() {                             // after a release: store the scene when it is answered
+  mark(things) {                         // as moved here: Python hears of them next
+    for (const { kind, i } of things) {
+      this.moved.set(`${kind}-${i}`, [kind, i]);
+      this.movedIn.set(`${kind}-${i}`, this.seq);
+    }
+  }
+
+  settle() {                             // after a release: keep the scene when it is answered
     this.unkept = true;
     this.ask(true);
     if (this.shown === this.seq) this.complete(0);
@@ -309,27 +326,22 @@ class Board {
   keep() {
     if (!this.unkept || this.shown !== this.seq) return;
     this.unkept = false;
-    this.put();
-    this.model.set("scene", copy(this.scene));
-    this.model.save_changes();
+    this.put(this.drawing.places);
+    this.model.send({ kind: "keep", from: this.id });
   }
 
   reset() {
-    const home = this.model.get("home");
-    const mark = (kind) => (_, i) => this.moved.set(`${kind}-${i}`, [kind, i]);
-    this.scene = copy(home);
-    home.handles.forEach(mark("handle"));
-    home.polygons.forEach(mark("polygon"));
-    home.discs.forEach(mark("disc"));
+    this.scene = copy(this.model.get("home"));
     this.seq += 1;
+    this.mark(placesOf(this.scene).map(([kind, i]) => ({ kind, i })));
     this.settle();
     this.changed();
   }
 
   replaced() {                           // Python or another page set the scene: get its drawing
-    if (same(this.model.get("scene"), this.scene)) return;
-    this.scene = copy(this.model.get("scene"));
-    this.moved.clear();
+    const before = copy(this.scene);
+    this.put(placesOf(this.model.get("scene")));
+    if (same(before, this.scene)) return;
     this.model.send({ kind: "hello", from: this.id });
     this.changed();
   }
@@ -340,13 +352,15 @@ class Board {
     this.changed();
   }
 
-  put() {                                // move things as the newest answer says, except those held
-    if (this.shown !== this.seq) return;
+  // Move things to places that Python sent, except those held, and those that have moved since the
+  // newest scene that is answered.
+  put(places) {
     const grabs = [...this.views].flatMap((view) => [...view.grabs.values()]);
     const held = grabs.map(({ thing }) => this.item(thing));
-    for (const [kind, i, where] of this.drawing.places) {
-      const item = this.item({ kind, i });
-      if (!held.includes(item)) item[kind === "polygon" ? "rings" : "at"] = where;
+    for (const [kind, i, where] of places) {
+      const item = this.item({ kind, i }), isNewer = this.movedIn.get(`${kind}-${i}`) > this.shown;
+      if (isNewer || held.includes(item)) continue;
+      item[kind === "polygon" ? "rings" : "at"] = copy(where);
     }
   }
 
@@ -433,7 +447,7 @@ class Board {
     if (seq !== null) this.shown = seq;
     const lag = this.pendingSince === null ? 0 : performance.now() - this.pendingSince;
     this.lag += (lag - this.lag) / 4;
-    this.put();
+    this.put(places);
     this.complete(this.unkept ? 0 : REST);
     this.keep();
     this.pendingSince = seq !== null && seq < this.seq ? performance.now() : null;

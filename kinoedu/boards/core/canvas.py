@@ -9,6 +9,8 @@ The messages between the two halves:
                 {kind: "scene", from, seq, moved: [[kind, number, coordinates], ...]}
                 {kind: "keys", from, seq, held: ["ArrowUp", ...]}
                     sent repeatedly while arrow keys are held on a driven handle
+                {kind: "keep", from}
+                    something was let go, and its scene is answered
                 {kind: "code", from}
     from Python {kind: "drawing", to, seq, took, brief, text, warning, total, unit, step_texts,
                  listing, first, places, layers, challenges} and a buffer of float32 for each layer
@@ -21,14 +23,14 @@ A scene or keys are answered by a brief drawing, as at its last step; "hello" by
 which a page asks again when everything is at rest.
 
 `from` and `to` name a page, because several pages may show one widget. A drawing without `to` and
-`seq` is for all pages. When something was let go and the answer has arrived, the page writes its
-whole scene to the trait `scene`. The bitmap is a trait too: it is sent only when it changes.
+`seq` is for all pages. Only Python sets traits. On "keep" it sets `scene` to what is shown, which
+may be newer than what the page has: others move things too. The bitmap is a trait as well: it is
+sent only when it changes.
 """
 
 from __future__ import annotations
 
 import base64
-import logging
 import threading
 import uuid
 from collections.abc import Callable, Iterator
@@ -50,9 +52,7 @@ from .drawing import Drawing
 from .printed import Bitmap, fit_page, print_board
 from .recorded import RECORD, pack_records, record_drawing
 from .reply import Message, Reply
-from .scene import Scene, arrange_like, list_places, move_parts
-
-log = logging.getLogger("kinoedu")
+from .scene import Scene, list_places, move_parts
 
 CORE = Path(__file__).parent
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
@@ -174,9 +174,7 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             self._shown = scene
             self._draw()
-            content, buffers = self._reply.brief
-            places = [list(part) for part in list_places(scene)]
-            self._show(None, None, Message({**content, "places": places}, buffers))
+            self._show(None, None, self._with_places())
 
     def arrange(self, scene: Scene) -> None:
         """`follow` another scene, and keep it as `scene`."""
@@ -194,18 +192,16 @@ class Canvas(anywidget.AnyWidget):
             self._free = None if bitmap is None else np.asarray(bitmap, kind)
             self.bitmap = pack_bitmap(self._free)
 
+    def keep(self) -> None:
+        """Set `scene` to the scene that is shown."""
+        with _answering:
+            self.scene = self._shown
+
     def set_state(self, sync_data: JsonObject) -> None:
-        """Accept from a page only where things are; ignore the rest, and any invalid scene."""
-        try:
-            checked = {}
-            if "scene" in sync_data:
-                checked["scene"] = arrange_like(self.home, sync_data["scene"])
-            super().set_state(checked)
-        except KinoeduError as error:
-            log.warning("a board was sent a scene that it cannot show: %s", error)
+        """Accept no trait from a page: it sends messages."""
 
     def _arranged(self, _: object) -> None:
-        """Answer a scene that a page or Python has set."""
+        """Answer a scene that Python has set."""
         with _answering:
             if self.scene != self._shown:
                 self._shown = self.scene
@@ -219,6 +215,8 @@ class Canvas(anywidget.AnyWidget):
         with _answering:
             if message.get("kind") == "hello":
                 self._show(page, None, self._complete())
+            elif message.get("kind") == "keep":
+                self.keep()
             elif message.get("kind") == "code" and self._code is not None:
                 self.send({"kind": "code", "to": page, "text": self._code()})
             elif message.get("kind") == "scene" and isinstance(seq, int):
@@ -243,7 +241,7 @@ class Canvas(anywidget.AnyWidget):
             message = Reply(lambda: warning, self._shown).brief
         except BaseException:  # interrupted, or a fault in what the board was given
             self._shown, self._reply = before
-            self._show(page, seq, self._reply.brief)
+            self._show(page, seq, self._with_places())
             raise
         self._show(page, seq, message)
 
@@ -275,6 +273,12 @@ class Canvas(anywidget.AnyWidget):
         """Send a drawing to one page or to all."""
         content, buffers = self._with_challenges(message)
         self.send({"kind": "drawing", "to": page, "seq": seq, **content}, buffers=buffers)
+
+    def _with_places(self) -> Message:
+        """The brief answer with the places of all parts, for pages that have them elsewhere."""
+        content, buffers = self._reply.brief
+        places = [list(part) for part in list_places(self._shown)]
+        return Message({**content, "places": places}, buffers)
 
     def _with_challenges(self, message: Message) -> Message:
         """A message that also says how far the challenges are met."""

@@ -205,25 +205,6 @@ def unknown_part(part: Any) -> InvalidParameter:
     return InvalidParameter(get_message("board.no_such_part", part=shortened(part)))
 
 
-def arrange_like(home: Scene, proposed: Any) -> Scene:
-    """The home scene with every part where a proposed scene has it.
-
-    Raises
-    ------
-    InvalidParameter, InvalidPoint
-        Where the proposed scene does not have the same parts.
-    """
-    if not isinstance(proposed, dict):
-        raise unknown_part(proposed)
-    for name in LISTS.values():
-        items = proposed.get(name)
-        if not isinstance(items, list) or len(items) != len(home[name]):
-            raise unknown_part(items)
-        if not all(isinstance(item, dict) for item in items):
-            raise unknown_part(items)
-    return move_parts(home, list_places(proposed))
-
-
 def list_places(scene: Scene) -> list[tuple[str, int, Any]]:
     """The place of each part of a scene, in the form that `move_parts` takes."""
     return [
