@@ -3,6 +3,7 @@
 The boards are shown as the site shows them, without a kernel.
 """
 
+import base64
 import io
 import json
 import re
@@ -11,6 +12,7 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
+import trimesh
 from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
 from PIL import Image
 from test_board import walled
@@ -32,8 +34,10 @@ from kinoedu.boards.core.recorded import RECORD
 from kinoedu.boards.core.scene import handle, make_scene
 from kinoedu.boards.geometry.solid import SolidBoard
 from kinoedu.figures import palette
+from kinoedu.graphs import Graph
 
 BIG = 10_000
+BYTES = ("vertices", "faces", "colours")  # of a solid
 
 
 def tree_of(n):
@@ -251,6 +255,84 @@ def test_what_is_dragged_is_not_put_back_by_a_scene_of_before(light):
         page.wait_for_function("kernel.sent.at(-1).kind === 'keep'")
         moved = page.evaluate("kernel.sent.filter(({ kind }) => kind === 'scene').at(-1).moved")
         assert moved == [["handle", 1, goal]] and page.evaluate(PLACES) == [[2, 3], goal]
+
+
+def press_both_and_leave(page, x, y, away):
+    """Drag from a point, press the right button too, and release the left outside a picture."""
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 20, y - 20, steps=3)
+    page.mouse.down(button="right")
+    page.mouse.up(button="right")
+    page.mouse.move(*away, steps=3)
+    page.mouse.up()
+
+
+def test_nothing_sticks_to_a_pointer_without_a_button(light):
+    """A drag ends where the browser takes the pointer away, as at a press of the right button."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        page.evaluate("kernel.start()")
+        press_both_and_leave(page, *place(root, 0.89, 0.89), place(root, 1.2, 0.5))
+        page.wait_for_function("kernel.sent.at(-1)?.kind === 'keep'")
+        goal = page.evaluate(PLACES)[1]
+        page.mouse.move(*place(root, 0.3, 0.3), steps=3)
+        assert page.evaluate(PLACES)[1] == goal != [9, 1]
+        assert not page.evaluate("kernel.board.isDragged()")
+
+
+SOLID = """([script, values, packed]) => {
+  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
+  for (const [name, text] of Object.entries(packed)) values[name] = new DataView(bytes(text));
+  const model = { get: name => values[name], on: () => {}, set: () => {}, save_changes: () => {} };
+  const file = new Blob([script], { type: "text/javascript" });
+  return import(URL.createObjectURL(file)).then(
+    ({ default: { render } }) => { render({ model, el: document.body }); }); }"""
+
+
+def test_a_solid_does_not_stick_to_a_pointer_without_a_button():
+    """The same on the board of solids."""
+    needs_chromium()
+    made = SolidBoard(trimesh.creation.box((2, 2, 2)), None, 0.2, None)
+    packed = {name: base64.b64encode(getattr(made, name)).decode() for name in BYTES}
+    names = ("theta", "place", "section", "cut", "box", "palette", "words")
+    with browser() as page:
+        page.set_content(f"<style>{made._css}</style><body>")
+        values = {name: getattr(made, name) for name in names}
+        page.evaluate(SOLID, [made._esm, values, packed])
+        root = page.locator(".kinoedu-solid")
+        box = root.locator(".kinoedu-solid-mesh").bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        press_both_and_leave(page, x, y, (x, y + box["height"]))
+        frames(page)
+        before = root.get_attribute("data-azimuth")
+        page.mouse.move(x + 30, y, steps=3)
+        frames(page)
+        assert root.get_attribute("data-azimuth") == before
+
+
+def test_a_touch_that_the_browser_takes_over_is_no_click(tmp_path):
+    """The goal of a graph stays where it is."""
+    needs_chromium()
+    made = search_board(Graph(nodes=[(0, 0), (4, 3), (8, 0)], edges=[(0, 1), (1, 2)]))
+    with browser(has_touch=True) as page:
+        page.goto(site_page(tmp_path, "light", made))
+        root = shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        page.evaluate("kernel.start()")
+        frames(page)
+        goal, box = page.evaluate(PLACES)[1], root.locator("canvas").bounding_box()
+        x, y = page.evaluate("[...kernel.board.views][0].toPixels([4, 3])")
+        touch = page.context.new_cdp_session(page)
+        for kind, points in (
+            ("touchStart", [{"x": box["x"] + x, "y": box["y"] + y}]),
+            ("touchCancel", []),
+        ):
+            touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        page.wait_for_function("kernel.sent.at(-1)?.kind === 'keep'")
+        assert page.evaluate(PLACES)[1] == goal != [4, 3]
 
 
 def test_ten_thousand_nodes_stay_usable(light):

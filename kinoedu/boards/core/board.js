@@ -668,8 +668,7 @@ class View {
         button.setPointerCapture(event.pointerId);
         press();
       });
-      button.addEventListener("pointerup", release);
-      button.addEventListener("pointercancel", release);
+      button.addEventListener("lostpointercapture", release);   // also after each release
       button.addEventListener("contextmenu", (event) => event.preventDefault());  // of a long touch
       button.addEventListener("click", (event) => {
         if (event.detail !== 0) return;  // the pointer's; a click by a key has detail 0
@@ -697,7 +696,8 @@ class View {
     canvas.addEventListener("pointerdown", (e) => this.grab(e));
     canvas.addEventListener("pointermove", (e) => this.drag(e));
     canvas.addEventListener("pointerup", (e) => this.letGo(e));
-    canvas.addEventListener("pointercancel", (e) => this.letGo(e));
+    canvas.addEventListener("pointercancel", (e) => this.drop(e));
+    canvas.addEventListener("lostpointercapture", (e) => this.drop(e));
     canvas.addEventListener("pointerleave", (e) => this.pointer.leave(e));
     this.root.addEventListener("keydown", keepKeys);
     this.button.addEventListener("click", () => board.play());
@@ -856,18 +856,22 @@ class View {
     this.board.move(held.thing, held.from, held.anchor, at.map((x, k) => x + held.offset[k]));
   }
 
-  letGo(event) {
+  letGo(event) {                         // near a stop, or a click on one
     const held = this.grabs.get(event.pointerId);
     if (!held) return;
-    this.grabs.delete(event.pointerId);
-    this.canvas.style.cursor = "";
     const { board } = this, { thing, still } = held, item = board.item(thing);
     const at = still || !item.at ? this.toWorld(event) : item.at;
     const stop = this.stopAt(at, event.pointerType === "touch");
     const isHandle = thing.kind === "handle" && !item.stop;
     if (stop && still) board.call(event.shiftKey ? 0 : 1, board.item(stop));
     else if (stop && isHandle) board.call(thing.i, board.item(stop));      // released near the stop
-    board.settle();
+    this.drop(event);
+  }
+
+  drop(event) {                          // end a drag; a browser may end one without a release
+    if (!this.grabs.delete(event.pointerId)) return;
+    this.canvas.style.cursor = "";
+    this.board.settle();
     this.placeButtons();
     this.request();
   }

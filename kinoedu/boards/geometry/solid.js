@@ -142,8 +142,7 @@ class Solid {
       move(e.clientX - last[0], e.clientY - last[1], canvas.clientWidth);
       last = [e.clientX, e.clientY];
     });
-    canvas.addEventListener("pointerup", end);
-    canvas.addEventListener("pointercancel", end);
+    canvas.addEventListener("lostpointercapture", end);        // also after each release
   }
 
   keys(canvas, arrow, sign) {            // call `arrow` for arrow keys and `sign` for + and -
