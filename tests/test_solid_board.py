@@ -66,13 +66,15 @@ def test_a_page_moves_the_plane_and_the_point_and_nothing_else():
 
 
 def test_each_question_of_a_page_is_answered_once(caplog):
-    """Also where plane and point have both moved, or the reader's section fails: a page waits."""
+    """Also where plane and point have both moved, or the section fails or is interrupted."""
     asked = []
 
     def section(theta, place):
         asked.append(theta)
         if theta == 1.0:
             raise ZeroDivisionError("no section here")
+        if theta == 1.2:
+            raise KeyboardInterrupt
         return {"text": f"{theta:g} {place[0]:g}", "shapes": []}
 
     board = solid_board(turning_obstacle(ROBOT, OBSTACLE), section=section, place=(1, 1))
@@ -81,8 +83,11 @@ def test_each_question_of_a_page_is_answered_once(caplog):
     board.set_state({"theta": 1.0})
     assert "no section here" in board.section["text"] and board.section["theta"] == 1.0
     assert "could not answer" in caplog.text
+    with pytest.raises(KeyboardInterrupt):
+        board.set_state({"theta": 1.2})
+    assert "KeyboardInterrupt" in board.section["text"] and board.section["theta"] == 1.2
     board.set_state({"theta": 1.5})
-    assert board.section["text"] == "1.5 2" and asked == [0.0, 0.5, 1.0, 1.5]
+    assert board.section["text"] == "1.5 2" and asked == [0.0, 0.5, 1.0, 1.2, 1.5]
     cut = np.array(board.cut).reshape(-1, 2)
     board.set_state({"place": [4, 4]})
     assert np.array_equal(cut, np.array(board.cut).reshape(-1, 2))

@@ -203,10 +203,12 @@ class SolidBoard(anywidget.AnyWidget):
             log.warning("a board was sent a place that it cannot show: %s", error)
         try:
             super().set_state(checked)
-        except Exception as error:  # of a reader's section: the page waits for an answer
+        except BaseException as error:  # a reader's section fails, or is interrupted: a page waits
             log.exception("a board could not answer")
             fault = get_message("board.failed", error=f"{type(error).__name__}: {error}")
             self.section = {**self._asked(), "text": fault, "shapes": []}
+            if not isinstance(error, Exception):
+                raise
 
     def _nearest(self, theta: float) -> float:
         """The height of the solid that is nearest to an angle."""
