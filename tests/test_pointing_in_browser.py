@@ -225,7 +225,8 @@ WITH_KERNEL = """key => {
   board.model = { get: name => values[name] ?? model.get(name), send: message => {
     sent.push(message);
     if (kernel.answering) queueMicrotask(() => answer(message)); } };
-  globalThis.kernel = { board, values, sent, answering: false, start: () => {
+  const says = (more) => board.receive({ ...drawing, seq: board.seq, ...more }, []);
+  globalThis.kernel = { board, values, sent, says, answering: false, start: () => {
     kernel.answering = true;
     sent.forEach(answer); } }; }"""
 PLACES = "kernel.board.scene.handles.map(({ at }) => at)"
@@ -333,6 +334,27 @@ def test_a_touch_that_the_browser_takes_over_is_no_click(tmp_path):
             touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
         page.wait_for_function("kernel.sent.at(-1)?.kind === 'keep'")
         assert page.evaluate(PLACES)[1] == goal != [4, 3]
+
+
+def test_nothing_dead_is_offered_beside_a_refused_scene(light):
+    """What was answered briefly before has no steps: the slider comes back with the next answer."""
+    with browser() as page:
+        page.goto(light)
+        slider = shown(page).locator(".kinoedu-slider")
+        page.evaluate(WITH_KERNEL, "0-0")
+        page.evaluate("kernel.says({ brief: true, total: 5 })")
+        frames(page)
+        assert slider.is_visible()
+        page.evaluate("kernel.says({ warning: 'no' })")
+        frames(page)
+        assert not slider.is_visible()
+        page.evaluate("kernel.says({ brief: true, total: 5 })")
+        page.evaluate("kernel.says({ total: 5 })")
+        frames(page)
+        assert slider.is_visible() and slider.get_attribute("max") == "5"
+        page.evaluate("kernel.says({ warning: 'no' })")  # beside a whole one it can be used
+        frames(page)
+        assert slider.is_visible()
 
 
 def test_ten_thousand_nodes_stay_usable(light):

@@ -1393,13 +1393,11 @@ class View {
   // the text below the picture
 
   showState(late) {
-    const { board } = this, { warning, brief } = board.drawing;
+    const { board } = this, { warning, brief, refused } = board.drawing;
     write(this.text, board.text());
     this.text.classList.toggle("kinoedu-warning", Boolean(warning) && !late);
-    if (!brief) {                        // a brief drawing cannot be scrubbed
-      this.showGrowth();
-      write(this.how, this.hint());
-    }
+    if (!brief || refused) this.showGrowth();
+    if (!brief) write(this.how, this.hint());
     this.storeState();
     const won = this.showGoals();
     this.speakLater([this.text.textContent, ...won].join(" "));
@@ -1408,7 +1406,8 @@ class View {
   showGrowth() {
     const { board, slider } = this, { drawing, words, step } = board, { total, unit } = drawing;
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.growth.classList.toggle("kinoedu-nothing", total === 0);
+    // a brief drawing cannot be scrubbed, and where a refused scene follows it stays brief
+    this.growth.classList.toggle("kinoedu-nothing", total === 0 || drawing.brief);
     Object.assign(slider, { max: total, value: step });
     slider.ariaValueText = fill(words.growth, { shown: step, total, unit });
     write(this.button, board.playing ? words.pause : still ? words.next : words.play);
