@@ -336,6 +336,21 @@ def test_a_touch_that_the_browser_takes_over_is_no_click(tmp_path):
         assert page.evaluate(PLACES)[1] == goal != [4, 3]
 
 
+def test_a_plot_without_things_has_no_button_to_start_again(light):
+    """There is nothing in it to put back; the board that has things keeps the button."""
+    with browser() as page:
+        page.goto(light)
+        shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        another = """bare => {
+            const { board } = kernel, View = [...board.views][0].constructor;
+            if (bare) Object.assign(board.scene, { handles: [], polygons: [], discs: [] });
+            const view = new View(board, document.body), { hidden } = view.back;
+            view.close();
+            return hidden; }"""
+        assert [page.evaluate(another, bare) for bare in (False, True)] == [False, True]
+
+
 def test_nothing_dead_is_offered_beside_a_refused_scene(light):
     """What was answered briefly before has no steps: the slider comes back with the next answer."""
     with browser() as page:

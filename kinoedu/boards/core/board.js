@@ -633,7 +633,7 @@ class View {
     this.copying.hidden = !this.board.model.get("copies");
     this.driven = this.board.scene.handles.findIndex((handle) => handle.driven);
     const recorded = this.board.model.get("recorded");
-    this.back.hidden = Boolean(recorded);
+    this.back.hidden = !this.board.things().length;   // nothing has moved
     if (this.driven >= 0 && !recorded) this.buildPad();
     this.text = make("div", "kinoedu-text", this.column, { "aria-hidden": "true" });
     this.goals = make("ul", "kinoedu-goals", this.column);
