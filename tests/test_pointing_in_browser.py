@@ -22,6 +22,7 @@ from kinoedu.boards import (
     Canvas,
     Drawing,
     board,
+    bug_board,
     challenge,
     challenges,
     curves_board,
@@ -349,6 +350,25 @@ def test_a_plot_without_things_has_no_button_to_start_again(light):
             view.close();
             return hidden; }"""
         assert [page.evaluate(another, bare) for bare in (False, True)] == [False, True]
+
+
+def test_the_plot_beside_a_refused_bug_is_pale(tmp_path):
+    """Both pictures show what was before; they take their colours again together."""
+    needs_chromium()
+    made = bug_board((0, 4), (10, 4), [[(2, 2), (4, 2), (4, 6), (2, 6)]])
+    with browser() as page:
+        page.goto(site_page(tmp_path, "light", made))
+        page.wait_for_function("document.querySelectorAll('[data-paints]').length === 2")
+        plot = page.locator(".kinoedu-board canvas").nth(1)
+        page.evaluate(WITH_KERNEL, "0-0")
+        frames(page)
+        before = plot.screenshot()
+        page.evaluate("kernel.says({ warning: 'no' })")
+        frames(page)
+        assert plot.screenshot() != before
+        page.evaluate("kernel.says({})")
+        frames(page)
+        assert plot.screenshot() == before
 
 
 def test_nothing_dead_is_offered_beside_a_refused_scene(light):

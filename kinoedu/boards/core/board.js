@@ -458,6 +458,7 @@ class Board {
     }
     this.emit("answered", seq);
     this.changed();
+    if (refused !== before.refused) this.partners().forEach((other) => other.changed());
   }
 
   emit(name, seq) { this.views.forEach((view) => view.emit(name, seq)); }
@@ -551,7 +552,11 @@ class Board {
     return warning || text;
   }
 
-  isPale() { return this.isLate() || this.drawing.refused; }
+  // Also where the board beside is refused, of which this one shows more.
+  isPale() {
+    const first = boards.get(this.team());
+    return this.isLate() || this.drawing.refused || Boolean(first?.drawing.refused);
+  }
 
   isLate() {                             // whether the newest change has waited long for its answer
     return this.pendingSince !== null && performance.now() - this.pendingSince > PENDING;
