@@ -792,8 +792,13 @@ def test_a_link_brings_the_same_world(page, folder):
     slider = page.locator(".kinoedu-board").nth(1).locator(".kinoedu-slider")
     slider.press("Home")
     slider.press("ArrowRight")
-    page.locator(".kinoedu-live button").nth(3).click()
+    share = page.locator(".kinoedu-live button").nth(3)
+    before = share.text_content()
+    share.click()
     address = page.evaluate("location.href")
+    assert share.text_content() != before
+    drag(page, 1, (9, 8.5), (9, 7.5))  # the address does not have this
+    assert share.text_content() == before
     page.goto("about:blank")
     page.goto(address)
     page.wait_for_function("document.querySelectorAll('.kinoedu-board')[1]?.dataset.step === '1'")

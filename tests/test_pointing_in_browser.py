@@ -371,6 +371,21 @@ def test_the_plot_beside_a_refused_bug_is_pale(tmp_path):
         assert plot.screenshot() == before
 
 
+def test_a_board_that_changes_no_longer_says_that_it_is_copied(light):
+    """The whole of the same drawing, which comes when all is at rest, changes nothing."""
+    with browser() as page:
+        page.goto(light)
+        button = shown(page).locator(".kinoedu-copy")
+        page.evaluate(WITH_KERNEL, "0-0")
+        copy = button.text_content()
+        page.evaluate("kernel.says({ brief: true })")
+        page.evaluate("kernel.board.copy('board(problem)')")
+        page.evaluate("kernel.says({})")
+        copied = button.text_content()
+        page.evaluate("kernel.says({ brief: true })")
+        assert [copied, button.text_content()] == ["copied", copy] != [copy, copy]
+
+
 def test_nothing_dead_is_offered_beside_a_refused_scene(light):
     """What was answered briefly before has no steps: the slider comes back with the next answer."""
     with browser() as page:

@@ -78,7 +78,7 @@ class Answers {
     this.scene = sceneOf(record);
     this.own = scene.handles.length;      // the number of its own handles
     this.free = scene.size ? cellsOf(bytesOf(bitmap), scene.size) : undefined;
-    Object.assign(this, { body, seed, settings, key, tell, step, beside: null });
+    Object.assign(this, { body, seed, settings, key, tell, step, beside: null, share: null });
   }
 
   take({ from, seq, moved }) {            // things were moved: answer the page that asks
@@ -92,6 +92,7 @@ class Answers {
   }
 
   async answer(to = null, seq = null, asksBeside = false) {
+    if (this.share) this.share.textContent = WORDS.share;   // the address has what was before
     const { body: name, seed, free } = this, given = this.settings[name];
     const settings = this.settings[given] ?? given;     // those of another body, or its own
     const scene = copy(this.scene);
@@ -194,12 +195,12 @@ function controlsOf(answers) {
   if (names.some((name) => LIVE.bodies[name].random)) {
     row.append(button(WORDS.seed, () => { answers.seed += 1; answers.answer(); }));
   }
-  const share = button(WORDS.share, () => {
+  answers.share = button(WORDS.share, () => {
     history.replaceState(null, "", linkTo(answers));
     navigator.clipboard?.writeText(location.href).catch(() => {});
-    share.textContent = WORDS.shared;
+    answers.share.textContent = WORDS.shared;
   });
-  row.append(share);
+  row.append(answers.share);
   return row;
 }
 

@@ -408,8 +408,10 @@ class Board {
     } catch {
       copyByHand(text);
     }
-    this.views.forEach((view) => { view.copying.textContent = this.words.copied; });
+    this.sayOfCode(this.words.copied);
   }
+
+  sayOfCode(text) { this.views.forEach(({ copying }) => write(copying, text)); }
 
   // driving: while keys are held, Python gets a message every TICK and moves the driven handle
 
@@ -442,6 +444,7 @@ class Board {
     // the lines stay beside the picture, though of before, until there are new ones
     if (brief) Object.assign(this.drawing, { listing: before.listing });
     if (brief && before.listing) this.drawing.total = before.total;
+    if (!completed) this.sayOfCode(this.words.copy);   // what was copied is of before
     this.took = took;
     this.answers += 1;
     if (seq !== null) this.shown = seq;
