@@ -779,6 +779,14 @@ def test_a_bug_is_dragged_in_the_page(page):
     assert boards[0].get_attribute("data-layers").startswith("edges")
 
 
+def test_the_controls_of_a_board_fit_a_narrow_page(page):
+    """At 320 pixels they stand below each other."""
+    page.set_viewport_size({"width": 320, "height": 8000})
+    parts = page.locator(".kinoedu-live > *").all()
+    edges = [part.bounding_box()["x"] + part.bounding_box()["width"] for part in parts]
+    assert len(edges) > 9 and max(edges) <= 320
+
+
 def test_a_link_brings_the_same_world(page, folder):
     """A planner, a seed, a step and what was moved are in the address; nonsense there is said."""
     drag(page, 1, (9, 1), (9, 8.5))
