@@ -816,3 +816,25 @@ def test_a_link_brings_the_same_world(page, folder):
     page.goto((folder / "index.html").as_uri() + "#kinoedu=nonsense")
     page.wait_for_function(SAYS, arg=[0, get_message("live.bad_link")])
     assert "path" in page.locator(".kinoedu-board").first.get_attribute("data-layers")
+
+
+def test_odd_links_are_refused_and_the_last_seed_is_followed_by_the_first(page, folder):
+    """Names that every object has are no planners; what a board links to can be opened."""
+    link, first = page.locator(".kinoedu-live button").nth(1), (folder / "index.html").as_uri()
+    link.click()
+    board = json.loads(base64.urlsafe_b64decode(page.evaluate("location.hash").split("=", 1)[1]))
+
+    def open_link(**changed):
+        text = base64.urlsafe_b64encode(json.dumps({**board, **changed}).encode()).decode()
+        page.goto("about:blank")
+        page.goto(f"{first}#kinoedu={text}")
+
+    for body in ("toString", "constructor", "__proto__"):
+        open_link(body=body)
+        page.wait_for_function(SAYS, arg=[0, get_message("live.bad_link")])
+    open_link(seed=2**32 - 1)
+    page.wait_for_function("document.querySelectorAll('.kinoedu-board').length === 11")
+    page.locator(".kinoedu-live button").first.click()
+    link.click()
+    text = page.evaluate("location.hash").split("=", 1)[1]
+    assert json.loads(base64.urlsafe_b64decode(text))["seed"] == 0

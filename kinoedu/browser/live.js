@@ -143,7 +143,7 @@ function move(scene, places) {
 
 // ---- a board in the address of its page, so that a teacher can send a world
 
-const MARK = "#kinoedu=";
+const MARK = "#kinoedu=", SEEDS = 2 ** 32;
 
 function linkTo({ key, body, seed, scene }) {
   const { step, drawing: { total } } = boards.get(key);
@@ -167,8 +167,8 @@ function linked() {
 function fits({ version, body, seed, places, step = 0 }, record) {
   const form = (value) => JSON.stringify(value, (_, v) => (Number.isFinite(v) ? "number" : v));
   const formOf = (parts) => parts.map(([kind, i, where]) => `${kind} ${i} ${form(where)}`).join();
-  return version === VERSION && body in record.live.settings && Number.isInteger(seed) && seed >= 0
-    && seed < 2 ** 32 && Number.isInteger(step) && step >= 0
+  return version === VERSION && Object.hasOwn(record.live.settings, body)
+    && Number.isInteger(seed) && seed >= 0 && seed < SEEDS && Number.isInteger(step) && step >= 0
     && Array.isArray(places) && places.every(Array.isArray)
     && formOf(places) === formOf(placesOf(sceneOf(record)));
 }
@@ -193,7 +193,10 @@ function controlsOf(answers) {
   const names = Object.keys(answers.settings).filter((name) => name in LIVE.bodies);
   if (names.length > 1) row.append(menuOf(answers, names));
   if (names.some((name) => LIVE.bodies[name].random)) {
-    row.append(button(WORDS.seed, () => { answers.seed += 1; answers.answer(); }));
+    row.append(button(WORDS.seed, () => {
+      answers.seed = (answers.seed + 1) % SEEDS;
+      answers.answer();
+    }));
   }
   answers.share = button(WORDS.share, () => {
     history.replaceState(null, "", linkTo(answers));
