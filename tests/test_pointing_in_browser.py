@@ -36,6 +36,7 @@ from kinoedu.boards.core.scene import handle, make_scene
 from kinoedu.boards.geometry.solid import SolidBoard
 from kinoedu.figures import palette
 from kinoedu.graphs import Graph
+from kinoedu.messages import get_message
 
 BIG = 10_000
 BYTES = ("vertices", "faces", "colours")  # of a solid
@@ -384,6 +385,31 @@ def test_a_board_that_changes_no_longer_says_that_it_is_copied(light):
         copied = button.text_content()
         page.evaluate("kernel.says({ brief: true })")
         assert [copied, button.text_content()] == ["copied", copy] != [copy, copy]
+
+
+def test_a_board_whose_kernel_was_restarted_says_so(light):
+    """It asks the lost Python nothing, and does not say that it plans."""
+    with browser() as page:
+        page.goto(light)
+        shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        sent, *texts = page.evaluate(
+            """() => {
+            const heard = {}, on = (event, hear) => { heard[event] = hear; };
+            const board = new kernel.board.constructor({ ...kernel.board.model, on });
+            const say = () => {
+              board.hasMoved({ kind: "handle", i: 1 });
+              board.pendingSince = -Infinity;   // it waits since long ago
+              return board.text(); };
+            const before = say(), count = kernel.sent.length;
+            heard.comm_live_update();
+            board.open = board.asked = 0;
+            const after = say();
+            board.stop();
+            return [kernel.sent.length - count, before, after]; }"""
+        )
+        assert sent == 0
+        assert texts == [get_message(f"board.front.{name}") for name in ("thinking", "lost")]
 
 
 def test_nothing_dead_is_offered_beside_a_refused_scene(light):

@@ -185,6 +185,7 @@ class Board {
     this.shown = 0;                                      // the number of the scene that is answered
     this.open = 0;                                       // questions without an answer
     Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
+    this.lost = false;                                   // whether Python has been restarted
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     Object.assign(this, { held: new Set(), ticking: 0, completing: 0, asked: 0 });
     Object.assign(this, { lag: 0, painted: -RESTED });   // ms until an answer; when last painted
@@ -193,7 +194,8 @@ class Board {
     model.on("msg:custom", (message, buffers) => this.receive(message, buffers));
     model.on("change:scene", () => this.replaced());
     model.on("change:bitmap", () => this.laid());
-    this.model.send({ kind: "hello", from: this.id });
+    model.on("comm_live_update", () => { this.lost = true; this.changed(); });
+    this.send({ kind: "hello" });
   }
 
   stop() {
@@ -320,14 +322,14 @@ class Board {
   complete(wait) {                       // ask for the whole of a brief drawing, after some ms
     clearTimeout(this.completing);
     if (!this.drawing.brief || this.drawing.refused) return;
-    this.completing = setTimeout(() => this.model.send({ kind: "hello", from: this.id }), wait);
+    this.completing = setTimeout(() => this.send({ kind: "hello" }), wait);
   }
 
   keep() {
     if (!this.unkept || this.shown !== this.seq) return;
     this.unkept = false;
     this.put(this.drawing.places);
-    this.model.send({ kind: "keep", from: this.id });
+    this.send({ kind: "keep" });
   }
 
   reset() {
@@ -342,7 +344,7 @@ class Board {
     const before = copy(this.scene);
     this.put(placesOf(this.model.get("scene")));
     if (same(before, this.scene)) return;
-    this.model.send({ kind: "hello", from: this.id });
+    this.send({ kind: "hello" });
     this.changed();
   }
 
@@ -366,6 +368,8 @@ class Board {
 
   // questions and answers
 
+  send(message) { if (!this.lost) this.model.send({ ...message, from: this.id }); }
+
   ask(released) {
     const limit = this.took > SLOW ? 1 : this.took > BUSY ? 2 : IN_FLIGHT;
     const early = this.asked + SPACING - performance.now();
@@ -379,14 +383,13 @@ class Board {
       return;
     }
     this.waiting = this.open >= limit;
-    if (this.waiting) return;
-    if (this.moved.size === 0) return;
+    if (this.waiting || this.moved.size === 0) return;
     const moved = [...this.moved.values()].map(([kind, i]) => [kind, i, this.shape({ kind, i })]);
     this.moved.clear();
     this.open += 1;
     this.asked = performance.now();
     keepStill();
-    this.model.send({ kind: "scene", from: this.id, seq: this.seq, moved });
+    this.send({ kind: "scene", seq: this.seq, moved });
     this.emit("sent", this.seq);
   }
 
@@ -427,7 +430,7 @@ class Board {
     if (!this.held.size || this.open >= IN_FLIGHT) return;
     this.open += 1;
     keepStill();
-    this.model.send({ kind: "keys", from: this.id, seq: this.seq, held: [...this.held] });
+    this.send({ kind: "keys", seq: this.seq, held: [...this.held] });
     this.emit("sent", this.seq);
   }
 
@@ -546,7 +549,7 @@ class Board {
 
   text() {
     const { text, warning, total, unit, stepTexts, listing, brief, refused } = this.drawing;
-    if (this.isLate()) return this.words.thinking;
+    if (this.isLate()) return this.lost ? this.words.lost : this.words.thinking;
     if (refused) return warning;
     if (this.step < total && listing && !brief) return this.lineText() || this.words.begin;
     if (this.step < total && !warning && !brief) {
@@ -711,7 +714,7 @@ class View {
     this.button.addEventListener("click", () => board.play());
     this.back.addEventListener("click", () => board.reset());
     this.copying.addEventListener("click", () => {
-      board.model.send({ kind: "code", from: board.id });
+      board.send({ kind: "code" });
     });
     this.slider.addEventListener("input", () => {
       board.playing = null;

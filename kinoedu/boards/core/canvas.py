@@ -57,12 +57,13 @@ from .scene import Scene, list_places, move_parts
 CORE = Path(__file__).parent
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
 CHALLENGED = ("challenge", "reached", "done")
-PLAIN = ("play", "pause", "next", "reset", "copy", "copied", "slider", "movable", "thinking")
+PLAIN = ("play", "pause", "next", "reset", "copy", "copied", "slider", "movable")
+WAITING = ("thinking", "lost")
 CODE = ("code", "lineBack", "lineOn", "begin", "condition", "old")
 HINTS = ("hint", "deeper", "stops", "posed", "driving", "pad", "coded", "pointing", "pointer")
 REASONS = ("outside", "cell", "unknown")
 FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, and their values
-    **dict.fromkeys((*PLAIN, *CODE, *HINTS, *ARROWS, *REASONS, *CHALLENGED), ()),
+    **dict.fromkeys((*PLAIN, *WAITING, *CODE, *HINTS, *ARROWS, *REASONS, *CHALLENGED), ()),
     "meets": ("name",),
     "here": ("x", "y", "meaning"),
     "growth": ("shown", "total", "unit"),
