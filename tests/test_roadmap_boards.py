@@ -17,6 +17,8 @@ from kinoedu.boards import (
     roadmap_board,
 )
 from kinoedu.boards.core.drawing import Drawing, cells, encode_drawing
+from kinoedu.boards.planning import race
+from kinoedu.boards.planning.racing import run_planner
 from kinoedu.boards.trees.rewired import (
     costs_at,
     find_last_path,
@@ -352,6 +354,27 @@ def test_a_race_is_dragged_in_one_and_moves_in_all():
         page.sent.clear()
     pages[2].moves(("handle", 0, [5, 5]))
     assert made.plans == [] and all("not free" in page.sent[-1][0]["warning"] for page in pages)
+
+
+def test_an_interrupted_race_leaves_all_lanes_as_they_were(monkeypatch):
+    """The lane that was not reached yet would show another scene."""
+    made = race_board(problem_of(), nodes=150)
+    page, plans, started = Page(made.canvas), made.plans, []
+
+    def run_first_only(planner, problem, given):
+        started.append(planner)
+        if len(started) > 1:
+            raise KeyboardInterrupt
+        return run_planner(planner, problem, given)
+
+    monkeypatch.setattr(race, "run_planner", run_first_only)
+    with pytest.raises(KeyboardInterrupt):
+        page.moves(("handle", 1, [9, 9]))
+    monkeypatch.undo()
+    assert [*map(id, made.plans)] == [*map(id, plans)]
+    page.moves(("handle", 1, [9, 9]))
+    assert all(canvas.shown["handles"][1]["at"] == [9, 9] for canvas in made.canvases)
+    assert [plan.problem.goal.tolist() for plan in made.plans] == [[9, 9]] * len(plans)
 
 
 def test_each_racer_stays_as_it_ended():

@@ -126,19 +126,22 @@ class RaceBoard(Framed):
         return drawing if lines is None else drawing.completed_by(lambda: lines()[number])
 
     def _run(self, scene: Scene) -> None:
-        """Run all planners, except a reader's planner that could not be stopped before."""
-        self._scene, self._fault, before, self._runners = scene, None, self._runners, []
-        self._lines = None
+        """Run all planners, except a reader's planner that could not be stopped before.
+
+        A run that is interrupted leaves all lanes as they were.
+        """
+        before, runners = self._runners, list[Runner]()
         try:
             problem = problem_in(scene, self._given)
         except KinoeduError as error:
-            self._fault = error
+            self._scene, self._fault, self._runners, self._lines = scene, error, [], None
             return
         given = Settings(self.seed.value, self.step_size.value, self.nodes.value)
         for number, planner in enumerate(self._planners):
             old = before[number] if before else None
             stuck = old is not None and getattr(old.plan, "still_running", False)
-            self._runners.append(old if old and stuck else run_planner(planner, problem, given))
+            runners.append(old if old and stuck else run_planner(planner, problem, given))
+        self._scene, self._fault, self._runners = scene, None, runners
         self._lines = self._choose_lines(problem, given)
 
     def _choose_lines(
