@@ -435,6 +435,9 @@ at_a_thousand_places = changed(
     ),
 )
 no_short_stretch = changed("follow", ("horizon <= 0", "horizon < 0.01"))
+lengths_of_straight_lines = changed(
+    "follow", ("problem.distance(a, b)", "np.linalg.norm(np.subtract(a, b))")
+)
 
 
 # Variants

@@ -15,6 +15,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...tasks import StudentProblem
 from ...withheld import withheld
+from ..roadmaps.halls import make_arm
 from ..shared.planned import PATH, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
@@ -121,6 +122,8 @@ class Follow(ValueExercise):
         yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 5.0)
         yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.0)
         yield make_case("corners", free, [(1, 1), (4, 1), (4, 9)], 3.001)
+        # the first motion of the arm is short, because its angle wraps
+        yield make_case("corners", make_arm(), [(3.0, 0.3), (-3.0, 0.3), (-2.5, 0.3)], 0.4)
         yield make_case("whole", free, [(1, 1), (4, 1)], 5.0)
         yield make_case(
             "blocked",
@@ -183,6 +186,7 @@ class Follow(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the plan, the part that should be followed, and where the student's part ends."""
         from ....figures import palette
+        from ....figures.robots import place_of, track_of
 
         problem, path = case.given["problem"], case.given["path"]
         fault = None
@@ -190,8 +194,11 @@ class Follow(ValueExercise):
         if len(value) and value.shape[1] == 2 and np.isfinite(value).all():
             fault = Fault("", value)
         draw_answer(problem.problem, [], None, fault, self.message(f"pictures.{case.kind}"), ax)
-        ax.plot(*self.truth(case).T, "-", color=palette.TRUE, linewidth=5.0, zorder=5)
-        ax.plot(*path.T, ":o", color=palette.INK, linewidth=1.5, markersize=4, zorder=3)
+        truth, plan = (track_of(problem.robot, rows) for rows in (self.truth(case), path))
+        ax.plot(*truth.T, "-", color=palette.TRUE, linewidth=5.0, zorder=5)
+        corners = np.array([place_of(problem.robot, q) for q in path])
+        ax.plot(*plan.T, ":", color=palette.INK, linewidth=1.5, zorder=3)
+        ax.plot(*corners.T, "o", color=palette.INK, markersize=4, zorder=3)
 
 
 def make_case(kind: str, problem: StudentProblem, path: object, horizon: float) -> Case:
