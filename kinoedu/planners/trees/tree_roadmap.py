@@ -134,9 +134,9 @@ def nodes_expansion(expand: Callable[[Any, Array, np.random.Generator], Any]) ->
     >>> from kinoedu import Point, PolygonWorld, Problem
     >>> room = PolygonWorld([(0, 0), (9, 0), (9, 9), (0, 9)])
     >>> problem = Problem(Point(), room, start=(1, 1), goal=(8, 8))
-    >>> newest = nodes_expansion(lambda problem, nodes, rng: (len(nodes) - 1, problem.goal))
-    >>> tree_roadmap(problem, expand=newest, rng=0).path.tolist()
-    [[1.0, 1.0], [8.0, 8.0]]
+    >>> newest = nodes_expansion(lambda problem, nodes, rng: (len(nodes) - 1, nodes[-1] + 3))
+    >>> tree_roadmap(problem, expand=newest, reach=2, rng=0).path.tolist()
+    [[1.0, 1.0], [4.0, 4.0], [7.0, 7.0], [8.0, 8.0]]
     """
     return lambda problem, tree, rng: expand(problem, tree.nodes[: tree.size[0]], rng)
 
