@@ -22,7 +22,7 @@ from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
 
-# of the radius: the default tolerance, and the least; an arc's tangents number 1 / sqrt(tolerance)
+# of the radius: the default tolerance, and the least; an arc has about 1 / sqrt(tolerance) tangents
 FINE, FINEST = 1e-4, 1e-9
 
 

@@ -100,7 +100,7 @@ def run_release(arguments: argparse.Namespace) -> int:
             return release_section(names, arguments)
         if arguments.zip is None:
             raise InvalidParameter("--variant needs --zip FILE or --out FOLDER")
-        choose_for_section(EXERCISES.values(), arguments.variant)  # a wrong letter is an error now
+        choose_for_section(EXERCISES.values(), arguments.variant)  # refuse a wrong letter at once
     if arguments.zip is not None and not arguments.zip.parent.is_dir():
         raise InvalidParameter(f"there is no folder {arguments.zip.parent} for {arguments.zip}")
     if importlib.util.find_spec("nbgrader") is None:

@@ -77,7 +77,8 @@ def lattices_for(
 def lattice_for(problem: ProblemRecord, side: float, step_size: float, angles: int) -> Lattice:
     """The cells of side `side` that cover a world, and the car's moves."""
     car, (lo, hi) = problem.robot, (problem.space.lo, problem.space.hi)
-    gears = [float(car.speeds.max())] + [float(car.speeds.min())] * car.both_ways
+    fastest = float(car.speeds.max())
+    gears = [fastest, float(car.speeds.min())] if car.both_ways else [fastest]
     steering = np.linspace(-car.max_steering, car.max_steering, angles)
     moves = [(v, phi) for v in gears for phi in steering]
     columns, rows = (math.ceil(cells) for cells in (hi - lo)[:2] / side + 1.0)
