@@ -239,3 +239,15 @@ def test_a_pose_at_the_very_end_of_a_trajectory_is_its_last(
         off = there.at(ends)[:, :2] - there.poses[[*range(1, len(durations) + 1), -1], :2]
         assert np.abs(off).max() <= 1e-9 * max(1.0, there.duration)
     assert np.array_equal(Trajectory(CAR, (1, 2, 0.5), [], []).at([0.0, 5.0]), [(1, 2, 0.5)] * 2)
+
+
+@pytest.mark.parametrize(
+    ("speeds", "moves"), [((1,), 3), ((1, 2), 3), ((-1, 1), 6), ((-1, 1, 2), 6)]
+)
+def test_a_lattice_has_each_move_once(speeds, moves):
+    """Of several speeds in a direction the fastest counts."""
+    world = ke.PolygonWorld([(0, 0), (30, 0), (30, 30), (0, 30)])
+    car = ke.Car(4, 2, 2.5, speeds=speeds)
+    problem = ke.Problem(car, world, (5, 5, 0), (20, 20, 0))
+    found = lattices_for(problem, 1.0, 1.5, 3)[0].moves
+    assert len(found) == moves == len(np.unique(found, axis=0))

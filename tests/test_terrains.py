@@ -291,3 +291,12 @@ def test_the_parameters_of_the_document():
     assert {tuple(sorted(edge)) for edge in roadmap.edges.tolist()} == free
     with pytest.raises(InvalidParameter, match="spacing"):
         ke.rrt(problem, step_size=5, spacing=5, rng=0)
+
+
+def test_a_plan_prints_what_its_cost_is():
+    """A length, or a cost where cells have costs; and no end of a sentence without counts."""
+    ends = (0.5, 0.5), (3.5, 0.5)
+    plain, dear = ke.Terrain(np.ones((2, 4))), ke.Terrain(np.ones((2, 4)), cost=np.full((2, 4), 3))
+    for world, measure in ((plain, "length 3;"), (dear, "cost 9;")):
+        assert measure in repr(ke.plan_on_grid(ke.Problem(ke.Point(), world, *ends)))
+    assert repr(ke.problems.Plan(None, np.inf, reason="no way")) == "<Plan: no path: no way>"
