@@ -16,8 +16,8 @@ from ..geometry.bars import bar_outline
 from ..geometry.checks import Array
 from ..geometry.parts import Parts
 from ..geometry.rings import SIMPLE
-from ..robots.arm import ArmRobot, joints_at
-from ..robots.pulling import compare_reach, pull_elbow, pull_elbow_and_tip, pull_tip
+from ..robots.arm import ArmRobot, compare_reach, joints_at
+from ..robots.pulling import pull_elbow, pull_elbow_and_tip, pull_tip
 from ..spaces.angles import wrap_angle
 from .regions import name_regions
 from .scenes import SceneArrays, find_fault, no_rows, refuse_ring, world_of_scene
@@ -145,11 +145,13 @@ def pose_arm(
     ends, hits = np.empty((3, 2)), find_hits(arm, world, q)
     joints_at(arm.lengths, arm.base, q, ends)
     outlines = outline_links(arm, q)
-    reach, far = compare_reach(arm, tip)
+    l1, l2 = arm.lengths[0], arm.lengths[1]
+    dx, dy = tip[0] - arm.base[0], tip[1] - arm.base[1]
+    far = math.sqrt(dx * dx + dy * dy)
     contact = (1 if hits[0] else 0) + (2 if hits[1] else 0)
     first = 1 if hits[0] else 2 if hits[1] else 0
-    inner, outer = abs(arm.lengths[0] - arm.lengths[1]), arm.lengths[0] + arm.lengths[1]
-    status, degrees = 4.0 * reach + contact, 180.0 / PI
+    inner, outer = abs(l1 - l2), l1 + l2
+    status, degrees = 4.0 * compare_reach(l1, l2, far) + contact, 180.0 / PI
     facts = np.array(
         [status, q[0], q[1], degrees * q[0], degrees * q[1], far, inner, outer, float(first)]
     )

@@ -6,7 +6,7 @@ from ..compiled import Compiled
 from ..decomposition.trapezoidation import KINDS
 from ..geometry.rings import FAULTS
 from ..messages import get_template
-from ..robots.arm import TOO_FAR, TOO_NEAR
+from ..robots.arm import TOO_FAR, TOO_NEAR, WHY_UNREACHABLE
 from ..support.json_fields import JsonObject
 from .arms import ArmSettings, ShownArm, show_arm
 from .bug_looks import WALKED
@@ -260,7 +260,9 @@ CONTACTS = (
     Say("arm_board.both"),
 )
 HERE = tuple(Say("arm_board.result", {"contact": contact}) for contact in CONTACTS)
-HINDERED = tuple(Say("arm_board.out_of_reach", {"reason": why}) for why in (TOO_FAR, TOO_NEAR))
+HINDERED = tuple(
+    Say("arm_board.out_of_reach", {"reason": WHY_UNREACHABLE[why]}) for why in (TOO_FAR, TOO_NEAR)
+)
 FREE_AND_HIT = tuple(Say(f"figure.link_{link}") for link in range(3))
 SQUARE = Picture(
     tuple(

@@ -17,7 +17,8 @@ from ..errors import InvalidParameter, InvalidRobot, InvalidWorld
 from ..geometry.checks import Array, as_array
 from ..geometry.convex import convex_hull
 from ..geometry.exact import length
-from ..geometry.minkowski import clip_to_shifted_edges, leftmost
+from ..geometry.minkowski import clip_to_shifted_edges
+from ..geometry.rings import leftmost_corner
 from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
@@ -144,7 +145,7 @@ def free_regions(
         [shapely.get_coordinates(ring)[:-1] for ring in (part.exterior, *part.interiors)]
         for part in regions
     ]
-    return [[np.roll(ring, -leftmost(ring), axis=0) for ring in region] for region in rings]
+    return [[np.roll(ring, -leftmost_corner(ring), axis=0) for ring in region] for region in rings]
 
 
 def as_radius(radius: float) -> float:

@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike
 
 from ..geometry.checks import Array, integer
 from ..geometry.convex import convex_hull, convex_parts
-from ..geometry.minkowski import corner_pairs, leftmost
-from ..geometry.rings import as_convex_ring, as_ring
+from ..geometry.minkowski import corner_pairs
+from ..geometry.rings import as_convex_ring, as_ring, leftmost_corner
 from ..support.constructors import with_type_names
 from .translating import rotate_corners
 
@@ -187,7 +187,7 @@ def critical_angles(robot: Array, obstacle: Array) -> list[float]:
 def corner_pairs_at(robot: Array, obstacle: Array, theta: float) -> Pairs:
     """The pairs i, j that make the corners of the slice at an angle that is not critical."""
     mirrored = -rotate_corners(robot, theta)
-    left = [leftmost(obstacle), leftmost(mirrored)]
+    left = [leftmost_corner(obstacle), leftmost_corner(mirrored)]
     pairs = corner_pairs(np.roll(obstacle, -left[0], axis=0), np.roll(mirrored, -left[1], axis=0))
     return [(i, j) for i, j in ((pairs + left) % [len(obstacle), len(robot)]).tolist()]
 

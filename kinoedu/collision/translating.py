@@ -63,11 +63,11 @@ def swept_hull(shape: Parts, i: int, a: Array, b: Array) -> Array:
         for axis in range(2):
             points[k, axis] = shape.points[begin + k, axis] + a[axis]
             points[n + k, axis] = shape.points[begin + k, axis] + b[axis]
-    return hull_of(points)
+    return hull_of_few(points)
 
 
 @compiled
-def hull_of(points: Array) -> Array:
+def hull_of_few(points: Array) -> Array:
     """The convex hull of a few points, which are sorted in place; at least two rows."""
     for i in range(1, len(points)):
         x, y, k = points[i, 0], points[i, 1], i

@@ -132,11 +132,6 @@ def clip_to_shifted_edges(ring: Array, start: Array, shifts: Array) -> Array:
     return corners if len(corners) > 2 else np.empty((0, 2))
 
 
-def leftmost(ring: Array) -> int:
-    """The index of a ring's leftmost vertex, the lowest of several."""
-    return int(np.lexsort(ring.T[::-1])[0])
-
-
 def as_convex_corners(value: ArrayLike, name: str) -> Array:
     """The corners of a convex polygon, counter-clockwise from the leftmost.
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..compiled import algorithm
+from ..compiled import algorithm, callable_from_compiled
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array
 from ..graphs import extract_path
@@ -21,9 +21,15 @@ from .problem_input import as_problem
 @algorithm
 def cost_along(problem: PlanningProblem, path: Array) -> float:
     """The cost of a path: the sum of the costs of its motions."""
+    return cost_between(problem, path, 0, len(path) - 1)
+
+
+@callable_from_compiled
+def cost_between(problem: PlanningProblem, path: Array, first: int, last: int) -> float:
+    """The cost of a path from point `first` to point `last`."""
     cost = 0.0
-    for i in range(1, len(path)):
-        cost += problem.motion_cost(path[i - 1], path[i])
+    for k in range(first, last):
+        cost += problem.motion_cost(path[k], path[k + 1])
     return cost
 
 

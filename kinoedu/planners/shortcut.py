@@ -9,12 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..compiled import algorithm, callable_from_compiled
+from ..compiled import algorithm
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
 from ..problems import Plan
 from ..problems.protocols import PlanningProblem
-from .answers import cost_along, plan_of
+from .answers import cost_along, cost_between, plan_of
 from .problem_input import as_problem, count_checks
 from .tuning import integer
 
@@ -52,15 +52,6 @@ def cut_corners(
             points[i + 1], points[i + 2] = p, q
             size += i + 2 - j
     return points[:size].copy()
-
-
-@callable_from_compiled
-def cost_between(problem: PlanningProblem, path: Array, first: int, last: int) -> float:
-    """The cost of a path from point `first` to point `last`."""
-    cost = 0.0
-    for k in range(first, last):
-        cost += problem.motion_cost(path[k], path[k + 1])
-    return cost
 
 
 def shortcut(plan: Plan, *, tries: int = 200, rng: int | np.random.Generator) -> Plan:

@@ -194,8 +194,12 @@ def solve_two_links(l1: float, l2: float, x: float, y: float) -> Array:
     return np.array([wrap_angle(angle) for angle in angles]).reshape(2, 2)
 
 
-TOO_FAR = "it is {far} from the base, and the links together reach only {outer}"
-TOO_NEAR = "it is {far} from the base, and folded up the arm still reaches {inner} away"
+IN_REACH, TOO_FAR, TOO_NEAR = range(3)
+WHY_UNREACHABLE = (
+    "",
+    "it is {far} from the base, and the links together reach only {outer}",
+    "it is {far} from the base, and folded up the arm still reaches {inner} away",
+)
 
 
 def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
@@ -218,11 +222,16 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     'it is 4 from the base, and the links together reach only 3'
     """
     l1, l2, _, _, far = two_links(arm, p)
+    why = WHY_UNREACHABLE[compare_reach(l1, l2, far)]
+    return why.format(far=f"{far:g}", inner=f"{abs(l1 - l2):g}", outer=f"{l1 + l2:g}")
+
+
+@compiled
+def compare_reach(l1: float, l2: float, far: float) -> int:
+    """Whether the tip of links of lengths l1 and l2 reaches places at a distance from the base."""
     if far > (l1 + l2) * (1.0 + RIM):
-        return TOO_FAR.format(far=f"{far:g}", outer=f"{l1 + l2:g}")
-    if far < abs(l1 - l2) - RIM * (l1 + l2):
-        return TOO_NEAR.format(far=f"{far:g}", inner=f"{abs(l1 - l2):g}")
-    return ""
+        return TOO_FAR
+    return TOO_NEAR if far < abs(l1 - l2) - RIM * (l1 + l2) else IN_REACH
 
 
 def two_links(arm: ArmRobot, p: ArrayLike) -> tuple[float, float, float, float, float]:

@@ -7,9 +7,7 @@ import numpy as np
 from ..compiled import compiled
 from ..geometry.checks import Array
 from ..spaces.angles import angle_difference, wrap_angle
-from .arm import RIM, ArmRobot, joints_at, solve_two_links
-
-IN_REACH, TOO_FAR, TOO_NEAR = range(3)
+from .arm import ArmRobot, joints_at, solve_two_links
 
 
 @compiled
@@ -68,18 +66,6 @@ def heading(a: Array, b: Array, otherwise: float) -> float:
     if a[0] == b[0] and a[1] == b[1]:
         return wrap_angle(otherwise)
     return wrap_angle(math.atan2(b[1] - a[1], b[0] - a[0]))
-
-
-@compiled
-def compare_reach(arm: ArmRobot, p: Array) -> tuple[int, float]:
-    """Whether the tip of a two-link arm reaches p, and how far p is from the base."""
-    dx, dy = p[0] - arm.base[0], p[1] - arm.base[1]
-    far = math.sqrt(dx * dx + dy * dy)
-    outer = arm.lengths[0] + arm.lengths[1]
-    if far > outer * (1.0 + RIM):
-        return TOO_FAR, far
-    too_near = far < abs(arm.lengths[0] - arm.lengths[1]) - RIM * outer
-    return (TOO_NEAR if too_near else IN_REACH), far
 
 
 def pull_arm(arm: ArmRobot, q: Array, elbow: Array | None, tip: Array | None) -> Array:
