@@ -116,6 +116,9 @@ def no_spacing(*given):
     return rrt(problem, step, 0.0, goal_bias, 8, rng)
 
 
+farther_than_the_spacing = changed("rrt_on_terrain", (">= spacing", "> spacing"))
+
+
 @wrong("rrt_on_terrain")
 def half_spacing(*given):
     """Refuses only nodes nearer than half the spacing."""

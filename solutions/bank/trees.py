@@ -82,6 +82,9 @@ ten_points_of_an_edge = changed(
 always_the_root = changed("rrt", (NEAREST, "0"))
 root_with_long_steps = changed("rrt", (NEAREST, "0"), (STEP, "q_rand"))
 farthest_for_nearest = changed("rrt", ("argmin", "argmax"))
+nearest_by_straight_lines = changed(
+    "rrt", (NEAREST, "int(np.argmin(np.linalg.norm(np.subtract(nodes, q_rand), axis=1)))")
+)
 the_last_node = changed("rrt", (NEAREST, "len(nodes) - 1"))
 nearest_to_the_goal = changed("rrt", ("problem.distance(q, q_rand)", "problem.distance(q, goal)"))
 whole_way_to_the_sample = changed("rrt", (STEP, "q_rand"))
@@ -298,6 +301,9 @@ children_but_not_theirs = changed(
     "insert", (FALLING, "for j in [i, *(k for k in range(n) if parent[k] == i)]:")
 )
 cheapest_node = changed("insert", (PRICE, "lambda i: cost[i]"))
+straight_lines_for_distances = changed(
+    "insert", ("problem.distance(q, q_new)", "np.linalg.norm(np.subtract(q, q_new))")
+)
 costs_not_updated = changed("insert", ("cost[j] -= gain", "pass"))
 everybody_is_a_neighbour = changed("insert", ("apart[i] <= radius and ", ""))
 nearer_than_the_radius = changed("insert", ("<= radius", "< radius"))

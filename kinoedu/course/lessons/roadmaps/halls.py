@@ -26,6 +26,7 @@ GRAZING = (5.5, 4.5), (8.0, 7.0)
 # two points on both sides of the sheet; no simple fraction of their motion lies in it
 ASTRIDE = (5.1, 3.0), (11.37, 4.0)
 START, GOAL = (1.0, 1.0), (15.0, 1.0)
+DISCS = [((0, 2.9), 0.6)]  # beside the arm
 
 
 def make_hall(
@@ -35,12 +36,12 @@ def make_hall(
     return StudentProblem(Problem(Point(), PolygonWorld(room, obstacles), start, goal))
 
 
-def make_arm() -> StudentProblem:
-    """Return the problem of an arm beside a disc; its configurations are two angles."""
+def make_arm(
+    discs: Value = DISCS, start: ArrayLike = (0, 0), goal: ArrayLike = (3, 0)
+) -> StudentProblem:
+    """Return the problem of an arm among discs; its configurations are two angles."""
     room = np.array([(-6, -6), (6, -6), (6, 6), (-6, 6)], float)
-    return StudentProblem(
-        Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, [((0, 2.9), 0.6)]), (0, 0), (3, 0))
-    )
+    return StudentProblem(Problem(TwoLinkArm(2, 1.5, 0.3), PolygonWorld(room, discs), start, goal))
 
 
 def is_arm(problem: Any) -> bool:

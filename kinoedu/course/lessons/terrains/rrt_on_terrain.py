@@ -59,6 +59,8 @@ TERRAINS = {
     "sealed": make_terrain_problem([(28, 28, 40, 30), (28, 28, 30, 40)], (5.5, 5.5), (35.5, 35.5)),
 }
 EMPTY = make_terrain_problem([], (5.5, 5.5), (34.5, 33.5))
+LEVEL = make_terrain_problem([], (3.5, 8.5), (35.5, 8.5))
+EXACT = {"step": 4.0, "spacing": 4.0}  # LEVEL is eight steps, all of which floats can hold
 
 
 class TerrainPlanner(PlannerExercise):
@@ -139,7 +141,8 @@ class RrtOnTerrain(TerrainPlanner):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield the cases of both planners, then open ground with goal bias 1.
 
-        The second case without a path has a smaller goal bias.
+        The second case without a path has a smaller goal bias. In the last case every node is
+        exactly the spacing from the one before it.
         """
         sealed = 0
         for case in super().cases(rng):
@@ -148,6 +151,7 @@ class RrtOnTerrain(TerrainPlanner):
             yield case._replace(given={**case.given, "goal_bias": SELDOM}) if seldom else case
         always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
+        yield Case("open", {**always.given, "problem": LEVEL, "goal_bias": 1.0, **EXACT})
 
     def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case, with fewer failures where no path exists, to end the tree's growth."""

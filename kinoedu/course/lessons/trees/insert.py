@@ -19,6 +19,7 @@ from ...shapes import Number, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
 from ...whole_shapes import Integers
 from ...withheld import withheld
+from ..roadmaps.halls import is_arm, make_arm
 from ..shared.planned import NODES, Fault, ProblemShape
 from ..shared.planned_pictures import draw_answer
 from ..shared.small_problems import box, in_room
@@ -36,6 +37,7 @@ from .tree_forms import (
 LISTS = Integers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
 WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
+ARM = make_arm()
 Parents = NDArray[np.int64]
 
 
@@ -204,6 +206,8 @@ class Insert(ValueExercise):
         yield make_case("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
         # the root is exactly at the radius
         yield make_case("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
+        # the first node of the arm is near, because its angle wraps
+        yield make_case("parent", ARM, [(3.0, 0.3), (-2.5, 0.5)], [-1, 0], (-3.0, 0.3), 0.6)
         yield make_case("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
         yield make_case(
             "rewire", OPEN, [(1, 1), (1, 4), (4, 6.5), (6.5, 4)], [-1, 0, 1, 2], (4, 4), 4.5
@@ -258,6 +262,7 @@ class Insert(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right tree, and a cross at the first node with a wrong parent or cost."""
         from ....figures import palette, plane
+        from ....figures.robots import place_of
 
         problem = case.given["problem"]
         nodes = np.vstack([case.given["nodes"], case.given["q_new"]])
@@ -268,13 +273,12 @@ class Insert(ValueExercise):
             first = next(wrong, None)
             fault = None if first is None else Fault("", nodes[first : first + 1])
         draw_answer(problem.problem, trees, None, fault, self.message(f"pictures.{case.kind}"), ax)
-        plane.ring(
-            case.given["q_new"], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":"
-        )
+        if not is_arm(problem):
+            plane.ring(nodes[-1], case.given["radius"], "", ax, colour=palette.OUTSIDE, style=":")
         if len(nodes) <= 9:
             for number, (q, c) in enumerate(zip(nodes, cost)):
-                offset = (8, -16 if number % 2 else 8)
-                plane.label(q, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=offset)
+                offset, place = (8, -16 if number % 2 else 8), place_of(problem.robot, q)
+                plane.label(place, f"{number}: {c:.3g}", ax, colour=palette.INK, offset=offset)
 
 
 def differs(value: Value, parent: list[int], cost: list[float], i: int) -> bool:

@@ -13,6 +13,7 @@ from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together, Value
 from ...whole_shapes import Integer
 from ...withheld import withheld
+from ..roadmaps.halls import make_arm
 from ..shared.planned import (
     NODES,
     PATH,
@@ -35,6 +36,7 @@ OFTEN = 0.5  # a goal bias at which a test of its share is sharp
 BESIDE = in_room((4, 5), (4.6, 5.3))
 # less than a step apart, with a wall between
 BEHIND = in_room((7.6, 5), (8.2, 5), box(7.9, 3, 7.91, 7))
+ARM = make_arm([], (2.4, 0.3), (-2.0, 1.5))  # the way is short, because an angle wraps
 
 
 @withheld
@@ -103,6 +105,7 @@ class Rrt(Watched, TreeExercise):
             often = case.kind == "sealed" and sealed == 2
             yield with_bias(case, OFTEN) if often else case
         yield self.make_case("thin", BEHIND, rng)
+        yield self.make_case("room", ARM, rng)
         for kind in ("room", "sealed"):
             yield aim_at_goal(self.make_case(kind, TRAPS[kind], rng))
         yield with_bias(self.make_case("sealed", TRAPS["sealed"], rng), 0.0, iterations=60)
