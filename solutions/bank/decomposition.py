@@ -111,6 +111,7 @@ steep_edges_left_out = changed(
     "crossings",
     ("!= (edges[i][2] < x)", "!= (edges[i][2] < x) and abs(edges[i][2] - edges[i][0]) > 0.01"),
 )
+rounded_heights = changed("crossings", ("height(edges[i], x)", "round(height(edges[i], x), 6)"))
 
 
 # The free stretches
@@ -418,6 +419,7 @@ OVERLAP = "max(left[4], right[2]) < min(left[5], right[3])"
 touching_from_above = changed(
     "neighbours", (OVERLAP, f"({OVERLAP} or left[4] == right[3])"), slip="point"
 )
+short_walls_left_out = changed("neighbours", (OVERLAP, OVERLAP.replace("<", "+ 1e-6 <")))
 
 
 # The path

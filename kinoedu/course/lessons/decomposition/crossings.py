@@ -58,6 +58,8 @@ class Crossings(ValueExercise):
         yield Case("many", {"x": 2.0, "edges": np.vstack([[(5, 1, 8, 1), (0, 4, 4, 4)], pair])})
         near = np.array([(0, 9000.01, 9000, 9000.01), (0, 9000, 9000, 9000.02)], float)
         yield Case("two", {"x": 4498.0, "edges": near})
+        nearer = np.array([(0, 1.00000001, 4, 1.00000001), (0, 1, 4, 1)], float)
+        yield Case("two", {"x": 2.0, "edges": nearer})
         for i, size in enumerate(sizes(6)):
             world = general_world(rng, int(rng.integers(1, 4)), size)
             edges = rng.permutation(edges_round(**world))

@@ -115,7 +115,8 @@ class Neighbours(ValueExercise):
         yield Case("apart", {"trapezoids": np.array(three, float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7]], float)})
         yield Case("point", {"trapezoids": np.array([one, [2, 5, 4, 7, 3, 7], next_to], float)})
-        yield Case("side", {"trapezoids": np.array([one, [2, 5, 3.9999, 7, 3, 7]], float)})
+        short = [one, [2, 5, 3.99999999, 7, 3, 7], [-3, 0, 1, 3, 2, 6]]
+        yield Case("side", {"trapezoids": np.array(short, float)})
         tip = [2, 5, 1, 1, 0, 4]
         yield Case("point", {"trapezoids": np.array([one, tip], float)})
         yield Case("point", {"trapezoids": np.array([mirrored(tip, 4), mirrored(one, 4)], float)})
