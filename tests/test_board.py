@@ -467,6 +467,21 @@ def flat(record):
     return np.asarray(record).ravel().tolist()
 
 
+def test_a_reader_can_take_away_samples_until_a_roadmap_falls_into_pieces():
+    """Lesson 11 asks for it, and says that it happens at 47 samples: the slider goes so far."""
+    car = ke.Car(length=1.4, width=0.6, wheelbase=0.9)
+    yard = ke.worlds.scattered(
+        20, side=30, radius=2.2, keep_free=[(2, 2, 1.5), (28, 28, 1.5)], rng=4
+    )
+    drive = ke.Problem(ke.Disk(car.radius), yard, start=(2, 2), goal=(28, 28))
+    made, pieces = board(drive, planner="prm", samples=60, rng=1), {}
+    for samples in (48, 47):
+        made.samples.value = samples
+        roadmap = made.plan.roadmap
+        pieces[samples] = len(ke.Graph(nodes=roadmap.nodes, edges=roadmap.edges).components())
+    assert pieces == {48: 1, 47: 2}
+
+
 def test_a_notebook_keeps_text_and_a_small_picture():
     """Without JavaScript: always the same text, and a PNG of 100 KB at most."""
     made = board(walled(), planner="prm", samples=2000)

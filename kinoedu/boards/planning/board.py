@@ -124,7 +124,7 @@ class Board(Framed):
         return (
             widgets.IntSlider(seed, 0, max(99, seed), **control_style("board.seed")),
             make_length_slider("board.step_size", world_size(self._given), step_size),
-            widgets.IntSlider(n, min(50, n), max(3000, n), **control_style("board.samples")),
+            widgets.IntSlider(n, min(10, n), max(3000, n), **control_style("board.samples")),
         )
 
     def answer(self, scene: Scene) -> Drawing:
