@@ -446,6 +446,16 @@ def test_an_exploration_is_shown_as_it_was_known():
     assert shown(robot, made.canvas.drawing.total)[0].tolist() == [9, 1]
 
 
+def test_a_sensor_can_be_given_twice_its_reach_and_half_of_it():
+    """Lesson 9 asks for both, with the hall and the reach of its board."""
+    walls = [[(4, 0), (5, 0), (5, 7), (4, 7)], [(8, 4), (9, 4), (9, 12), (8, 12)]]
+    hall = ke.PolygonWorld([(0, 0), (20, 0), (20, 12), (0, 12)], walls)
+    made = exploring_board(ke.Problem(ke.Point(), hall, start=(1.5, 2), goal=(18, 9)), 6.0)
+    for reach in (12.0, 3.0):
+        made.reach.value = reach
+        assert made.reach.value == pytest.approx(reach)
+
+
 def test_a_browsers_rounding_moves_no_slider():
     """Of a board that would answer otherwise: a page sends back what it has rounded to a notch."""
     made = exploring_board(problem_of(), 6.0)

@@ -147,7 +147,7 @@ def make_length_slider(key: str, size: float, given: float | None) -> NotchedSli
     return NotchedSlider(
         first,
         min=min(first, notch * max(1, round(size / 200.0 / notch))),
-        max=notch * max(20, round(size / 4.0 / notch)),
+        max=notch * max(40, round(size / 4.0 / notch)),  # at least twice the first value
         step=notch,
         readout_format=".3g",
         **control_style(key),
