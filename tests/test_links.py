@@ -3,6 +3,7 @@
 What students are told to run is there for them. Links to other sites are not followed.
 """
 
+import json
 import re
 import sys
 from pathlib import Path
@@ -129,3 +130,21 @@ def test_pages_for_a_community_are_where_platforms_look(page):
         one for one in pages if any(link.endswith(file.name) for link in read_page(one).links)
     ]
     assert set(leading) - {file}
+
+
+def words_of(lesson):
+    """The words that a lesson lists as its own."""
+    cells = json.loads(lesson.read_text(encoding="utf-8"))["cells"]
+    lines = [line for cell in cells for line in cell["source"] if line.startswith("**Words**")]
+    return re.findall(r"\*([^*]+)\*", "".join(lines).removeprefix("**Words**"))
+
+
+@pytest.mark.parametrize(
+    "lesson", sorted((HOUSE / "notebooks").glob("*.ipynb")), ids=lambda p: p.stem
+)
+def test_the_glossary_explains_each_word_of_a_lesson(lesson):
+    """Its rows name every word at the end of a lesson: the README promises all terms."""
+    glossary = (HOUSE / "docs" / "glossary.md").read_text(encoding="utf-8").lower()
+    words = [word.replace("$", "").lower() for word in words_of(lesson)]
+    assert [word for word in words if word not in glossary] == []
+    assert words or lesson.stem.startswith("00_")
