@@ -1,4 +1,4 @@
-"""The exercise `astar`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+"""The exercise `astar`. Hart, Nilsson, Raphael (1968); LaValle, section 2.2."""
 
 from collections.abc import Iterator
 

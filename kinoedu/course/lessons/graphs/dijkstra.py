@@ -1,4 +1,4 @@
-"""The exercise `dijkstra`. Bullo & Smith, chapter 2; LaValle, section 2.2."""
+"""The exercise `dijkstra`. Bullo & Smith, chapter 5; LaValle, section 2.2."""
 
 from collections.abc import Iterator
 

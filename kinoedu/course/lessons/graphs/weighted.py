@@ -1,6 +1,6 @@
 """Shapes and small graphs of the exercises with weights: Dijkstra's algorithm and A*.
 
-Bullo & Smith, chapter 2; LaValle, section 2.2.
+Bullo & Smith, chapter 5; LaValle, section 2.2.
 """
 
 from collections.abc import Iterator
