@@ -1,0 +1,110 @@
+"""Hints to answers to variants: they are true of the variant, not only of the usual form."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from judged_programs import take_few_cases
+
+from kinoedu.course import EXERCISES
+from kinoedu.course.bank import Solutions
+from kinoedu.course.exercise import CONTRACT, Exercise, ValueExercise
+from kinoedu.course.feedback import Feedback
+from kinoedu.course.judging import judge_outcomes, run_case
+from kinoedu.course.lessons import find
+from kinoedu.course.outcomes import Answer, Raised
+from kinoedu.geometry import point_line_distance, point_polygon_distance, polygon_tangent
+
+HOUSE = Path(__file__).resolve().parent.parent
+TREE = Solutions(HOUSE / "solutions" / "09_trees.ipynb").right["tree_roadmap"]
+CHANGED = [
+    find(exercise.name, change.key)
+    for exercise in EXERCISES.values()
+    for change in exercise.changes
+    if isinstance(exercise, ValueExercise)
+]
+
+
+@np.errstate(all="ignore")
+def outcome_of_slip(exercise, slip, case):
+    """What a program with a misconception does."""
+    found = exercise.mistaken_answer(slip, case)
+    if isinstance(found, Exception):
+        return Raised([type(found).__name__], str(found), [], exercise.name)
+    return Answer(exercise.answer.decode(json.loads(json.dumps(exercise.answer.encode(found)))))
+
+
+@pytest.mark.parametrize("exercise", CHANGED, ids=lambda one: f"{one.name}-{one.variant}")
+def test_a_misconception_that_is_the_usual_form_has_a_message_of_its_own(exercise: Exercise):
+    """What is a misconception in the usual form is right there where it is asked for.
+
+    A program of the usual form with one more mistake must not be told the contrary.
+    """
+    cases = take_few_cases(exercise)
+    for slip in exercise.slips:
+        outcomes = [outcome_of_slip(exercise, slip, case) for case in cases]
+        report = judge_outcomes(exercise, cases, outcomes)
+        if report.failure is not None and report.failure.verdict.rule == CONTRACT:
+            table = exercise.table_with(f"slips.{slip.key}")
+            assert table.endswith(f".{exercise.variant}"), slip.key
+
+
+def turned(vector, quarters):
+    """A vector turned to the left by quarter turns."""
+    for _ in range(quarters):
+        vector = np.array([-vector[1], vector[0]])
+    return vector
+
+
+def number_from_the_newest(more):
+    """A program that numbers a tree from the newest node, with parents that are off by `more`."""
+
+    def tree_roadmap(*given):
+        nodes, parent = map(np.asarray, TREE(*given))
+        later = np.where(parent < 0, -1, len(nodes) - 1 - parent + more)
+        return nodes[::-1], later[::-1]
+
+    return tree_roadmap
+
+
+def walk(turns_ahead):
+    """A program for `euler` that looks so many turns of a step ahead for its direction."""
+
+    def euler(pose, v, phi, t, length, n):
+        poses = [np.array(pose, float)]
+        turn = v * np.tan(phi) / length * t / n
+        for _ in range(n):
+            x, y, theta = poses[-1]
+            ahead = theta + turns_ahead * turn
+            step = v * t / n * np.array([np.cos(ahead), np.sin(ahead)])
+            poses.append(np.array([x + step[0], y + step[1], theta + turn]))
+        return poses
+
+    return euler
+
+
+def within_a_box(q, polygon):
+    """A wrong test of whether a point is inside: zero in the bounding box."""
+    is_inside = (polygon.min(axis=0) < q).all() and (q < polygon.max(axis=0)).all()
+    return 0.0 if is_inside else point_polygon_distance(q, polygon)
+
+
+@pytest.mark.parametrize(
+    ("name", "variant", "program", "said"),
+    [
+        ("point_line_distance", "right", lambda *p: -point_line_distance(*p), "never positive"),
+        ("point_polygon_distance", "boundary", within_a_box, "Only on the boundary"),
+        ("polygon_tangent", "clockwise", lambda *p: turned(polygon_tangent(*p), 3), "points away"),
+        ("polygon_tangent", "clockwise", lambda *p: turned(polygon_tangent(*p), 1), "towards the"),
+        ("tree_roadmap", "newest_first", number_from_the_newest(-1), "one too small"),
+        ("euler", "midpoint", walk(1.5), "half of what it adds"),
+        ("euler", "new_heading", walk(2.0), "turns twice"),
+    ],
+)
+def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said):
+    """Programs with a mistake of their own, which would be another one in the usual form."""
+    exercise = find(name, variant)
+    cases = list(exercise.fixed_cases)
+    report = judge_outcomes(exercise, cases, [run_case(exercise, program, one) for one in cases])
+    assert said in repr(Feedback(report))
