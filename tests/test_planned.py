@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from kinoedu.course import EXERCISES
-from kinoedu.course.judging import judge_case, run_case
+from kinoedu.course.feedback import Feedback
+from kinoedu.course.judging import judge_case, judge_outcomes, run_case
 from kinoedu.course.lessons.shared.planned import (
     TRAPS,
     ProblemShape,
@@ -144,3 +145,13 @@ def test_a_fault_of_the_third_call_is_shown_with_its_seed(name):
     outcome = run_case(exercise, wrong_for_the_next_seed, case)
     assert not exercise.judge(case, outcome).is_right
     assert exercise.case_at_fault(case, outcome).given["rng"] == seed + 1
+
+
+def test_nodes_of_one_number_have_a_picture():
+    """Such nodes are no places, so the picture shows the problem alone."""
+    exercise = EXERCISES["tree_roadmap"]
+    case = next(one for one in exercise.fixed_cases if one.kind == "few")
+    outcome = run_case(exercise, lambda *given: ([[1], [2]], [-1, 0]), case)
+    feedback = Feedback(judge_outcomes(exercise, [case], [outcome]))
+    assert not feedback.report.is_right
+    assert feedback.picture() is not None

@@ -51,7 +51,7 @@ def draw_answer(
 
 def drawable(tree: Tree) -> Tree:
     """The part of a tree that can be drawn: finite nodes, and edges to existing parents."""
-    nodes = tree.nodes if len(tree.nodes) else np.zeros((0, 2))
+    nodes = tree.nodes if tree.nodes.shape[1] > 1 else np.zeros((0, 2))  # else they are no places
     parent = np.full(len(nodes), -1)
     known = min(len(nodes), len(tree.parent))
     parent[:known] = tree.parent[:known]
