@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 import shapely
 
+from kinoedu.course.bank import Solutions
 from kinoedu.course.drivable import REGION, DrivenProblemShape, drivable
 from kinoedu.course.exercise import Case
+from kinoedu.course.judging import judge_case, run_case
+from kinoedu.course.lessons import EXERCISES
 from kinoedu.course.lessons.kinodynamic import (
     best_control,
     drives,
@@ -26,7 +29,9 @@ from kinoedu.experiments import read_experiment
 from kinoedu.robots.trajectory import DrivenTree
 from kinoedu.spaces.angles import angle_difference, wrap_angle
 
-EXPERIMENTS = Path(__file__).resolve().parent.parent.parent / "notebooks" / "experiments"
+HOUSE = Path(__file__).resolve().parent.parent.parent
+EXPERIMENTS = HOUSE / "notebooks" / "experiments"
+SOLUTION = HOUSE / "solutions" / "13_kinodynamic_planning.ipynb"
 
 
 @pytest.mark.parametrize("name", garages.KINDS)
@@ -176,6 +181,26 @@ def test_goal_and_region_may_both_have_the_turns_of_both(name, monkeypatch):
         )
         value = exercise.answer.encode(exercise.call(exercise.source, case.given))
         assert exercise.fault_of_three(case, exercise.answer.decode(value)) is None
+
+
+@pytest.mark.parametrize(
+    ("kind", "changes", "rule"),
+    [
+        ("same", ("[:k]", "[:1]"), "each"),
+        ("same", ("[:k]", "[:k + 1]"), "iterations"),
+        (
+            "room",
+            ("target, rng)\n", "target, rng) or problem.best_drive(nodes[near], target, rng)\n"),
+            "twice",
+        ),
+    ],
+)
+def test_a_number_of_drives_that_is_not_k_has_a_rule_of_its_own(kind, changes, rule):
+    """Too few drives in a turn, too many, and two from one node."""
+    program = Solutions(SOLUTION).changed("kinodynamic_prm", changes).function
+    exercise = EXERCISES["kinodynamic_prm"]
+    case = next(one for one in exercise.fixed_cases if one.kind == kind)
+    assert judge_case(exercise, case, run_case(exercise, program, case), 0).verdict.rule == rule
 
 
 def test_the_stored_table_is_of_the_experiment_beside_it():

@@ -100,7 +100,8 @@ def find_target_fault(
         kinds = [SAMPLE]
     rule = MISSED[kinds[0]] if kinds else "bias"
     if (run.away(log[group, 5:8], target) > SAME).any():
-        return TurnFault("once", marked, turn)
+        again = turn > 1 and run.away(target[None], log[last, 5:8])[0] <= SAME
+        return TurnFault("once" if again else "each", marked, turn)
     if turn % GOAL_EVERY == 0 and run.away(target[None], run.problem.goal)[0] <= SAME:
         return None
     for kind in kinds:
@@ -120,13 +121,17 @@ def find_node_fault(
 ) -> TurnFault | None:
     """Return a fault where a turn does not drive from the nodes nearest to its target, or None."""
     nodes, target = run.tree.nodes, run.log[group[0], 5:8]
-    for q in run.log[group, 2:5]:
+    begins = run.log[group, 2:5]
+    for q in begins:
         if run.away(nodes[:known], q).min() > SAME:
             later = run.away(nodes, q).min() <= SAME
             return TurnFault("group" if later else "elsewhere", q[None], turn)
-    chosen, off = run.away(run.log[group, 2:5], target), run.away(nodes[:known], target)
+    chosen, off = run.away(begins, target), run.away(nodes[:known], target)
     if np.abs(np.sort(chosen) - np.sort(off)[: len(chosen)]).max() > SAME:
-        nearest, worst = nodes[off.argmin()], run.log[group[chosen.argmax()], 2:5]
+        for i, q in enumerate(begins):
+            if (run.away(begins[:i], q) <= SAME).any():
+                return TurnFault("twice", q[None], turn)
+        nearest, worst = nodes[off.argmin()], begins[chosen.argmax()]
         return TurnFault("nearest", np.array([target, nearest, worst]), turn)
     return None
 

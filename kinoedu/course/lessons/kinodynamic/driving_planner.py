@@ -33,6 +33,10 @@ class DrivingPlanner(PlannerExercise):
         """Whether another seed gives another answer: always, unless start is goal."""
         return case.kind != "same"
 
+    def size_limit(self, case: Case) -> int:
+        """Twice the most rows, so that an answer with a few drives too many breaks a rule."""
+        return 2 * int(case.given.get("k", 1) * case.given["iterations"]) + 2
+
     @abstractmethod
     def tree_of(self, case: Case, answer: Value) -> DrivenTree:
         """Return the tree in an answer, without its nodes."""

@@ -69,10 +69,6 @@ class KinodynamicPrm(DrivingPlanner):
     source = staticmethod(grow_roadmap)
     shown = staticmethod(drive_from_nearest)
 
-    def size_limit(self, case: Case) -> int:
-        """The most rows: k drives in every iteration, and both ends."""
-        return int(case.given["k"] * case.given["iterations"]) + 2
-
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield every garage twice, with two and with three drives per iteration.
 
@@ -111,11 +107,11 @@ class KinodynamicPrm(DrivingPlanner):
         if not np.array_equal(edges[:, 1], np.arange(1, len(edges) + 1)):
             turned = np.array_equal(edges[:, 0], np.arange(1, len(edges) + 1))
             return Fault("turned" if turned else "edges", NOWHERE)
+        if len(edges) > k * iterations:
+            return Fault("iterations", NOWHERE)
         fault, nodes = find_drive_fault(problem, tree)
         if fault is not None:
             return fault
-        if len(nodes) > k * iterations + 1:
-            return Fault("iterations", NOWHERE)
         return find_path_fault(tree.parent, path, nodes) or find_slower_end(
             problem, tree, nodes, path
         )

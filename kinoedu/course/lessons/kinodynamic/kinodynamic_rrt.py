@@ -89,11 +89,11 @@ class KinodynamicRrt(DrivingPlanner):
         """Judge the drives, the path and its end."""
         problem, iterations, _ = case.given.values()
         tree, path = self.tree_of(case, answer), answer[-1]
+        if len(tree.parent) > iterations + 1:
+            return Fault("iterations", NOWHERE)
         fault, nodes = find_drive_fault(problem, tree)
         if fault is not None:
             return fault
-        if len(nodes) > iterations + 1:
-            return Fault("iterations", NOWHERE)
         return find_path_fault(tree.parent, path, nodes) or find_goal_fault(problem, nodes, path)
 
 
