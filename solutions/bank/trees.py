@@ -431,7 +431,7 @@ def outside():
     return (1, 1), (11, 5), [(9, 4), (9.5, 4), (9.2, 6)]
 
 
-# A thin wall
+# A thin wall, and contact
 
 at_a_thousand_places = changed(
     "follow",
@@ -440,6 +440,10 @@ at_a_thousand_places = changed(
         "all(problem.is_free(a + s * (q - a)) for s in np.linspace(0, 1, 1000))",
     ),
 )
+follow_in_contact = changed(
+    "follow", ("is_free_path(a, q)", "is_semi_free_path(a, q)"), slip="trusting"
+)
+insert_in_contact = changed("insert", ("is_free_path", "is_semi_free_path"))
 no_short_stretch = changed("follow", ("horizon <= 0", "horizon < 0.01"))
 lengths_of_straight_lines = changed(
     "follow", ("problem.distance(a, b)", "np.linalg.norm(np.subtract(a, b))")

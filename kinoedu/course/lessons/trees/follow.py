@@ -131,8 +131,9 @@ class Follow(ValueExercise):
             [(1, 1), (4, 1), (9, 1), (9, 5)],
             7.0,
         )
+        # the motion only touches the wall
         yield make_case(
-            "blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 3)), [(1, 1), (9, 1), (9, 5)], 2.0
+            "blocked", in_room((1, 1), (9, 5), box(2, 0, 3, 1)), [(1, 1), (9, 1), (9, 5)], 2.0
         )
         yield make_case(
             "blocked", in_room((1, 1), (9, 5), box(7, 0, 8, 3)), [(1, 1), (9, 1), (9, 5)], 2.0

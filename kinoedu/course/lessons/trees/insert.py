@@ -227,7 +227,10 @@ class Insert(ValueExercise):
         yield make_case(
             "blocked", WALL, [(1, 1), (2, 2), (5, 2), (6, 5)], [-1, 0, 0, 2], (3.5, 4), 3.0
         )
-        left = dict.fromkeys(self.kinds, 12)
+        # the motion to node 2 only touches the corner of the wall
+        touched = in_room((1, 1), (9, 9), box(4, 3, 5, 8))
+        yield make_case("blocked", touched, [(1, 1), (7, 2), (6, 5)], [-1, 0, 1], (4, 1), 5.0)
+        left = {**dict.fromkeys(self.kinds, 12), "blocked": 11}
         while any(left.values()):
             blocked = bool(rng.random() < 0.5)
             case = draw_case(rng, WALL if blocked else OPEN, int(rng.integers(3, 8)))
