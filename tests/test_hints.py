@@ -1,4 +1,4 @@
-"""Hints to answers to variants: they are true of the variant, not only of the usual form."""
+"""Hints are true of the answer: to a variant as well, and where it is a small slip of the pen."""
 
 import json
 from pathlib import Path
@@ -108,3 +108,25 @@ def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said)
     cases = list(exercise.fixed_cases)
     report = judge_outcomes(exercise, cases, [run_case(exercise, program, one) for one in cases])
     assert said in repr(Feedback(report))
+
+
+CLOSED = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)]
+
+
+@pytest.mark.parametrize(
+    ("name", "answer"),
+    [
+        ("exposing_case", ((1, 1), CLOSED)),
+        ("exposing_problem", ((-1, 1), (9, 1), [CLOSED])),
+        ("exposing_world", CLOSED),
+        ("exposing_sight", [CLOSED]),
+        ("overlooked_gap", (CLOSED, CLOSED[:4])),
+    ],
+)
+def test_a_polygon_whose_first_vertex_comes_again_is_told_so(name, answer):
+    """It is simple in the picture, so the rule for polygons alone does not help."""
+    exercise = find(name, "")
+    cases = list(exercise.fixed_cases)
+    report = judge_outcomes(exercise, cases, [run_case(exercise, lambda: answer, c) for c in cases])
+    assert report.failure.verdict.rule == "valid"
+    assert "again at the end" in repr(Feedback(report))
