@@ -18,6 +18,7 @@ from kinoedu.geometry import point_line_distance, point_polygon_distance, polygo
 
 HOUSE = Path(__file__).resolve().parent.parent
 TREE = Solutions(HOUSE / "solutions" / "09_trees.ipynb").right["tree_roadmap"]
+CHANCE = EXERCISES["collision_probability"].right_answer
 CHANGED = [
     find(exercise.name, change.key)
     for exercise in EXERCISES.values()
@@ -90,6 +91,19 @@ def within_a_box(q, polygon):
     return 0.0 if is_inside else point_polygon_distance(q, polygon)
 
 
+def stand_still(start, controls, *others):
+    """A program for `replay` that never moves."""
+    return [start] * (len(controls) + 1)
+
+
+def with_a_rounded_quantile(path, discs, offsets):
+    """A program for `collision_probability`, without a hit, that rounds 1.96 to 2."""
+    share, n, z = 1.0 - CHANCE(path, discs, offsets)[0], len(offsets), 2.0
+    middle = share + z * z / (2 * n)
+    reach = z * np.sqrt(share * (1 - share) / n + z * z / (4 * n * n))
+    return share, (middle - reach) / (1 + z * z / n), (middle + reach) / (1 + z * z / n)
+
+
 @pytest.mark.parametrize(
     ("name", "variant", "program", "said"),
     [
@@ -100,6 +114,9 @@ def within_a_box(q, polygon):
         ("tree_roadmap", "newest_first", number_from_the_newest(-1), "one too small"),
         ("euler", "midpoint", walk(1.5), "half of what it adds"),
         ("euler", "new_heading", walk(2.0), "turns twice"),
+        ("bfs_path", "incoming", lambda *given: None, "u in neighbours[v]"),
+        ("replay", "degrees", stand_still, "np.radians(phi)"),
+        ("collision_probability", "no_hit", with_a_rounded_quantile, "1.2302"),
     ],
 )
 def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said):
