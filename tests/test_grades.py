@@ -38,6 +38,7 @@ from kinoedu.grading.judge.class_list import (
     Entry,
     add_earlier,
     digest_submission,
+    locked_class,
     make_entry,
     read_class,
     write_class,
@@ -633,6 +634,35 @@ def test_an_empty_answer_in_the_right_notebook_is_no_wrong_file(tmp_path):
         book = {"nbformat": 4, "cells": [cell]}
         (tmp_path / f"student{at}" / f"{NAME}.ipynb").write_text(json.dumps(book))
     assert [one.trouble for one in collect(tmp_path)] == [""] * 3
+
+
+def test_two_folders_that_are_graded_at_once_are_both_kept(tmp_path, monkeypatch):
+    """One command ends while the other grades; lists, tables and pages hold both sections."""
+    for section, student in ("A", "ann"), ("B", "bob"):
+        (tmp_path / section / student).mkdir(parents=True)
+        (tmp_path / section / student / f"{NAME}.ipynb").write_bytes(b"")
+    out, run = tmp_path / "out", class_grading.Run(tmp_path / "secret", trusted=True)
+
+    def grade_beside_another(*given, **options):
+        monkeypatch.undo()
+        class_grading.grade_class(tmp_path / "B", "", out, run)
+        return grade_all(*given, **options)
+
+    monkeypatch.setattr(class_grading, "grade_all", grade_beside_another)
+    class_grading.grade_class(tmp_path / "A", "", out, run)
+    assert [entry.student for entry in read_class(out).entries] == ["ann", "bob"]
+    assert {row["student"] for row in table(out / "grades.csv")} == {"ann", "bob"}
+    assert sorted(page.name for page in (out / "feedback").iterdir()) == ["ann", "bob"]
+
+
+def test_only_one_command_writes_a_class_at_a_time(tmp_path):
+    """Another one waits until the first has written."""
+    with ThreadPoolExecutor(1) as other:
+        with locked_class(tmp_path):
+            write = other.submit(lambda: locked_class(tmp_path).__enter__())
+            with pytest.raises(TimeoutError):
+                write.result(timeout=0.5)
+        write.result(timeout=10)
 
 
 @needs_sandbox

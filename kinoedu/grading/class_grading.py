@@ -14,6 +14,7 @@ from .judge.class_list import (
     Entry,
     add_earlier,
     add_names,
+    locked_class,
     make_entry,
     mark_secret,
     read_class,
@@ -74,6 +75,20 @@ def require_sandbox(trusted: bool) -> None:
         )
 
 
+def read_earlier(out: Path, secret: bytes) -> Class | None:
+    """The class that a folder of grades holds already, or None.
+
+    Raises InvalidParameter where it was graded with another secret.
+    """
+    earlier = read_class(out) if (out / FILE).exists() else None
+    if earlier is not None and earlier.secret_mark != mark_secret(secret):
+        raise InvalidParameter(
+            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
+            "or another folder"
+        )
+    return earlier
+
+
 def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
     """Grade the submissions in a folder or zip, and write the tables and pages.
 
@@ -106,13 +121,8 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     require_sandbox(run.trusted)
     if not any(found for _, _, found in sources):
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
-    earlier = read_class(out) if (out / FILE).exists() else None
     secret = read_course_secret(run.secret_file)
-    if earlier is not None and earlier.secret_mark != mark_secret(secret):
-        raise InvalidParameter(
-            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
-            "or another folder"
-        )
+    earlier = read_earlier(out, secret)
     names = {
         key: name for folder, _, _ in sources for key, name in read_gradescope_names(folder).items()
     } | (read_names(run.names) if run.names is not None else {})
@@ -142,11 +152,13 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         for folder, only, found in sources
         for one in islice(graded, len(found))
     ]
-    before = earlier.entries if earlier is not None else []
-    kept = add_names(add_earlier(entries, before), before, names)
-    of = Class(
-        out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept, variants
-    )
-    write_class(of)
-    write_all(of, run.writing)
+    with locked_class(out):  # another command may have added its students meanwhile
+        earlier = read_earlier(out, secret)
+        before = earlier.entries if earlier is not None else []
+        kept = add_names(add_earlier(entries, before), before, names)
+        of = Class(
+            out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept, variants
+        )
+        write_class(of)
+        write_all(of, run.writing)
     return of

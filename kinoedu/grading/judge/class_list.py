@@ -5,14 +5,18 @@ grades.csv        a row for each question       report.html  an overview of the 
 feedback/         a page for each student       pictures/    of cases that failed, each drawn once
 overrides.csv     scores that people decided    by_hand.csv  scores that people gave in nbgrader
 pages.json        of what each page was made    exports.json  the tables that were exported
+.lock             locked while one command writes these
 """
 
 import hashlib
 import json
-from collections.abc import Iterable
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
+from ...compiled.store import try_lock
 from ...errors import InvalidParameter
 from ...support.whole_files import written_whole
 from ..collect.names import Names, find_name
@@ -20,7 +24,7 @@ from ..collect.submissions import Submission
 from .running import Graded, compute_key, read_result
 from .submission import Grade
 
-FILE = "class.json"
+FILE, LOCK = "class.json", ".lock"
 
 
 class Entry(NamedTuple):
@@ -114,6 +118,15 @@ def write_class(of: Class) -> None:
     del data["out"]
     with written_whole(of.out / FILE) as part:
         part.write_text(json.dumps(data, indent=1, sort_keys=True) + "\n", encoding="ascii")
+
+
+@contextmanager
+def locked_class(out: Path) -> Iterator[None]:
+    """Let no other command write the list, tables and pages of a class; wait while one does."""
+    with open(out / LOCK, "wb") as lock:
+        while not try_lock(lock):
+            time.sleep(0.1)
+        yield
 
 
 def read_class(out: Path) -> Class:
