@@ -1,13 +1,17 @@
 """An exercise from a plain function: what is read, which mistakes are found, what is refused."""
 
+import ast
+import tomllib
+
 import numpy as np
 import pytest
 
 from kinoedu.cli import main
 from kinoedu.course.lessons.shared.drawn_inputs import INPUTS, KINDS, draw_cases
-from kinoedu.course.new_exercise import plain_values
+from kinoedu.course.new_exercise import fill_template, plain_values
 from kinoedu.course.plain_function import example_of, read_plain_function
 from kinoedu.course.plain_slips import usual_slips
+from kinoedu.course.release import HOUSE
 from kinoedu.errors import InvalidParameter
 
 NEAREST = '''
@@ -105,6 +109,16 @@ def test_a_function_may_refuse_inputs(tmp_path):
         ("(0, 0)", "q", "plain values"),
         ("(0, 0), ", "", "has 1 arguments"),
         ("import numpy as np\n", "import numpy as np\nx = 1\n", "and nothing else"),
+        ("import numpy as np\n", "", "name 'np' is not defined"),
+        ("import numpy", "import numpie", "cannot be run: ModuleNotFoundError"),
+        ("def nearest", "@np.vectorize\ndef nearest", "no decorator"),
+        ("(q: ", "(*, q: ", "without *, /"),
+        ('"polygon")', '"polygon" = 0)', "default values"),
+        ("(q: ", "(right: ", "can be named right"),
+        ("    return np.linalg.norm(polygon - q, axis=1).min()\n", "", "below its docstring"),
+        (">>> nearest(", ">>> max(", "plain values"),
+        ("min()", "min", "says 5, but the function returns"),
+        ("return", "polygon -= q; return", "changes its argument polygon"),
     ],
 )
 def test_what_is_missing_is_named(tmp_path, old, new, words):
@@ -112,6 +126,52 @@ def test_what_is_missing_is_named(tmp_path, old, new, words):
     with pytest.raises(InvalidParameter) as error:
         plain_values(read(tmp_path, NEAREST.replace(old, new, 1)))
     assert words in str(error.value)
+
+
+def test_a_file_that_is_no_text_is_refused(tmp_path):
+    """As one that is not Python."""
+    file = tmp_path / "mine.py"
+    file.write_bytes(b"\xff\xfe")
+    with pytest.raises(InvalidParameter, match="is not Python"):
+        read_plain_function(file)
+
+
+def test_an_input_that_fails_is_named(tmp_path):
+    """A division by zero, for example, at one of the cases that are drawn."""
+    text = SYMMETRIC.replace("(a + b) / 2", "b / a").replace("(0, 4)", "(2, 4)")
+    with pytest.raises(InvalidParameter) as error:
+        usual_slips(read(tmp_path, text))
+    assert "between fails for {'a': 0" in str(error.value)
+    assert "ZeroDivisionError" in str(error.value)
+
+
+SPELT = {
+    "two spaces": SYMMETRIC.replace("    return", "  return").replace('    """', '  """'),
+    "tabs": SYMMETRIC.replace("    return", "\tif a:\n\t\ta = a\n\treturn").replace(
+        '    """', '\t"""'
+    ),
+    "quotation": SYMMETRIC.replace('"""', "'''").replace("numbers.", 'numbers, or "mean"'),
+    "formula": SYMMETRIC.replace('"""The mean', 'r"""The $\\frac{1}{2}$ mean', 1),
+    "future": "from __future__ import annotations\n" + SYMMETRIC,
+}
+
+
+@pytest.mark.parametrize("text", SPELT.values(), ids=SPELT)
+def test_however_it_is_spelt_the_exercise_is_python(tmp_path, text):
+    """Cell, exercise and bank can be parsed, and the messages can be filled in."""
+    plain = read(tmp_path, text)
+    values = {"name": plain.name, "lesson": "77_means", "cls": "Between", "title": "Between"}
+    values |= plain_values(plain)
+    for template in ("answer.py", "exercise.py", "bank.py"):
+        ast.parse(fill_template(HOUSE, f"plain_{template}", values))
+    messages = tomllib.loads(fill_template(HOUSE, "plain_messages.toml", values))
+    assert all(rule.format() for rule in messages[plain.name]["rules"].values())
+
+
+def test_all_words_round_the_example_are_the_statement(tmp_path):
+    """Also those below it."""
+    plain = read(tmp_path, SYMMETRIC.replace("    2\n", "    2\n\n    Half-way between both.\n"))
+    assert plain.statement == "The mean of two numbers.\n\nHalf-way between both."
 
 
 def test_the_example_is_tried(tmp_path):

@@ -174,9 +174,9 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
     return {
         "signature": f"{plain.name}({', '.join(plain.inputs)})",
         "typed": ", ".join(f"{one}: Value" for one in plain.inputs),
-        "first_line": first_line,
+        "docstring": as_docstring(first_line),
         "statement": plain.statement,
-        "rule": first_line.replace("\\", "\\\\").replace('"', "'"),
+        "rule": as_message(first_line),
         "described": ", ".join(f"`{one}`, {DESCRIBED[k]}" for one, k in plain.inputs.items()),
         "answer_described": DESCRIBED[plain.answer],
         "call": plain.call,
@@ -199,6 +199,22 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
         "slip_messages": "\n".join(f'{one.key} = "{one.text}"' for one in slips),
         "wrong": "\n\n\n".join(wrong_programs(plain, slips)),
     }
+
+
+def as_docstring(line: str) -> str:
+    """A line as a docstring, whatever quotation marks and backslashes it has."""
+    mark = "r" if "\\" in line else ""
+    return mark + '"""' + line.replace('"', "'").rstrip("\\") + '"""'
+
+
+def as_message(line: str) -> str:
+    r"""A line as it stands in quotation marks in a file of messages, where {x} is a blank to fill.
+
+    >>> print(as_message('The "sum" of \\{a}'))
+    The 'sum' of \\{{a}}
+    """
+    quoted = line.replace("\\", "\\\\").replace('"', "'")
+    return quoted.replace("{", "{{").replace("}", "}}")
 
 
 def is_standard(line: str) -> bool:

@@ -14,6 +14,7 @@ the statement, and its doctest is the example that is worked out by hand:
 """
 
 import ast
+import copy
 import doctest
 from collections.abc import Callable
 from os import PathLike
@@ -34,6 +35,7 @@ ANSWERS = {
     "count": "Integer()",
     "truth": "Truth()",
 }
+RESERVED = ("np", "right", "self")  # what the exercise's own lines use
 
 
 class PlainFunction(NamedTuple):
@@ -70,10 +72,10 @@ def read_plain_function(file: str | PathLike[str]) -> PlainFunction:
     InvalidParameter
         Where the file is not as described above; the message says what is missing.
     """
-    text = Path(file).read_text(encoding="utf-8")
     try:
+        text = Path(file).read_text(encoding="utf-8")
         tree = ast.parse(text)
-    except SyntaxError as error:
+    except (SyntaxError, ValueError) as error:
         raise InvalidParameter(f"{file} is not Python: {error}") from None
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
@@ -81,31 +83,80 @@ def read_plain_function(file: str | PathLike[str]) -> PlainFunction:
     if len(functions) != 1 or len(imports) + len(documents) + 1 != len(tree.body):
         raise InvalidParameter(f"{file} should hold imports and one function, and nothing else")
     (node,) = functions
-    inputs = {one.arg: read_kind(one.annotation, INPUTS, one.arg) for one in node.args.args}
-    if not inputs:
-        raise InvalidParameter(f"{node.name} should take at least one argument")
+    inputs = read_inputs(node)
     answer = read_kind(node.returns, ANSWERS, "the answer")
     documentation = ast.get_docstring(node) or ""
-    examples = doctest.DocTestParser().get_examples(documentation)
+    parts = doctest.DocTestParser().parse(documentation)
+    examples = [part for part in parts if isinstance(part, doctest.Example)]
     if not documentation or len(examples) != 1 or not examples[0].want.strip():
         raise InvalidParameter(
             f"{node.name} needs a docstring with its statement and one example, such as "
             f">>> {node.name}(...) and its result in the next line"
         )
+    body = read_body(node, text)
     defined: dict[str, Any] = {}
-    exec(compile(tree, str(file), "exec"), defined)  # the instructor's own function
-    lines = text.splitlines()[node.body[1].lineno - 1 : node.end_lineno]
+    try:
+        exec(compile(tree, str(file), "exec"), defined)  # the instructor's own function
+    except Exception as error:
+        raise InvalidParameter(f"{file} cannot be run: {type(error).__name__}: {error}") from error
     return PlainFunction(
         node.name,
         inputs,
         answer,
-        documentation.partition(">>>")[0].strip(),
+        "\n\n".join(part.strip() for part in parts if isinstance(part, str) and part.strip()),
         examples[0].source.strip(),
         examples[0].want.strip(),
-        "\n".join(map(ast.unparse, imports)),
-        "\n".join(line[4:] if line[:4] == "    " else line for line in lines),
+        "\n".join(ast.unparse(one) for one in imports if not is_of_the_future(one)),
+        body,
         defined[node.name],
     )
+
+
+def read_inputs(node: ast.FunctionDef) -> dict[str, str]:
+    """The kind of each argument of a function by its name.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the function has other arguments than plain ones, or a decorator.
+    """
+    form = node.args
+    others = [*form.posonlyargs, *form.kwonlyargs, *form.defaults, form.vararg, form.kwarg]
+    if not form.args or any(others) or node.decorator_list:
+        raise InvalidParameter(
+            f"{node.name} should take one argument or more, without *, / and default values, and "
+            "have no decorator"
+        )
+    taken = [one.arg for one in form.args if one.arg in RESERVED]
+    if taken:
+        raise InvalidParameter(
+            f"no argument can be named {taken[0]}, which the exercise's own lines use"
+        )
+    return {one.arg: read_kind(one.annotation, INPUTS, one.arg) for one in form.args}
+
+
+def read_body(node: ast.FunctionDef, text: str) -> str:
+    """The lines of a function below its docstring, as they would stand at the left margin.
+
+    Raises
+    ------
+    InvalidParameter
+        Where there are none.
+    """
+    docstring, *rest = node.body
+    if not rest or rest[0].lineno == docstring.end_lineno:
+        raise InvalidParameter(f"the lines of {node.name} should stand below its docstring")
+    lines = text.split("\n")
+    margin = lines[rest[0].lineno - 1][: rest[0].col_offset]
+    first = min([rest[0], *getattr(rest[0], "decorator_list", [])], key=lambda one: one.lineno)
+    return "\n".join(
+        line.removeprefix(margin) for line in lines[first.lineno - 1 : node.end_lineno]
+    )
+
+
+def is_of_the_future(node: ast.Import | ast.ImportFrom) -> bool:
+    """Whether it is `from __future__ import ...`, which a cell cannot have in a function."""
+    return isinstance(node, ast.ImportFrom) and node.module == "__future__"
 
 
 def read_kind(annotation: ast.expr | None, known: dict[str, Any], what: str) -> str:
@@ -130,12 +181,13 @@ def example_of(plain: PlainFunction) -> tuple[dict[str, Any], Any]:
     Raises
     ------
     InvalidParameter
-        Where the call has other arguments than plain values, or the function returns another
-        result.
+        Where the call has other arguments than plain values, or the function fails or returns
+        another result.
     """
     try:
         call = ast.parse(plain.call, mode="eval").body
         assert isinstance(call, ast.Call) and not call.keywords
+        assert ast.unparse(call.func) == plain.name
         values = [ast.literal_eval(one) for one in call.args]
         wanted = ast.literal_eval(plain.result)
     except (ValueError, SyntaxError, AssertionError):
@@ -149,7 +201,12 @@ def example_of(plain: PlainFunction) -> tuple[dict[str, Any], Any]:
         name: np.array(value, float) if isinstance(value, tuple | list) else value
         for name, value in zip(plain.inputs, values)
     }
-    found = plain.function(*given.values())
+    try:
+        found = plain.function(*copy.deepcopy(given).values())
+    except Exception as error:
+        raise InvalidParameter(
+            f"the example of {plain.name} fails: {type(error).__name__}: {error}"
+        ) from error
     if not agree(found, wanted):
         raise InvalidParameter(
             f"the example of {plain.name} says {plain.result}, but the function returns {found!r}"
@@ -159,5 +216,8 @@ def example_of(plain: PlainFunction) -> tuple[dict[str, Any], Any]:
 
 def agree(found: Any, wanted: Any) -> bool:
     """Whether two answers are equal up to rounding."""
-    one, other = np.ravel(found), np.ravel(wanted)
-    return len(one) == len(other) and bool(np.allclose(one.astype(float), other.astype(float)))
+    try:
+        one, other = np.ravel(found).astype(float), np.ravel(wanted).astype(float)
+    except (TypeError, ValueError):  # no numbers
+        return False
+    return len(one) == len(other) and bool(np.allclose(one, other))

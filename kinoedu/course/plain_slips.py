@@ -4,12 +4,15 @@ A mistake is a program that calls the right function with something changed: a v
 arguments exchanged, an angle in degrees, the answer squared.
 """
 
+import copy
 from collections.abc import Callable
 from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..errors import InvalidParameter
+from ..support.text import shortened
 from .exercise import Case
 from .lessons.shared.drawn_inputs import INPUTS, draw_cases
 from .plain_function import PlainFunction, agree
@@ -63,9 +66,15 @@ def usual_slips(plain: PlainFunction) -> list[PlainSlip]:
     """The usual mistakes that are mistakes for this function: each is wrong for some drawn case.
 
     Two that give the same answers everywhere are one.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the function cannot answer such a case.
     """
     kinds = {name: INPUTS[kind] for name, kind in plain.inputs.items()}
     cases = [case for seed in (0, 1) for case in draw_cases(kinds, np.random.default_rng(seed))]
+    refuse_failures(plain, cases)
     right = [answer_of(plain.function, case) for case in cases]
     chosen, seen = [], [right]
     for slip in possible_slips(plain):
@@ -76,6 +85,28 @@ def usual_slips(plain: PlainFunction) -> list[PlainSlip]:
             chosen.append(slip)
             seen.append(answers)
     return chosen
+
+
+def refuse_failures(plain: PlainFunction, cases: list[Case]) -> None:
+    """Raise InvalidParameter where a function changes its arguments or raises no ValueError."""
+    for case in cases:
+        given = copy.deepcopy(case.given)
+        try:
+            with np.errstate(all="ignore"):
+                plain.function(*given.values())
+        except ValueError:
+            pass  # a right answer
+        except Exception as error:
+            called = {name: np.asarray(one).tolist() for name, one in case.given.items()}
+            raise InvalidParameter(
+                f"{plain.name} fails for {shortened(called)}: {type(error).__name__}: {error}; "
+                "return an answer there, or raise a ValueError"
+            ) from error
+        changed = [name for name, one in given.items() if not np.array_equal(one, case.given[name])]
+        if changed:
+            raise InvalidParameter(
+                f"{plain.name} changes its argument {changed[0]}; let it work on a copy"
+            )
 
 
 def answer_of(function: Callable[..., Any], case: Case) -> Any:
