@@ -636,6 +636,17 @@ def test_an_empty_answer_in_the_right_notebook_is_no_wrong_file(tmp_path):
     assert [one.trouble for one in collect(tmp_path)] == [""] * 3
 
 
+@pytest.mark.parametrize("place", ["in/grades", "in", "in/ann/grades"])
+def test_grades_are_not_put_among_submissions(tmp_path, capsys, place):
+    """They would be a student's at the next grading; nothing is written."""
+    (tmp_path / "in" / "ann").mkdir(parents=True)
+    (tmp_path / "in" / "ann" / f"{NAME}.ipynb").write_bytes(b"")
+    command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / place), "--trust"]
+    assert main([*command, "--secret", str(tmp_path / "secret")]) == 2
+    assert "name a folder of grades outside" in capsys.readouterr().err
+    assert [one.name for one in (tmp_path / "in").rglob("*")] == ["ann", f"{NAME}.ipynb"]
+
+
 def test_two_folders_that_are_graded_at_once_are_both_kept(tmp_path, monkeypatch):
     """One command ends while the other grades; lists, tables and pages hold both sections."""
     for section, student in ("A", "ann"), ("B", "bob"):
