@@ -759,6 +759,8 @@ def test_names_come_from_a_table_or_from_gradescope(tmp_path):
     canvas.write_text(CANVAS, encoding="utf-8")
     found = read_names(canvas)
     assert {find_name(one, found) for one in ("doeann_11", "11", "ann", "ANN")} == {"Ann Doe"}
+    canvas.write_text(CANVAS.replace("Doe, Ann", "Ñoë-Li, Ann"), encoding="utf-8")
+    assert find_name("ñoëliann_11", read_names(canvas)) == "Ann Ñoë-Li"
     with pytest.raises(InvalidParameter, match="neither the columns student and name"):
         read_names(write(tmp_path / "other.csv", "a,b\n1,2\n"))
     listed = "submission_1:\n  :submitters:\n  - :name: Bo\n    :sid: 's7'\n"

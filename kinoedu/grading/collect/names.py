@@ -51,13 +51,13 @@ def read_names(file: Path) -> Names:
 def name_in_canvas(row: dict[str, str | None]) -> Iterator[tuple[str, str]]:
     """Yield each id of a line of Canvas's gradebook, with the name.
 
-    Canvas names files "doejane_1234" for "Doe, Jane".
+    Canvas names files "doejane_1234" for "Doe, Jane", and keeps letters of all alphabets.
     """
     name, number = row.get("Student") or "", row.get("ID") or ""
     last, comma, first = name.partition(",")
     full_name = f"{first.strip()} {last.strip()}" if comma else name
     if number:
-        yield f"{re.sub(r'[^a-z0-9]', '', name.casefold())}_{number}", full_name
+        yield re.sub(r"\W", "", name) + f"_{number}", full_name
         yield from ((row.get(column) or "", full_name) for column in CANVAS_IDS)
 
 
