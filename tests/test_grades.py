@@ -877,6 +877,9 @@ def test_pages_of_unchanged_results_are_kept(tmp_path, monkeypatch):
     write_all(of)
     assert made[5:] == ["ann", "bob", "cy"]
     assert {file: file.read_bytes() for file in tmp_path.rglob("*.html")} == before
+    write(tmp_path / "feedback" / "ann" / "half.part", "<p")  # of a command that was killed
+    write_all(of)
+    assert not list(tmp_path.rglob("*.part"))
 
 
 def test_more_patience_grades_again_what_took_too_long(tmp_path, monkeypatch):

@@ -87,8 +87,11 @@ def render_page(rows: list[Row], entry: Entry, record: Grade | None, out: Path) 
 
 
 def remove_others(folder: Path, written: set[Path]) -> None:
-    """Remove the pages of submissions that are gone, so that nobody hands them out."""
-    for file in folder.rglob("*.html"):
+    """Remove the pages of submissions that are gone, so that nobody hands them out.
+
+    And pages that were half-written when a command was killed.
+    """
+    for file in [*folder.rglob("*.html"), *folder.rglob("*.part")]:
         if file not in written:
             file.unlink()
     for below in folder.iterdir() if folder.is_dir() else ():
