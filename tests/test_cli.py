@@ -1,5 +1,7 @@
 """The command line, run as a user runs it."""
 
+import errno
+import os
 import signal
 import subprocess
 import sys
@@ -359,5 +361,15 @@ def test_a_folder_that_is_missing_is_named_at_once(tmp_path, capsys):
     with pytest.raises(FileNotFoundError) as error, written_whole(there):
         pass
     assert error.value.filename == str(there)
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(IsADirectoryError) as error, written_whole(tmp_path / "folder"):
+        pass
+    assert error.value.filename == str(tmp_path / "folder") and error.value.filename2 is None
+    with (
+        pytest.raises(OSError, match=r"No space left.*kit\.zip"),
+        written_whole(tmp_path / "kit.zip"),
+    ):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    assert not list(tmp_path.glob("*.part"))
     assert main(["hand-in", str(tmp_path)]) == 2
     assert "not a plain file" in capsys.readouterr().err

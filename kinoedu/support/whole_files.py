@@ -16,7 +16,7 @@ def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
     Raises
     ------
     OSError
-        Where no file can be made there; it names `path`.
+        Where the file cannot be made or written; it names `path`.
     """
     file = Path(path)
     try:
@@ -29,5 +29,9 @@ def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
         yield part
         part.chmod(0o644)
         os.replace(part, file)
+    except OSError as error:
+        if error.errno is None or error.filename not in (None, name, part):
+            raise  # about another file
+        raise type(error)(error.errno, error.strerror, str(file)) from None  # such as a full disk
     finally:
         part.unlink(missing_ok=True)
