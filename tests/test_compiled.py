@@ -752,11 +752,11 @@ from kinoedu.compiled.worker import AUTOGROUP, lower_priority
 before = os.nice(0)
 lower_priority()
 session = AUTOGROUP.read_text().split()[-1] if AUTOGROUP.exists() else "10"
-print(json.dumps([os.nice(0) - before, session]))
+print(json.dumps([os.nice(0) == min(before + 10, 19), session]))  # 19 is the least priority
 """
     command = [sys.executable, "-c", code]
     done = subprocess.run(command, capture_output=True, check=True, start_new_session=True)
-    assert json.loads(done.stdout) == [10, "10"]
+    assert json.loads(done.stdout) == [True, "10"]
 
 
 @needs_compiler
