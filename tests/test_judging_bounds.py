@@ -6,7 +6,9 @@ import time
 import numpy as np
 import pytest
 
+from kinoedu import messages
 from kinoedu.course import check
+from kinoedu.course.feedback import Feedback
 from kinoedu.course.judging import judge_case, judge_outcomes
 from kinoedu.course.lessons import EXERCISES
 from kinoedu.course.lessons.bugs.walks import length_of
@@ -39,6 +41,16 @@ def test_a_long_answer_has_the_wrong_shape():
     assert words in repr(check(lambda neighbours, start: [0] * 10_001, "bfs_tree"))
     report = judge_outcomes(exercise, [case], [Answer([0] * 10_001)])
     assert report.failure.outcome == Misshapen(words)
+
+
+@pytest.mark.parametrize("name", ["bug_base", "bug1", "bug2", "inverse_kinematics"])
+def test_an_answer_too_large_for_a_picture_has_its_hint(name):
+    """Coordinates of 1e200 are wrong, and nothing can draw them."""
+    exercise, case = first_case(name)
+    answer = Answer(np.full((3, 2), 1e200))
+    feedback = Feedback(judge_outcomes(exercise, [case], [answer]))
+    assert messages.get_message("check.hint") in repr(feedback)
+    assert feedback.picture() is None
 
 
 def test_an_example_of_ones_own_is_small():

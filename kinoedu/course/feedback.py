@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..errors import InvalidPoint
 from ..messages import get_message
 from .advice import find_advice
 from .exercise import Exercise
@@ -49,14 +50,15 @@ class Feedback:
     def picture(self) -> bytes | None:
         """PNG of the smallest failing case; None where nothing failed or the stage hides it.
 
-        In the kit for students it is None as well where a picture needs more than they have.
+        It is None as well where an answer's coordinates are too large for a picture, and in the kit
+        for students where a picture needs more than they have.
         """
         failure = self.report.failure
         if failure is None or self.report.unwritten or self.stage < PICTURE:
             return None
         try:
             return draw_failure(self.report.exercise, failure)
-        except NotInTheKit:
+        except (NotInTheKit, InvalidPoint):
             return None
 
     def _ipython_display_(self) -> None:
