@@ -80,6 +80,9 @@ def never_along_an_obstacle(problem, obstacles):
     return found, [(i, j) for i, j in pairs if owner[i] != owner[j]]
 
 
+flat_corners_left_out = changed("visibility_roadmap", ("(w[0] - v[0]) > 0", "(w[0] - v[0]) > 1e-3"))
+
+
 @wrong("visibility_roadmap", slip="hull")
 def corners_of_the_hull(problem, obstacles):
     """Takes the corners of the convex hull for the convex vertices."""

@@ -30,6 +30,8 @@ TENT = np.array([(5, 3), (11, 3), (8, 7)], float)
 ANGLE = np.array([(5, 2), (11, 2), (11, 4), (7, 4), (7, 8), (5, 8)], float)
 # its middle tip is convex, but not on its convex hull
 CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)], float)
+# its vertex on top is convex, by a millionth
+FLAT = np.array([(6, 3), (10, 3), (10, 7), (8, 7.000001), (6, 7)])
 # two of its angles are straight
 BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)
 
@@ -140,6 +142,7 @@ class VisibleCorners(ValueExercise):
         """Yield a triangle, a box and a shape with a reflex vertex, then random obstacles."""
         yield make_case("one", [TENT])
         yield make_case("one", [BOX])
+        yield make_case("one", [FLAT])
         yield make_case("bay", [ANGLE])
         yield make_case("bay", [CROWN])
         yield make_case("straight", [BENT_BOX])
