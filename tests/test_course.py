@@ -752,6 +752,28 @@ LATE = encode_outcome(Late(False, 5.2, 5.0, 7.5, []), None)
 NO_SECONDS = (5, True, None, "5", "nan", float("nan"), float("inf"), -1.0, 1e9, [1.0])
 
 
+@pytest.mark.parametrize(
+    ("value", "came"),
+    [
+        ((True, False), "got a tuple of length 2 with True in it"),
+        ([1, None], "got a list of length 2 with None in it"),
+        ([1, "2"], "got a list of length 2 with '2' in it"),
+        ([1, 2j], "got a list of length 2 with a complex in it"),
+        ([1, 2, None], "got a list of length 3"),
+        (np.array([True, False]), "got an array of shape (2,) of bool"),
+        ((10**400, 1), "got a tuple of length 2"),
+    ],
+)
+def test_what_is_no_number_is_named(value, came):
+    """Where the length is right, the reason is another one."""
+    from kinoedu.course.plain import WrongShape
+    from kinoedu.course.shapes import Numbers
+
+    with pytest.raises(WrongShape) as caught:
+        Numbers((2,)).encode(value)
+    assert str(caught.value) == f"expected an array of numbers of shape (2,), {came}"
+
+
 def test_outcomes_that_are_none_are_refused():
     """Data that no call can have produced are not accepted as an outcome."""
     from kinoedu.course.plain import WrongShape

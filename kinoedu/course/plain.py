@@ -32,6 +32,7 @@ def as_array(value: object, dimensions: tuple[int | str, ...], wanted: Describab
         raise wrong_shape(wanted.description, value)  # without copying it, since it may be huge
     try:
         array = np.array(value)
+        array = array if array.dtype.kind in "iuf" else np.array(value, object)
     except Exception:
         raise wrong_shape(wanted.description, value) from None
     if array.size == 0:
@@ -39,8 +40,10 @@ def as_array(value: object, dimensions: tuple[int | str, ...], wanted: Describab
         # an empty list is an array without rows
         if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
-    if array.dtype.kind not in "iuf" or not fits(array.shape, dimensions):
+    if not fits(array.shape, dimensions):
         raise wrong_shape(wanted.description, value)
+    if array.dtype.kind not in "iuf":
+        raise no_numbers(wanted.description, value, array)
     return array.astype(float)
 
 
@@ -58,6 +61,16 @@ def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:
 def wrong_shape(words: str, value: object) -> WrongShape:
     """Exception for a value of the wrong shape, with its message."""
     return WrongShape(get_message("shape.wrong", wanted=words, came=describe_value(value)))
+
+
+def no_numbers(words: str, value: object, items: np.ndarray) -> WrongShape:
+    """Exception for a value of the right shape whose items are not all numbers."""
+    for item in items.flat if type(value) in (list, tuple) else ():
+        if type(item) is bool or not isinstance(item, float | int | np.number):
+            held = {"value": describe_value(value), "item": describe_value(item)}
+            came = get_message("shape.holding", **held)
+            return WrongShape(get_message("shape.wrong", wanted=words, came=came))
+    return wrong_shape(words, value)
 
 
 def describe_value(value: Any) -> str:
