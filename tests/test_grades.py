@@ -705,6 +705,12 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     printed = capsys.readouterr()
     assert "0 scores changed" in printed.out and "WITHOUT A SANDBOX" in printed.err
     assert (tmp_path / "new" / "grades.csv").read_bytes() == first
+    (tmp_path / "out" / "class.json").write_text("")
+    assert main(command) == 2
+    assert "class.json is damaged; remove it and grade" in capsys.readouterr().err
+    (tmp_path / "out" / "class.json").unlink()
+    assert main(command) == 1
+    assert (tmp_path / "out" / "grades.csv").read_bytes() == first
     secret.write_text("22" * 32)
     assert main(command) == 2
     assert "another secret" in capsys.readouterr().err

@@ -146,7 +146,8 @@ def read_class(out: Path) -> Class:
         ) from error
     except (ValueError, TypeError, KeyError) as error:
         raise InvalidParameter(
-            f"{out / FILE} is damaged; grade again, which takes the results that are there"
+            f"{out / FILE} is damaged; remove it and grade every folder of submissions again, "
+            "which takes the results that are there"
         ) from error
 
 
