@@ -179,6 +179,7 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
         (lambda to: write_world(ke.Terrain([[1]]), to / "a b.yaml"), InvalidParameter, "letters"),
         (lambda to: write_ompl_app(PROBLEM, to / "a.json"), UnknownFormat, "ends in .cfg"),
         (lambda to: write_ompl_app(3, to / "a.cfg"), InvalidParameter, "takes a Problem"),
+        (lambda to: write_ompl_app(PROBLEM, to / "a#1.cfg"), InvalidParameter, "begins a comment"),
         (
             lambda to: write_ompl_app(PROBLEM._replace(robot=ke.Point()), to / "a.cfg"),
             InvalidParameter,

@@ -41,19 +41,23 @@ def write_ompl_app(problem: ProblemRecord, path: str | os.PathLike[str]) -> None
     UnknownFormat
         Where the file name extension is not .cfg.
     InvalidParameter
-        Where the world is not of polygons, the robot is a point or an arm, or there is a clearance.
+        Where the world is not of polygons, the robot is a point or an arm, there is a clearance, or
+        the file's name has a #.
     OSError
     """
     file = Path(path)
     if file.suffix.lower() != ".cfg":
         raise UnknownFormat(f"{file}: a problem for OMPL.app ends in .cfg")
+    if "#" in file.name:
+        raise InvalidParameter(f"{file}: # begins a comment in OMPL.app's files; take another name")
     check(problem)
     environment, robot = (file.with_name(f"{file.stem}_{name}.obj") for name in ("env", "robot"))
     for mesh, parts in ((environment, problem.world.obstacles), (robot, body_of(problem.robot))):
         with written_whole(mesh) as part:
             part.write_text(mesh_text(convex_pieces(parts)), encoding="ascii")
     with written_whole(file) as part:
-        part.write_text(config_text(problem, file.stem, robot.name, environment.name))
+        text = config_text(problem, file.stem, robot.name, environment.name)
+        part.write_text(text, encoding="utf-8")
 
 
 def check(problem: object) -> None:
