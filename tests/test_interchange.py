@@ -141,6 +141,14 @@ def test_a_map_is_read_again_as_it_was_written(name, ending, tmp_path):
     assert (again.resolution, again.origin.tolist()) == (world.resolution, world.origin.tolist())
 
 
+def test_small_numbers_of_a_map_are_numbers_in_every_yaml(tmp_path):
+    """1e-05 is text to a YAML 1.1 parser, such as Python's."""
+    world = ke.Terrain([[1, 0]], resolution=1e-5, origin=(-1e-7, 0))
+    write_world(world, tmp_path / "small.yaml")
+    settings = yaml.safe_load((tmp_path / "small.yaml").read_text())
+    assert (settings["resolution"], settings["origin"]) == (1e-5, [-1e-7, 0.0, 0.0])
+
+
 def test_cells_of_polygons_are_free_where_their_whole_square_is(tmp_path):
     """shapely is the judge; no path on the map meets an obstacle."""
     write_world(HALL, tmp_path / "hall.yaml", resolution=0.5)

@@ -18,6 +18,7 @@ from ..support.text import shortened
 from ..support.whole_files import written_whole
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import Terrain, TerrainRecord
+from .path_formats import number
 
 MOST_RASTERED = 250_000  # cells of a world of polygons
 NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
@@ -121,12 +122,12 @@ def write_ros_map(world: TerrainRecord, file: Path) -> None:
         raise InvalidParameter(f"{file}: a map's name needs letters, digits, _, - or . only")
     rows, columns = world.free.shape
     pixels = np.where(world.free[::-1], 254, 0).astype(np.uint8)
-    x, y = (float(c) for c in world.origin)
+    resolution, x, y = (number(value) for value in (world.resolution, *world.origin))
     with written_whole(picture) as part:
         part.write_bytes(f"P5\n{columns} {rows}\n255\n".encode() + pixels.tobytes())
     with written_whole(file) as part:
         part.write_text(
-            f"image: {picture.name}\nmode: trinary\nresolution: {world.resolution!r}\n"
-            f"origin: [{x!r}, {y!r}, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n",
+            f"image: {picture.name}\nmode: trinary\nresolution: {resolution}\n"
+            f"origin: [{x}, {y}, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n",
             encoding="utf-8",
         )
