@@ -353,6 +353,27 @@ def test_a_wrong_letter_of_a_variant_is_an_error_before_any_release(tmp_path, ca
     assert "made exercises" not in said.out
 
 
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--out", "X"], "--out is for --variants and --variant"),
+        (["--out", "X", "--zip", "X.zip", "--variant", "B"], "one of them at a time"),
+        (["--out", "X", "--zip", "X.zip", "--variants", "S"], "one of them at a time"),
+        (["--graded-questions", "01_geometry"], "--graded-questions is for --zip"),
+        (["--graded-questions", "01", "--zip", "X.zip"], "there are no questions for '01'"),
+        (["--out", "X", "--variants", "S"], "S is no text in UTF-8"),
+    ],
+)
+def test_what_a_release_would_ignore_is_refused_at_once(tmp_path, options, words, capsys):
+    """Nothing is released, and no option is silently without effect."""
+    (tmp_path / "S").write_bytes(b"J\xfcrgen\n")
+    given = [str(tmp_path / one) if one[0] in "XS" else one for one in options]
+    assert main(["release", "01_geometry", *given]) == 2
+    said = capsys.readouterr()
+    assert words in said.err and "made exercises" not in said.out
+    assert [one.name for one in tmp_path.iterdir()] == ["S"]
+
+
 def test_a_folder_that_is_missing_is_named_at_once(tmp_path, capsys):
     """Not a temporary file in it, and before any work is done."""
     there = tmp_path / "no" / "kit.zip"

@@ -92,6 +92,7 @@ def run_release(arguments: argparse.Namespace) -> int:
     from ..course.release import assignments, pack_course, release
     from ..course.section import choose_for_section
 
+    refuse_useless_options(arguments)
     if arguments.variants is not None:
         return release_variants(arguments)
     names = arguments.assignments or assignments()
@@ -119,6 +120,22 @@ def run_release(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def refuse_useless_options(arguments: argparse.Namespace) -> None:
+    """Raise InvalidParameter where an option would have no effect, or names no lesson."""
+    from ..course.questions.question import read_questions
+
+    if arguments.out is not None and arguments.variants is None and not arguments.variant:
+        raise InvalidParameter(
+            "--out is for --variants and --variant; without them the notebooks are in exercises"
+        )
+    if arguments.zip is not None and arguments.out is not None:
+        raise InvalidParameter("--out writes notebooks and --zip a kit: give one of them at a time")
+    if arguments.graded_questions and arguments.zip is None:
+        raise InvalidParameter("--graded-questions is for --zip FILE")
+    for lesson in arguments.graded_questions:
+        read_questions(lesson)
+
+
 def release_section(names: list[str], arguments: argparse.Namespace) -> int:
     """Write released exercises with the variants of a section, and print where they are."""
     from ..grading.judge.variants import write_section
@@ -139,7 +156,10 @@ def release_variants(arguments: argparse.Namespace) -> int:
         raise InvalidParameter(
             "--variants needs the names of assignments before it, and --out FOLDER"
         )
-    lines = arguments.variants.read_text(encoding="utf-8-sig").splitlines()
+    try:
+        lines = arguments.variants.read_text(encoding="utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
+        raise InvalidParameter(f"{arguments.variants} is no text in UTF-8: {error}") from error
     students = list(dict.fromkeys(line.strip() for line in lines if line.strip()))
     if not students:
         raise InvalidParameter(
