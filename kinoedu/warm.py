@@ -8,8 +8,8 @@ from typing import Any
 
 from .collision import free_configurations, free_motions
 from .compiled import HAS_COMPILER, requests
-from .compiled.store import folder
-from .compiled.tiers import requests_of_called_algorithms
+from .compiled.store import Request, folder
+from .compiled.tiers import TIERED
 from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, astar, bfs, dfs, dijkstra
 from .planners import (
@@ -91,6 +91,12 @@ def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -
             report_progress=report_progress,
         )
     return sorted({f"{request.module}.{request.function}" for request in left})
+
+
+def requests_of_called_algorithms() -> list[Request]:
+    """Requests for all algorithms that this process has called and that can be compiled."""
+    kinds_of_calls = [s for f in TIERED if f.is_algorithm for s in f.specializations.values()]
+    return [s.to_compile for s in kinds_of_calls if not s.is_never_stored]
 
 
 def first_jobs() -> Iterator[Job]:

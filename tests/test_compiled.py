@@ -713,11 +713,12 @@ print(json.dumps([found, loaded, call.is_loaded, orientation((0, 0), (1, 0), (0,
 def test_an_expensive_call_is_compiled_by_another_process(tmp_path: Path) -> None:
     """A call over its budget requests machine code, which the same process then runs."""
     code = """
-import functools, json, time, kinoedu.compiled.tiers as t
+import json, time, kinoedu.compiled.tiers as t
 from kinoedu.compiled import requests
 t.BUDGET, t.IMPORTING, t.LOOK_AGAIN = 0.0, 0.0, 0.0
 # it would wait long on a busy computer
-requests.start_worker = functools.partial(requests.start_worker, gives_way=False)
+start = requests.start_worker
+requests.start_worker = lambda *given, gives_way: start(*given, gives_way=False)
 from kinoedu.geometry import orientation
 from kinoedu.geometry.exact import orientation_sign
 answers, last = set(), time.monotonic() + 250
@@ -741,6 +742,22 @@ def test_a_request_that_is_lost_is_repeated(monkeypatch) -> None:
     for tenths in range(200):
         call.request_after(tenths / 10)
     assert asked == [2.1, 4.3, 8.7, 17.5]
+
+
+@needs_compiler
+@pytest.mark.parametrize("is_awaited", [False, True])
+def test_a_worker_for_which_a_call_waits_does_not_give_way(monkeypatch, is_awaited) -> None:
+    """Beside other programs a call would wait ten times as long."""
+    started: list[bool] = []
+    call = tiers.Specialization(orientation_sign, ("f8",) * 6)
+    monkeypatch.setattr(NUMBA_THREAD, "submit", lambda work: work())
+    monkeypatch.setattr(requests, "is_there", lambda place, request: False)
+    monkeypatch.setattr(requests, "write_request", lambda place, request: None)
+    monkeypatch.setattr(
+        requests, "start_worker", lambda place, slot, *, gives_way: started.append(gives_way)
+    )
+    call.request_after(3.0, is_awaited=is_awaited)
+    assert started == [not is_awaited]
 
 
 @pytest.mark.skipif(not hasattr(os, "nice"), reason="priorities of Windows have no numbers")
@@ -859,7 +876,7 @@ def test_what_cannot_be_compiled_stays_interpreted(tmp_path: Path, monkeypatch) 
     impossible = Request("kinoedu.geometry.exact", "orientation_sign", ("none",) * 6)
     assert requests.compile_all(place, [impossible], workers=1) == [impossible]
     assert "none" in (place / f"{impossible.name}.refused").read_text()
-    assert not requests.request_compilation(place, impossible)
+    assert not requests.request_compilation(place, impossible, gives_way=True)
     deadly = Request("kinoedu.geometry.exact", "orientation_sign", ("f8",) * 6)
     taken = place / "taken-7"
     taken.mkdir()

@@ -50,7 +50,7 @@ class WatchedCall:
         if call.is_loaded:
             self.interrupt()
         else:
-            call.request_after(call.spent + seconds)
+            call.request_after(call.spent + seconds, is_awaited=True)
 
     def interrupt(self) -> None:
         """Interrupt the interpreted call, unless it has ended."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from ..support.threads import WAITING_FILES
 from .store import PACKAGE, Request, try_lock, write_request
 
-BACKGROUND = 0  # the slot of the worker with low priority
+BACKGROUND, AWAITED = 0, -1  # slots: of a worker that gives way, and of one for which calls wait
 POLL_INTERVAL = 0.05  # seconds between two looks for machine code
 MAX_FAILURES = 3  # workers that may fail during one wait
 
@@ -33,13 +33,16 @@ def is_pending(place: Path, request: Request) -> bool:
     return not is_there(place, request) and not is_refused(place, request)
 
 
-def request_compilation(place: Path, request: Request) -> bool:
-    """Request machine code at low priority; returns whether it exists or can be expected."""
+def request_compilation(place: Path, request: Request, *, gives_way: bool) -> bool:
+    """Request machine code; returns whether it exists or can be expected.
+
+    `gives_way` is whether it is compiled at low priority, as long as no call waits for it.
+    """
     if is_refused(place, request) or is_there(place, request):
         return is_there(place, request)
     try:
         write_request(place, request)
-        start_worker(place, BACKGROUND)
+        start_worker(place, BACKGROUND if gives_way else AWAITED, gives_way=gives_way)
     except OSError:  # processes are not possible, or the disk is full
         return False
     return True
@@ -93,7 +96,7 @@ def compile_all(
     return [request for request in requests if not is_there(place, request)]
 
 
-def start_worker(place: Path, slot: int, *, gives_way: bool = True) -> None:
+def start_worker(place: Path, slot: int, *, gives_way: bool) -> None:
     """Start the worker of a slot, unless it runs."""
     worker = started.get(slot)
     if (worker is not None and worker.poll() is None) or has_worker(place, slot):

@@ -238,23 +238,27 @@ class Specialization:
         self.function.machine = machine
         self.is_loaded = True
 
-    def request_after(self, seconds: float) -> None:
+    def request_after(self, seconds: float, *, is_awaited: bool = False) -> None:
         """Request its compilation by another process if interpreting has taken long.
 
         Request it again if the time has doubled: the worker may have ended without a look at it.
+        A worker that is started gives way to other programs, unless a call waits for it.
         """
         if seconds > max(BUDGET, 2.0 * self.requested_after) and not self.is_never_stored:
             from .numba_thread import NUMBA_THREAD
 
             self.requested_after = seconds
-            NUMBA_THREAD.submit(self.request_here)
+            NUMBA_THREAD.submit(lambda: self.request_here(gives_way=not is_awaited))
 
-    def request_here(self) -> None:
+    def request_here(self, *, gives_way: bool) -> None:
         """Request its compilation, in this thread."""
         from .requests import request_compilation
 
         place = store.folder()
-        self.is_never_stored = place is None or not request_compilation(place, self.to_compile)
+        is_expected = place is not None and request_compilation(
+            place, self.to_compile, gives_way=gives_way
+        )
+        self.is_never_stored = not is_expected
 
     def compile_now(self) -> None:
         """Compile it and wait, at most once; what numba cannot compile stays interpreted.
@@ -325,12 +329,6 @@ class Specialization:
                 raise failing from None
         restore_state(args, saved)
         return self.function.machine(*args)  # type: ignore[misc]  # it was loaded just now
-
-
-def requests_of_called_algorithms() -> list[store.Request]:
-    """Requests for all algorithms that this process has called and that can be compiled."""
-    kinds_of_calls = [s for f in TIERED if f.is_algorithm for s in f.specializations.values()]
-    return [s.to_compile for s in kinds_of_calls if not s.is_never_stored]
 
 
 # ---- the decorators -----------------------------------------------------------------------------
