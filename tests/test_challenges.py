@@ -387,6 +387,17 @@ def test_a_judge_that_fails_is_answered_in_words(caplog):
     assert "could not be judged" in caplog.text
 
 
+def test_a_judge_may_ask_for_the_drawing_that_is_completed_later():
+    """Each challenge is answered once, by the whole drawing."""
+    seen = Challenge("See it.", lambda board, kept: ("efficient" in repr(board), "seen"))
+    whole = Challenge("Wait.", lambda board, kept: (len(board.survey.places) == 100, "measured"))
+    answers = challenge(properties_board(HALL, n=20), whole, seen).canvas.challenges.answers
+    assert [(one["sentence"], one["now"]) for one in answers] == [
+        ("Wait.", True),
+        ("See it.", True),
+    ]
+
+
 def test_each_board_keeps_its_own_memory():
     """A challenge that compares with the scene before does not mix two boards."""
     one, other = (challenge(board(HALL), challenges.path_jumps) for _ in range(2))

@@ -96,12 +96,14 @@ class Posed:
 
     def judge(self) -> None:
         """Judge the board as it is now; a goal that was reached once stays done."""
-        self.answers = []
+        self.answers = answers = list[JsonObject]()
         for number, one in enumerate(self._challenges):
             now, text = judge_one(one, self._board, self._kept[number])
+            if self.answers is not answers:  # the judge asked for the whole: all were judged by it
+                return
             self._done[number] |= now
             state = {"now": now, "done": self._done[number]}
-            self.answers.append({"sentence": one.sentence, **state, "text": text})
+            answers.append({"sentence": one.sentence, **state, "text": text})
 
 
 def judge_one(one: Challenge, board: Any, kept: dict[str, Any]) -> tuple[bool, str]:
