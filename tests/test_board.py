@@ -15,16 +15,24 @@ import pytest
 from PIL import Image
 
 import kinoedu as ke
-from kinoedu.boards import Canvas, Drawing, board, car_board, distance_board
+from kinoedu.boards import (
+    Canvas,
+    Drawing,
+    board,
+    car_board,
+    code_board,
+    distance_board,
+    solid_board,
+)
 from kinoedu.boards.car.car import ON_BOARD as ON_CAR_BOARD
-from kinoedu.boards.core.drawing import edges, encode_drawing, path
+from kinoedu.boards.core.drawing import edges, encode_drawing, labels, path
 from kinoedu.boards.core.printed import fit_page
 from kinoedu.boards.core.scene import handle, make_scene, move_parts
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.own import draw_questions, try_planner
 from kinoedu.boards.planning.plans import make_problem_scene, problem_in
 from kinoedu.errors import InvalidParameter, KinoeduError
-from kinoedu.figures import palette
+from kinoedu.figures import palette, torus_mesh
 from kinoedu.planners.registry import PLANNERS
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -566,3 +574,19 @@ def test_a_bitmap_can_be_taken_away():
     canvas = Canvas(make_scene((0, 0), (2, 2)), lambda scene: Drawing(), free=np.ones((2, 2), bool))
     canvas.set_bitmap(None)
     assert canvas.bitmap == b""
+
+
+def test_a_dollar_sign_is_no_formula_in_a_picture():
+    """Neither in a name, a text of the answer or a label, nor in a line of code."""
+    odd = r"$\frac$"
+    scene = make_scene((0, 0), (1, 1), handles=[handle(odd, (0.5, 0.5), colour="start")])
+    canvas = Canvas(scene, lambda _: Drawing([labels([(0, 0)], [odd], "ink")], text=odd))
+    assert canvas.picture().startswith(b"\x89PNG")
+
+    def price(q):
+        return rf"$\frac$ of {q[0]} is $\q$"
+
+    assert code_board(price, (1.0, 2.0)).picture().startswith(b"\x89PNG")
+    empty = {"text": odd, "shapes": []}
+    solid = solid_board(torus_mesh(np.zeros((3, 3), int)), section=lambda theta, place: empty)
+    assert solid.picture().startswith(b"\x89PNG")

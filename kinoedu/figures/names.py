@@ -64,9 +64,15 @@ def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> An
     """Write a name on a side of a place (x, y)."""
     x, y = np.asarray(q, float)[:2]
     style: Style = {"color": colour, "path_effects": HALO, "zorder": 8, **palette.BOLD}
-    text = ax.annotate(name, (x, y), (0, 0), textcoords=OFFSET, gid=NAME, **style)
+    plain = without_formulas(name)
+    text = ax.annotate(plain, (x, y), (0, 0), textcoords=OFFSET, gid=NAME, **style)
     put(text, side)
     return text
+
+
+def without_formulas(text: str) -> str:
+    """A text in which dollar signs are written: two of them would enclose a formula."""
+    return text.replace("$", r"\$")
 
 
 def put(text: Annotation, side: Side) -> None:

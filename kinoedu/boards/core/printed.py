@@ -16,7 +16,14 @@ from PIL import Image, ImageColor
 
 from ...figures import palette
 from ...figures.drawing import compound
-from ...figures.names import NOWHERE, move_names_off_points, roomy_side, spread, write_name
+from ...figures.names import (
+    NOWHERE,
+    move_names_off_points,
+    roomy_side,
+    spread,
+    without_formulas,
+    write_name,
+)
 from ...figures.style import Levels, as_png, use_colours
 from ...geometry.checks import Array
 from .drawing import Drawing, Layer
@@ -42,7 +49,7 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     width, height = max(6.0 * (x1 - x0) / size, 2.2) + 1.0, max(6.0 * (y1 - y0) / size, 2.2) + 1.0
     figure, ax = make_page(width, height, drawing.listing, drawing.first)
     ax.set(aspect="equal", xlim=(x0 - margin, x1 + margin), ylim=(y0 - margin, y1 + margin))
-    ax.set_title(drawing.message, fontsize=palette.TEXT_SIZE, wrap=True)
+    ax.set_title(without_formulas(drawing.message), fontsize=palette.TEXT_SIZE, wrap=True)
     ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
     print_world(scene, free, ax)
     print_handles(scene, ax)
@@ -97,7 +104,7 @@ def print_lines(texts: list[str], lit: int, page: Axes) -> None:
     page.set(xlim=(0.0, 1.0), ylim=(max(len(texts), 16), -1.0))
     for number, text in enumerate(texts):
         box = {"facecolor": palette.LIT, "edgecolor": "none", "pad": 2.0} if number == lit else None
-        page.text(0.0, number, text, bbox=box, va="center", **font)
+        page.text(0.0, number, without_formulas(text), bbox=box, va="center", **font)
 
 
 def clip(text: str, room: int) -> str:

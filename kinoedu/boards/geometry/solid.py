@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike
 from ...c_space import translating_obstacles, turned, turning_obstacle
 from ...errors import InvalidParameter, KinoeduError
 from ...figures import palette
+from ...figures.names import without_formulas
 from ...figures.solid import cut_mesh, draw_mesh, shade_faces
 from ...figures.style import as_png, keep_few_colours
 from ...geometry import convex_polygons_intersect
@@ -275,7 +276,8 @@ class SolidBoard(anywidget.AnyWidget):
             ax.plot(*self.place, "o", **dot, **palette.RIM)
         ax.autoscale_view()
         ax.tick_params(labelsize=palette.TEXT_SIZE - 1)
-        ax.set_title(fill(self.section["text"], 44), fontsize=palette.TEXT_SIZE)
+        text = without_formulas(fill(self.section["text"], 44))
+        ax.set_title(text, fontsize=palette.TEXT_SIZE)
         return as_png(keep_few_colours(render(figure).convert("RGB")))
 
     def record(self) -> list[JsonObject]:
