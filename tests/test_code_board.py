@@ -736,3 +736,22 @@ def test_a_function_that_is_written_again_has_its_new_lines(monkeypatch):
 
     assert lines_of("first") == ("def one():", "    return 1  # first")
     assert lines_of("second") == ("def one():", "    return 1  # second")
+
+
+def test_every_variable_has_a_short_text():
+    """Also one that Python cannot write, or would write for long; the function runs as it does."""
+    nested = []
+    nested.append(nested)
+    assert format_short(nested) == "list" and format_short(10**5000) == "int"
+    assert format_short(np.array(2.5)) == "2.5" and format_short("a\nb") == r"a\nb"
+    assert format_short(range(10**18)) == "[0, 1, 2, ..., 999999999999999999] (1000000000000000000)"
+    assert format_short(set(range(9))) == "[0, 1, 2, ..., 8] (9)"
+    assert len(format_short("word " * 1000)) < 300
+
+    def chain(q):
+        huge, links = 10**5000, None
+        for k in range(400):
+            links = (k, links)
+        return q if huge else links
+
+    assert code_board(chain, (1.0, 2.0), most=2000).drawing.text == "chain returns (1, 2)"

@@ -1,6 +1,8 @@
 """The variables of a running function: each as a short text, and as points if it is that."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sized
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Sized
+from itertools import islice
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple
 
@@ -12,6 +14,7 @@ from ...problems import Recorder
 
 MOST_POINTS = 500  # of a list; a longer one is not drawn
 ENDS = 3  # items of a long list that are written
+LETTERS = 200  # of a text, at most
 
 
 class Variable(NamedTuple):
@@ -71,13 +74,22 @@ def is_point(value: object) -> bool:
 
 
 def format_short(value: object) -> str:
-    """A value on one short line.
+    """A value on one short line; the name of its type where it cannot be written.
 
     >>> format_short(np.array([1.0, 1 / 3])), format_short([0, 1, 2, 3, 4, 5, 6, 7])
     ('(1, 0.3333)', '[0, 1, 2, ..., 7] (8)')
     >>> format_short({"a": (1, 2.5)}), format_short(np.ones((30, 2)))
     ('{a: (1, 2.5)}', '30 x 2 numbers')
     """
+    try:
+        text = write_value(value).replace("\n", r"\n")
+    except Exception:  # too many digits, a list that holds itself, a fault in a reader's own class
+        return type(value).__name__
+    return text if len(text) <= LETTERS else f"{text[:LETTERS]}..."
+
+
+def write_value(value: object) -> str:
+    """A value as a text, the items of long lists left out."""
     if isinstance(value, bool | np.bool_ | str) or value is None:
         return str(value) or '""'
     if isinstance(value, int | np.integer):
@@ -85,32 +97,35 @@ def format_short(value: object) -> str:
     if isinstance(value, float | np.floating):
         return f"{0.0 if value == 0 else float(value):.4g}"
     if isinstance(value, np.ndarray):
+        if value.ndim == 0:
+            return write_value(value.item())
         if value.ndim == 1 and len(value) <= 4:
-            return f"({', '.join(map(format_short, value))})"
+            return f"({', '.join(map(write_value, value))})"
         return f"{' x '.join(map(str, value.shape))} numbers"
     if isinstance(value, dict):
         return join_items(value.items(), format_pair, "{}")
     if hasattr(value, "_fields"):
         return type(value).__name__
     if isinstance(value, tuple):
-        return join_items(value, format_short, "()")
+        return join_items(value, write_value, "()")
     if isinstance(value, Iterable) and isinstance(value, Sized) and not isinstance(value, Iterator):
-        return join_items(value, format_short, "[]")
+        return join_items(value, write_value, "[]")
     return type(value).__name__  # to read an iterator would use it up, or never end
 
 
 def format_pair(pair: tuple[object, object]) -> str:
     """A key and its value."""
-    return ": ".join(map(format_short, pair))
+    return ": ".join(map(write_value, pair))
 
 
-def join_items(items: Iterable[Any], write: Callable[[Any], str], brackets: str) -> str:
+def join_items(items: Any, write: Callable[[Any], str], brackets: str) -> str:
     """Items in brackets; of many only the first ones and the last, and how many there are."""
-    found = list(items)
-    if len(found) <= 2 * ENDS:
-        return f"{brackets[0]}{', '.join(map(write, found))}{brackets[1]}"
-    written = [*map(write, found[:ENDS]), "...", write(found[-1])]
-    return f"{brackets[0]}{', '.join(written)}{brackets[1]} ({len(found)})"
+    count = len(items)
+    if count <= 2 * ENDS:
+        return f"{brackets[0]}{', '.join(map(write, items))}{brackets[1]}"
+    last = items[-1] if isinstance(items, Sequence) else deque(items, maxlen=1).pop()
+    written = [*map(write, islice(items, ENDS)), "...", write(last)]
+    return f"{brackets[0]}{', '.join(written)}{brackets[1]} ({count})"
 
 
 def compile_expressions(expressions: Mapping[str, str]) -> dict[str, CodeType]:
