@@ -755,3 +755,18 @@ def test_every_variable_has_a_short_text():
         return q if huge else links
 
     assert code_board(chain, (1.0, 2.0), most=2000).drawing.text == "chain returns (1, 2)"
+
+
+def test_an_expression_may_have_a_lambda_over_the_variables():
+    """And a comprehension: both see the variables of the function."""
+
+    def look(q, nodes):
+        return len(nodes)
+
+    points = {"near": "min(nodes, key=lambda p: abs(p[0] - q[0]))"}
+    circles = {"q": "max(abs(p[0] - q[0]) for p in nodes)"}
+    nodes = [(0.0, 0.0), (2.0, 2.0)]
+    drawing = code_board(look, (1.8, 1.0), nodes, points=points, circles=circles).drawing
+    assert drawing.listing.values[-1]["near"] == "(2, 2)"
+    (circle,) = (layer for layer in drawing.layers if layer.colour == "roadmap" and layer.rows.size)
+    assert np.isclose(np.ptp(circle.rows[:, 0]), 2 * 1.8)

@@ -157,10 +157,10 @@ def evaluate(
     expressions: Mapping[str, CodeType], local: dict[str, Any], names: dict[str, Any]
 ) -> dict[str, Any]:
     """The values of expressions that have one where a function is now."""
-    found = {}
+    found, scope = {}, {**names, **local}  # one scope, which a lambda in an expression sees too
     for name, expression in expressions.items():
         try:
-            found[name] = eval(expression, names, local)
+            found[name] = eval(expression, scope)
         except Exception:  # the variables that it needs have no values yet, or none that fit
             continue
     return found
