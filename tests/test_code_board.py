@@ -770,3 +770,34 @@ def test_an_expression_may_have_a_lambda_over_the_variables():
     assert drawing.listing.values[-1]["near"] == "(2, 2)"
     (circle,) = (layer for layer in drawing.layers if layer.colour == "roadmap" and layer.rows.size)
     assert np.isclose(np.ptp(circle.rows[:, 0]), 2 * 1.8)
+
+
+def test_a_function_of_any_number_of_points_gets_them_one_by_one():
+    """Each of them can be dragged, unless they are fixed."""
+
+    def count_right(least, *points):
+        return sum(p[0] > least for p in points)
+
+    canvas = code_board(count_right, 1.5, (1.0, 1.0), (2.0, 2.0), (3.0, 3.0))
+    assert canvas.drawing.text == "count_right returns 2"
+    assert [item["name"] for item in canvas.scene["handles"]] == [
+        "points 0",
+        "points 1",
+        "points 2",
+    ]
+    Page(canvas).moves(("handle", 0, [2.5, 1.0]))
+    assert canvas.drawing.text == "count_right returns 3"
+    window = (0, 0), (4, 4)
+    still = code_board(count_right, 1.5, (1.0, 1.0), (2.0, 2.0), fixed=["points"], window=window)
+    assert still.drawing.text == "count_right returns 1" and not still.scene["handles"]
+
+
+def test_the_lines_of_odd_functions_are_shown(tmp_path, monkeypatch):
+    """One on a single line with a docstring, and one whose first statement has decorators."""
+    lines = ['def short(q): "Where."; return q', "", "def wrapped(q):", "    @staticmethod"]
+    lines += ["    def same(p):", "        return p", "    return same(q)", ""]
+    tmp_path.joinpath("odd_functions.py").write_text("\n".join(lines), encoding="utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    odd = __import__("odd_functions")
+    assert code_board(odd.short, (1.0, 2.0)).drawing.listing.lines == lines[:1]
+    assert code_board(odd.wrapped, (1.0, 2.0)).drawing.listing.lines == lines[2:-1]

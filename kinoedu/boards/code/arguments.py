@@ -268,7 +268,7 @@ def make_argument(
         return ProblemArgument(name, value)
     if is_bitmap(value):
         return BitmapArgument(name, value)
-    if name in fixed:
+    if name.partition(" ")[0] in fixed:
         return Fixed(name, value)
     if is_plane_point(value):
         return PointArgument(name, value)

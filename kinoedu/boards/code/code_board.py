@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from inspect import signature
+from inspect import Parameter, signature
 from typing import Any
 
 import numpy as np
@@ -177,7 +177,7 @@ class Steerable:
 
 
 def bind(function: Callable[..., object], given: Sequence[Any]) -> dict[str, Any]:
-    """The arguments by the names of their parameters.
+    """The arguments by the names of their parameters; those of `*points` are "points 0", ...
 
     Raises
     ------
@@ -191,7 +191,11 @@ def bind(function: Callable[..., object], given: Sequence[Any]) -> dict[str, Any
         raise InvalidParameter(
             f"the arguments do not fit {name}{signature(function)}: {error}"
         ) from error
-    return dict(bound.arguments)
+    named: dict[str, Any] = {}
+    for name, value in bound.arguments.items():
+        many = bound.signature.parameters[name].kind is Parameter.VAR_POSITIONAL
+        named |= {f"{name} {k}": one for k, one in enumerate(value)} if many else {name: value}
+    return named
 
 
 def find_window(

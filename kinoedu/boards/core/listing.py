@@ -47,11 +47,13 @@ def read_code(source: Source) -> dict[int, str]:
         return lines
     body = function.body
     has_docstring = ast.get_docstring(function, clean=False) is not None and len(body) > 1
+    decorators = getattr(body[0], "decorator_list", [])
     head = function.lineno - 1
-    hidden = {*range(head), *range(head + 1, body[0].lineno - 1)}
-    if has_docstring:
-        hidden |= set(range(body[0].lineno - 1, body[0].end_lineno or 0))
-    if body[0].lineno > function.lineno:
+    begin = min(one.lineno for one in (body[0], *decorators)) - 1
+    hidden = {*range(head), *range(head + 1, begin)}
+    if has_docstring and begin > head:
+        hidden |= set(range(begin, body[0].end_lineno or 0))
+    if begin > head:
         lines[head] = f"def {function.name}({write_parameters(function.args)}):"
     return {number: text for number, text in lines.items() if number not in hidden}
 
