@@ -470,6 +470,23 @@ def test_poses_of_a_robot_are_dragged_turned_and_drawn():
     assert np.allclose(moved, (6.0, 3.5))
 
 
+def test_a_pose_keeps_its_heading_while_its_place_is_dragged():
+    """However many messages a drag sends; and after its tip was moved too."""
+
+    def stand(robot, q):
+        return q
+
+    canvas = code_board(stand, ke.Car(3, 1, 2), (5.0, 5.0, 0.3), window=((0, 0), (10, 10)))
+    page = Page(canvas)
+    for y in (5.5, 6.0, 6.5):
+        assert page.moves(["handle", 0, [5.0, y]])["text"] == f"stand returns (5, {y:g}, 0.3)"
+    assert page.moves(["handle", 1, [5.0, 9.0]])["text"] == "stand returns (5, 6.5, 1.571)"
+    body = next(layer for layer in canvas.drawing.layers if layer.kind == "bodies")
+    assert np.ptp(body.rows[0, 0::2]) < np.ptp(body.rows[0, 1::2])
+    for x in (4.0, 3.0):
+        assert page.moves(["handle", 0, [x, 6.5]])["text"] == f"stand returns ({x:g}, 6.5, 1.571)"
+
+
 @pytest.mark.parametrize(
     ("given", "more", "says"),
     [

@@ -60,7 +60,7 @@ class Argument(ABC):
         return []
 
     def list_places(self, scene: Scene) -> Mapping[str, Array]:  # poses move
-        """The handles that the answer moves, by name."""
+        """The handles that the answer moves, by name; asked last of a scene."""
         return {}
 
     def points(self) -> Array:
@@ -119,7 +119,7 @@ class PoseArgument(Argument):
 
     def __init__(self, name: str, value: Any, robot: Outlined) -> None:
         super().__init__(name, np.array(value, float))
-        self.robot, self.colour = robot, COLOURS[0]
+        self.robot, self.colour, self.last = robot, COLOURS[0], self.given
         self.looks = get_message("board.code.looks", name=name)
         long = float(np.ptp(robot.outline[:, 0]))
         self.reach = float(robot.outline[:, 0].max()) + LOOKS * long
@@ -136,10 +136,15 @@ class PoseArgument(Argument):
         return pose[:PLANE] + self.reach * np.array([math.cos(pose[2]), math.sin(pose[2])])
 
     def value(self, scene: Scene) -> Array:
-        """The pose at the place that looks at the tip; the pose given where it was not moved."""
+        """The pose at the place that looks at the tip.
+
+        A tip that stands where the pose given or the last one has it was not moved: the heading
+        stays, to the last digit.
+        """
         place, tip = place_of(scene, self.name), place_of(scene, self.looks)
-        if np.array_equal(tip, self.find_tip(self.given)):
-            return np.array([*place, self.given[2]])
+        for pose in (self.given, self.last):
+            if np.array_equal(tip, self.find_tip(pose)):
+                return np.array([*place, pose[2]])
         return np.array([*place, math.atan2(tip[1] - place[1], tip[0] - place[0])])
 
     def draw(self, scene: Scene) -> list[Layer]:
@@ -149,8 +154,9 @@ class PoseArgument(Argument):
         return [bodies([outline_at(self.robot, pose)], self.colour), arrow]
 
     def list_places(self, scene: Scene) -> Mapping[str, Array]:
-        """The tip returns to its distance from the place."""
-        return {self.looks: self.find_tip(self.value(scene))}
+        """The tip returns to its distance from the place, where it is in the next scene."""
+        self.last = self.value(scene)
+        return {self.looks: self.find_tip(self.last)}
 
     def points(self) -> Array:
         """The body and the tip."""

@@ -165,13 +165,11 @@ class Steerable:
             run, fault = self.run(scene)
         names = [item["name"] for item in scene["handles"]]
         drawing = run.draw(fault=fault, dragged=names)
+        layers = [layer for one in self.arguments for layer in one.draw(scene)]
         moved = [place for one in self.arguments for place in one.list_places(scene).items()]
         return replace(
             drawing,
-            layers=[
-                *(layer for one in self.arguments for layer in one.draw(scene)),
-                *drawing.layers,
-            ],
+            layers=[*layers, *drawing.layers],
             places=[("handle", names.index(name), at.tolist()) for name, at in moved],
         )
 
