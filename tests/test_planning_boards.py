@@ -8,7 +8,7 @@ from PIL import Image
 from test_board import Page
 
 import kinoedu as ke
-from kinoedu.boards import bug_board, samples_board, search_board, sweep_board
+from kinoedu.boards import bug_board, moving_board, samples_board, search_board, sweep_board
 from kinoedu.boards.bugs.bugs import BUGS
 from kinoedu.boards.core.drawing import Drawing, cells, dots, encode_drawing, labels
 from kinoedu.boards.core.scene import move_parts
@@ -482,3 +482,12 @@ def test_a_samples_board_refuses_what_it_does_not_have():
         "q is 0.7071"
         in made.answer(move_parts(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text
     )
+
+
+def test_a_robot_that_is_at_its_goal_does_not_wait():
+    """Then its path has one place, and each moment of the board its text."""
+    hall = ke.PolygonWorld([(0, 0), (10, 0), (10, 6), (0, 6)])
+    world = ke.MovingWorld(hall, [ke.Moving(0.5, [0, 9], [(9, 4), (1, 4)])])
+    drawing = moving_board(ke.TimedProblem(ke.Disk(0.5), world, (1, 1), (1, 1))).canvas.drawing
+    assert drawing.text == "at the goal at time 0, waited 0" and not drawing.warning
+    assert len(drawing.step_texts) == drawing.total

@@ -191,10 +191,10 @@ def waits_on_legs(path: Array) -> Any:
 
 
 def waits_at(path: Array | None, t: float) -> bool:
-    """Whether the robot waits at a time."""
-    return path is not None and bool(
-        waits_on_legs(path)[np.searchsorted(path[1:-1, 2], t, side="right")]
-    )
+    """Whether the robot waits at a time; not on a path of one place, nor without one."""
+    if path is None or len(path) < 2:
+        return False
+    return bool(waits_on_legs(path)[np.searchsorted(path[1:-1, 2], t, side="right")])
 
 
 def waiting_time(path: Array) -> float:
