@@ -12,6 +12,7 @@ from kinoedu.boards import bug_board, moving_board, samples_board, search_board,
 from kinoedu.boards.bugs.bugs import BUGS
 from kinoedu.boards.core.drawing import Drawing, cells, dots, encode_drawing, labels
 from kinoedu.boards.core.scene import move_parts
+from kinoedu.boards.search import ground
 from kinoedu.boards.search.search import heuristic_to
 from kinoedu.decomposition import sweep, trapezoidation
 from kinoedu.errors import InvalidGraph, InvalidParameter, InvalidPolygon, InvalidWorld
@@ -482,6 +483,15 @@ def test_a_samples_board_refuses_what_it_does_not_have():
         "q is 0.7071"
         in made.answer(move_parts(made.canvas.scene, [["handle", 0, [9.0, -9.0]]])).text
     )
+
+
+def test_a_large_grid_is_refused_at_once(monkeypatch):
+    """No graph is made of its cells, which would take seconds and gigabytes."""
+    monkeypatch.setattr(ground.Graph, "__init__", None)
+    cells = np.ones((2000, 2000), bool)
+    for given in (cells, ke.Problem(ke.Point(), ke.Terrain(cells), (1, 1), (2, 2))):
+        with pytest.raises(InvalidParameter, match="4000000"):
+            ground.make_ground(given, None, None)
 
 
 def test_a_robot_that_is_at_its_goal_does_not_wait():

@@ -87,8 +87,7 @@ def make_small_ground(
     box: tuple[Array, Array] | None = None,
 ) -> Ground:
     """The ground of a graph that is small enough, in a box or round its nodes."""
-    if len(graph) > MOST:
-        raise InvalidParameter(get_message("search_board.too_many", most=MOST, nodes=len(graph)))
+    check_size(len(graph))
     places = graph.nodes[list(graph)]
     lo, hi = box or (places.min(axis=0), places.max(axis=0))
     margin = 0.0 if box else 0.12 * float((hi - lo).max()) or 1.0
@@ -102,6 +101,12 @@ def make_small_ground(
         ),
     ]
     return Ground(graph, make_scene(lo - margin, hi + margin, handles=handles), free, side)
+
+
+def check_size(nodes: int) -> None:
+    """Refuse more nodes than a board shows with InvalidParameter."""
+    if nodes > MOST:
+        raise InvalidParameter(get_message("search_board.too_many", most=MOST, nodes=nodes))
 
 
 def add_stops(ground: Ground) -> Ground:
@@ -148,7 +153,11 @@ def fix_obstacles(scene: Scene, searched: Scene) -> Scene:
 
 
 def make_grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Graph:
-    """A node in the middle of each free cell, row by row, joined to its four neighbours."""
+    """A node in the middle of each free cell, row by row, joined to its four neighbours.
+
+    More cells than a board shows are refused before a graph is made of them.
+    """
+    check_size(np.count_nonzero(free))
     number = np.full(free.shape, -1)
     number[free] = np.arange(np.count_nonzero(free))
     across = np.stack([number[:, :-1], number[:, 1:]], axis=-1)[free[:, :-1] & free[:, 1:]]
