@@ -5,11 +5,13 @@ import math
 
 import numpy as np
 import pytest
+from matplotlib import pyplot as plt
 from PIL import Image
 from test_board import Page
 from test_planning_boards import layers_of, shown
 
 import kinoedu as ke
+from kinoedu import figures
 from kinoedu.boards import Challenge, car_board, challenge
 from kinoedu.boards.car.car import DRAGGED
 from kinoedu.boards.car.car_drawn import STEPS, make_ride, place_shapes
@@ -348,3 +350,18 @@ def test_an_eye_goes_with_the_car():
         "eye" not in [layer.kind for layer in made.canvas.drawing.layers]
         and made.picture() != followed
     )
+
+
+@pytest.mark.parametrize("moves", range(14))
+def test_a_strip_shows_each_move_or_the_last_and_others(moves):
+    """With at most as many moves as pictures all are there; none of a car that stands still."""
+    controls = [((-1.0) ** k, 0.1) for k in range(moves)]
+    drive = ke.Trajectory(
+        ke.Car(30, 10, 20), (0, 0, 0), controls or np.empty((0, 2)), [9.0] * moves
+    )
+    figures.draw_moves(ke.Car(30, 10, 20), drive)
+    axes = [ax for number in plt.get_fignums() for ax in plt.figure(number).axes]
+    plt.close("all")
+    numbers = [int(ax.get_title().split()[1]) for ax in axes if ax.get_visible()]
+    assert len(numbers) == min(moves, 8) and numbers[-1:] == ([moves] if moves else [])
+    assert moves > 8 or numbers == list(range(1, moves + 1))

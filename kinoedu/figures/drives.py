@@ -43,7 +43,8 @@ def draw_moves(
     Parameters
     ----------
     goal : (3,), a pose whose outline is drawn in each picture.
-    most : the number of pictures; of more moves, the last and others at equal distances are drawn.
+    most : the most pictures; of more moves, the last and others at equal distances are drawn. None
+        of a car that stands still.
 
     Examples
     --------
@@ -59,7 +60,11 @@ def draw_moves(
         range(len(trajectory.durations)), lambda i: bool(trajectory.controls[i, 0] < 0)
     )
     moves = [(back, list(rows)) for back, rows in pieces]
-    shown = np.unique(np.linspace(0, len(moves) - 1, most + 1).round().astype(int)[1:])
+    if not moves:
+        return []
+    shown = np.arange(len(moves))
+    if len(moves) > most:
+        shown = np.unique(np.linspace(0, len(moves) - 1, most + 1).round().astype(int)[1:])
     way = trajectory.at(np.linspace(0.0, trajectory.duration, 200))[:, :2]
     reach = float(np.abs(car.outline).max())
     lo, hi = way.min(axis=0) - reach, way.max(axis=0) + reach
