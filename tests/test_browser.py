@@ -420,8 +420,6 @@ def folder(tmp_path_factory):
 def write_page(place):
     """Write a page with live boards, its scripts, and the modules."""
     write_scripts(place / "live")
-    (place / "boards.js").write_text(page_script(describe_bodies()), encoding="utf-8")
-    shutil.copy(CORE / "board.css", place)
     shutil.copy(BROWSER / "worker.js", place)
     world = ke.PolygonWorld(ROOM, [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 5), 1)])
     problem = ke.Problem(ke.Point(), world, start=(1, 1), goal=(9, 1))
@@ -430,6 +428,13 @@ def write_page(place):
     boards.append(search_board(GRID, search="bfs"))
     boards.append(ke.board(ke.Problem(ke.Point(), ke.Terrain(GRID), (1, 1), (8, 2)), "rrt"))
     boards += [sweep_board(SWEPT, x=4.0), arm_board(*ARMED), bug_board(*WALKED_ROUND)]
+    write_records(place, boards, page_script(describe_bodies()))
+
+
+def write_records(place, boards, script):
+    """Write a page with records of boards, and its script."""
+    (place / "boards.js").write_text(script, encoding="utf-8")
+    shutil.copy(CORE / "board.css", place)
     records = [json.dumps(pack_records(board.record())) for board in boards]
     text = "".join(
         '<div class="kinoedu-record"><p class="still"></p>'
@@ -576,6 +581,18 @@ def drag(page, board, begin, end, lo=(0.0, 0.0), hi=(10.0, 10.0)):
 
 SAYS = """([board, text]) => document.querySelectorAll('.kinoedu-board')[board]
     ?.querySelector('[role=status]')?.textContent === text"""
+
+
+def test_a_page_says_what_was_wrong_with_a_recorded_answer(chromium, tmp_path):
+    """Also on a page on which no board is live."""
+    problem = ke.Problem(ke.Point(), ke.PolygonWorld(ROOM, [SQUARE]), start=(6, 1), goal=(1, 6))
+    made = ke.board(problem, lambda problem: [problem.start, problem.goal])
+    write_records(tmp_path, [made], page_script())
+    opened = chromium.new_page()
+    opened.goto((tmp_path / "index.html").as_uri())
+    assert made.canvas.drawing.warning
+    opened.wait_for_function(SAYS, arg=[0, made.canvas.drawing.warning], timeout=20_000)
+    opened.close()
 
 
 def lab_text(name, start, goal, polygon, seed):

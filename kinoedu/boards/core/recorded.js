@@ -26,7 +26,7 @@ function recordedModel(stored, key, team, main) {
   const show = () => {
     if (record.moved) { answers.answer(); return; }
     const buffers = record.buffers.map((text) => new DataView(bytesOf(text).buffer));
-    const { warning = "" } = record;
+    const { warning = record.drawing.warning } = record;   // that of a link that does not fit
     tell({ kind: "drawing", to: null, seq: null, ...record.drawing, warning }, buffers);
   };
   return {
