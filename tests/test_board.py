@@ -444,6 +444,13 @@ TRIANGLE = ke.TranslatingPolygon([(0, 0), (0.2, 0), (0, 0.1)])
 CELLS = np.random.default_rng(0).random((3, 7)) < 0.9
 
 
+def test_the_code_of_a_board_names_a_readers_planner():
+    """A lambda has no name that code could use."""
+    for planner, name in ((around, "around"), (lambda problem: None, "my_planner")):
+        line = board(walled(), planner).write_code().splitlines()[-1]
+        assert line.startswith(f"ke.board(problem, {name}, step_size=")
+
+
 @pytest.mark.parametrize(
     "problem",
     [

@@ -163,10 +163,14 @@ class Board(Framed):
         return drawing.completed_by(lambda: attempt(CodeRun(planner, Look())))
 
     def write_code(self) -> str:
-        """Python code for this board as it is now: the problem, the planner and the settings."""
-        chosen, own = self.planner.value, getattr(self._own, "__name__", "my_planner")
+        """Python code for this board as it is now: the problem, the planner and the settings.
+
+        A reader's function has its name there, and one without a name is `my_planner`.
+        """
+        chosen, own = self.planner.value, getattr(self._own, "__name__", "")
         settings = {name: getattr(self, name).value for name in SETTINGS}
-        planner = own if chosen == OWN else f'"{chosen}"'
+        named = own if own.isidentifier() else "my_planner"
+        planner = named if chosen == OWN else f'"{chosen}"'
         return write_code(self.problem, planner, {**settings, "rng": self.seed.value})
 
     def record(self) -> list[JsonObject]:
