@@ -968,6 +968,40 @@ def test_few_notebooks_of_a_large_class_wait_at_a_time(tmp_path, monkeypatch):
     assert (executor.most, executor.waiting, executor.taken) == (4, 0, 21)
 
 
+class Breaking(Executor):
+    """Workers that all end when one is given a notebook of eve's."""
+
+    def __init__(self, started):
+        started.append(self)
+        assert len(started) < 50, "a notebook is tried for ever"
+        self.is_broken = False
+
+    def submit(self, function, job):
+        """Grade a notebook now, or lose all workers."""
+        future = Future()
+        self.is_broken = self.is_broken or b"eve" in job.data
+        if self.is_broken:
+            future.set_exception(BrokenProcessPool("a worker ended"))
+        else:
+            future.set_result(record())
+        return future
+
+
+@pytest.mark.parametrize("students", [["eve"], ["ann", "eve"], ["eve", "ann", "bob"]])
+def test_a_notebook_that_ends_every_worker_is_given_up(tmp_path, students):
+    """Also where it is the only one that is left, and nothing was completed beside it."""
+    started = []
+
+    @contextmanager
+    def place(most):
+        yield Breaking(started)
+
+    class_of = [Submission(one, NAME, "a.ipynb", b'"%s"' % one.encode()) for one in students]
+    for one in running.grade_all(class_of, tmp_path, bytes(32), place=place):
+        assert (one.grade is None) == (one.submission.student == "eve")
+        assert ("a worker ended" in one.trouble) == (one.submission.student == "eve")
+
+
 def test_exports_and_tables_that_no_longer_agree_are_named(tmp_path, capsys):
     """Decisions after grading, submissions that changed, and exports of other grades."""
     folder, out = tmp_path / "in", tmp_path / "out"

@@ -232,6 +232,8 @@ def run_jobs(
 
     A job is tried again, up to TRIES times, if its worker is lost or its machine fails. After
     TRIES_BESIDE failures it runs alone, so that a job that ends workers takes no other job with it.
+    Where a worker was lost, the jobs that were being run may be at fault, and any job if none was
+    completed before.
     """
     left, tries = list(jobs), dict[str, int]()
     while left:
@@ -239,7 +241,7 @@ def run_jobs(
         now = calm or left[:1]
         left = [job for job in left if job not in calm] if calm else left[1:]
         with place(most if calm else 1) as executor:
-            completed, begun = CompletedFutures[Job](), set[str]()
+            completed, begun = CompletedFutures[Job](), {job.key for job in now}
             following = iter(now)
             submit_jobs(islice(following, AHEAD), executor, completed)
             for job, future in completed:
