@@ -1,5 +1,6 @@
 """Lines traced as they run, and the board that shows them beside their picture."""
 
+import importlib
 import io
 import itertools
 import linecache
@@ -818,3 +819,15 @@ def test_the_lines_of_odd_functions_are_shown(tmp_path, monkeypatch):
     odd = __import__("odd_functions")
     assert code_board(odd.short, (1.0, 2.0)).drawing.listing.lines == lines[:1]
     assert code_board(odd.wrapped, (1.0, 2.0)).drawing.listing.lines == lines[2:-1]
+
+
+def test_a_page_break_and_a_separator_are_within_a_line(tmp_path, monkeypatch):
+    """They end no line of Python, so each line that has run is shown as it is."""
+    text = "def odd():\n    x = 'a\u2028b'\n\x0c\n    return x\n"
+    (tmp_path / "odd_lines.py").write_text(text, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    function = importlib.import_module("odd_lines").odd
+    with LineTrace(function, lambda *_: None, most=10) as trace:
+        function()
+    run = [trace.source.lines[moment.line].strip() for moment in trace.moments]
+    assert run == ["x = 'a\u2028b'", "return x"]

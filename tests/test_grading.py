@@ -15,6 +15,7 @@ from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
 from kinoedu.grading.assignments.questions import draw_cases, read_assignment
 from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, read_cells
+from kinoedu.grading.collect.notebook_python import PythonReader
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import sandbox
@@ -385,3 +386,18 @@ def test_no_secret_makes_a_right_tree_give_up_early(seed):
     given = {**case.given, "rng": seed}
     nodes, _, path = exercise.source(*given.values())
     assert path is None and len(nodes) >= 45 and given["failures"] >= 80
+
+
+@needs_sandbox
+def test_the_line_that_failed_is_shown_also_below_a_page_break(box):
+    """A page break ends no line of Python."""
+    (trouble,) = graded(box, "# \x0c\x0c\nraise ValueError('here')")["cells"]
+    assert trouble["line"] == 2
+    assert trouble["trouble"]["lines"] == ["line 2: raise ValueError('here')"]
+
+
+def test_a_long_line_is_long_also_with_page_breaks_in_it():
+    """The work of reading commands is bounded by the longest line as Python counts lines."""
+    reader = PythonReader()
+    reader.read("%time f\n" * 20 + "x = '" + "a\x0c" * 8000 + "'\n")
+    assert reader.work_left < 0

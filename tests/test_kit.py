@@ -317,3 +317,9 @@ def comparable(found, world_may_differ):
     shown = {get_message(f"check.{key}") for key in ("call", "yours", "wanted", "where")}
     text = {title: text for title, text in found["text"].items() if title not in shown}
     return {**found, "text": text, "picture": []}
+
+
+def test_answers_are_cut_where_they_are_also_below_a_page_break():
+    """A page break ends no line of Python."""
+    text = "X = 1\n\x0c\n\n@withheld\ndef half(x):\n    'Half of x.'\n    return x / 2\n"
+    assert cut_answers(text) == text.replace("\n    return x / 2", "")

@@ -277,3 +277,11 @@ def test_the_command_says_where_to_look(tmp_path, capsys):
     (tmp_path / "empty").mkdir()
     assert main(["similar", str(tmp_path / "empty"), "--out", str(tmp_path / "x")]) == 2
     assert not (tmp_path / "x").exists()
+
+
+def test_a_function_is_shown_whole_whatever_characters_stand_above_it():
+    """Page breaks and Unicode's separators end no line of Python."""
+    function = "def f(x):\n" + "".join(f"    a{i} = x * {i} + x\n" for i in range(12))
+    for above in ("", "# \x0c\x1c\u2028\n"):
+        (piece,) = split_program([f"{above}{function}"])
+        assert piece.lines == function.splitlines()

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ..support.text import split_lines
 from .exercise import Exercise, Restated
 from .lessons import EXERCISES, find
 from .withheld import Results, recorded_results
@@ -74,7 +75,7 @@ def is_marked(node: ast.FunctionDef) -> bool:
 
 def remove_definitions(text: str, path: str, unused: set[Name]) -> str:
     """A source without the definitions that nothing uses, and the comments above them."""
-    lines, edits = text.splitlines(), list[Edit]()
+    lines, edits = split_lines(text), list[Edit]()
     for node in ast.parse(text).body:
         if (path, name_defined(node)) in unused:
             decorators = getattr(node, "decorator_list", [])
@@ -161,7 +162,7 @@ def end_of(node: Any) -> Place:
 
 def edit(text: str, edits: list[Edit]) -> str:
     """A text with edits, which do not overlap; no more than two empty lines follow each other."""
-    lines = [line.encode() for line in text.splitlines(keepends=True)]
+    lines = [line.encode() for line in split_lines(text)]
     for (first, left), (last, right), new in sorted(edits, reverse=True):
         lines[first - 1 : last] = [lines[first - 1][:left] + new.encode() + lines[last - 1][right:]]
     result = b"".join(lines).decode()

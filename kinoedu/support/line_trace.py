@@ -13,7 +13,7 @@ from types import CodeType, FrameType, TracebackType
 from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
-from .text import shortened
+from .text import shortened, split_lines
 
 Variables = dict[str, Any]
 RETURNED, RAISED = "returned", "raised"
@@ -257,7 +257,8 @@ def source_of(function: Callable[..., object]) -> Source:
             found, first = inspect.getsourcelines(code)
         except (OSError, TypeError) as error:
             raise InvalidParameter(f"the source of {shortened(function)} is not known") from error
-        lines = tuple(textwrap.dedent("".join(found)).splitlines())
+        dedented = split_lines(textwrap.dedent("".join(found)))
+        lines = tuple(line.rstrip("\n") for line in dedented)
         indent = len(found[0].rstrip("\n")) - len(lines[0]) if lines else 0
         within = find_comprehensions(lines, first, indent, code)
         sources[id(code)] = Source(lines, first, code, find_conditions(lines), within)

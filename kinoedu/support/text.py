@@ -1,5 +1,6 @@
 """Values and foreign texts as text that is safe to show."""
 
+import io
 import re
 
 # control and invisible characters, and those for right-to-left text; not newlines and tabs
@@ -13,6 +14,17 @@ def shortened(value: object) -> str:
     """The repr of a value on one line of at most 80 characters."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else text[:77] + "..."
+
+
+def split_lines(source: str) -> list[str]:
+    r"""The lines of a program with their ends, as Python counts them.
+
+    `str.splitlines` also cuts at page breaks and at Unicode's separators, which stand in lines.
+
+    >>> split_lines("x = '\u2028'\r\n\x0cy = 1") == ["x = '\u2028'\r\n", "\x0cy = 1"]
+    True
+    """
+    return io.StringIO(source, newline="").readlines()
 
 
 def show_controls(text: str) -> str:

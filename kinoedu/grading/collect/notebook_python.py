@@ -5,8 +5,9 @@ not timed, so that a notebook is read alike on every computer.
 """
 
 import ast
-import io
 import warnings
+
+from ...support.text import split_lines
 
 LONGEST_PARSED = 200_000  # characters of a cell
 LONGEST, MOST_COMMANDS = 20_000, 500  # characters and commands of a cell with commands
@@ -63,14 +64,9 @@ class PythonReader:
 
     def spend(self, source: str) -> None:
         """Count the work of reading the source once. Raises ValueError where it is too much."""
-        self.work_left -= len(source) * max(SHORT_LINE, *map(len, source.splitlines()))
+        self.work_left -= len(source) * max(SHORT_LINE, *map(len, split_lines(source)))
         if self.work_left < 0:
             raise ValueError("the notebook holds too many commands")
-
-
-def split_lines(source: str) -> list[str]:
-    """The lines of the source as Python counts them, with their ends."""
-    return io.StringIO(source, newline="").readlines()
 
 
 def comment_out_command(source: str) -> str:

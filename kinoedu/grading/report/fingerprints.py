@@ -15,6 +15,8 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
+from ...support.text import split_lines
+
 RUN = 24  # words, about two lines; shorter runs are often equal by chance
 WINDOW = 8  # neighbours of which one is kept; RUN + WINDOW - 1 common words are always seen
 LONGEST = 200_000  # characters of a cell that is parsed
@@ -54,7 +56,10 @@ def split_program(sources: Iterable[str], window: int = WINDOW) -> list[Piece]:
     >>> one[0].prints == other[0].prints != {}
     True
     """
-    cells = [Cell(source.splitlines(), parse_cell(source)) for source in sources]
+    cells = [
+        Cell([line.rstrip("\r\n") for line in split_lines(source)], parse_cell(source))
+        for source in sources
+    ]
     own = {name for cell in cells if cell.tree is not None for name in find_bound_names(cell.tree)}
     found = [
         piece

@@ -65,6 +65,7 @@ from kinoedu.grading.sandbox.lent import (  # noqa: E402
     LentValues,
     take_from_library,
 )
+from kinoedu.support.text import split_lines  # noqa: E402
 
 # numpy loads these at their first use
 USUAL = ("numpy.fft", "numpy.linalg", "numpy.ma", "numpy.polynomial", "numpy.random", "secrets")
@@ -208,7 +209,7 @@ class Program:
     def run_cell(self, request: dict[str, Any]) -> dict[str, Any]:
         """Run a cell, and say what failed in it."""
         name, source = request["cell"], request["source"]
-        linecache.cache[name] = (len(source), None, source.splitlines(True), name)
+        linecache.cache[name] = (len(source), None, split_lines(source), name)
         troubles: list[Any] = []
 
         def work() -> None:
