@@ -401,3 +401,15 @@ def test_a_long_line_is_long_also_with_page_breaks_in_it():
     reader = PythonReader()
     reader.read("%time f\n" * 20 + "x = '" + "a\x0c" * 8000 + "'\n")
     assert reader.work_left < 0
+
+
+def test_the_zip_of_a_class_may_be_larger_than_a_notebook(tmp_path):
+    """A class of a few hundred students with pictures has more than a hundred MB."""
+    with zipfile.ZipFile(tmp_path / "class.zip", "w") as archive:
+        archive.writestr("ann/01_geometry.ipynb", notebook(ANSWER))
+        archive.writestr("bob/01_geometry.ipynb", notebook(ANSWER))
+        archive.writestr("bob/picture.png", bytes(MOST_BYTES))
+    assert [(one.student, one.trouble) for one in collect(tmp_path / "class.zip")] == [
+        ("ann", ""),
+        ("bob", ""),
+    ]

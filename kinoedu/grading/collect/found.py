@@ -14,7 +14,7 @@ from .notebook import MOST_BYTES, UnreadableSubmission, read_bytes
 
 METADATA = "submission_metadata.yml"  # where Gradescope lists the owners of its folders
 MOST_MEMBERS = 10_000
-MOST_UNPACKED = 2 * 2**30  # bytes of all notebooks in a class's zip
+MOST_UNPACKED = 2 * 2**30  # bytes of a class's zip, and of all notebooks in it
 MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES  # the same for a student's zip
 PACKED = (
     zipfile.ZIP_STORED,
@@ -56,7 +56,7 @@ def read_files(folder: Path) -> Iterator[Found]:
         Where `folder` is a file that cannot be read.
     """
     if folder.is_file():
-        yield from unpack(Found((folder.name,), read_bytes(folder)), top=True)
+        yield from unpack(Found((folder.name,), read_bytes(folder, MOST_UNPACKED)), top=True)
         return
     for file in sorted(folder.rglob("*")):
         place = file.relative_to(folder).parts

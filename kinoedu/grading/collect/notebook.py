@@ -30,8 +30,8 @@ class UnreadableSubmission(KinoeduError):
     """A file is not a notebook that can be graded; the message tells the student why."""
 
 
-def read_bytes(file: Path) -> bytes:
-    """The bytes of a plain file of at most MOST_BYTES.
+def read_bytes(file: Path, most: int = MOST_BYTES) -> bytes:
+    """The bytes of a plain file of at most `most` bytes.
 
     Raises
     ------
@@ -49,12 +49,12 @@ def read_bytes(file: Path) -> bytes:
         os.close(handle)
         raise UnreadableSubmission("this is not a plain file")
     with os.fdopen(handle, "rb") as stream:
-        if about.st_size > MOST_BYTES:
+        if about.st_size > most:
             raise UnreadableSubmission(
                 f"the file is too large: {about.st_size / 2**20:.0f} MB, and "
-                f"{MOST_BYTES / 2**20:.0f} MB is the most"
+                f"{most / 2**20:.0f} MB is the most"
             )
-        return stream.read(MOST_BYTES)
+        return stream.read(most)
 
 
 def read_cells(data: bytes) -> list[Cell]:
