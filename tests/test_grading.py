@@ -14,7 +14,13 @@ import pytest
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
 from kinoedu.grading.assignments.questions import draw_cases, read_assignment
-from kinoedu.grading.collect.notebook import MOST_BYTES, UnreadableSubmission, read_cells
+from kinoedu.grading.collect.left_out import find_left_out
+from kinoedu.grading.collect.notebook import (
+    MOST_BYTES,
+    Cell,
+    UnreadableSubmission,
+    read_cells,
+)
 from kinoedu.grading.collect.notebook_python import PythonReader
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.judge.submission import grade
@@ -413,3 +419,10 @@ def test_the_zip_of_a_class_may_be_larger_than_a_notebook(tmp_path):
         ("ann", ""),
         ("bob", ""),
     ]
+
+
+def test_commands_that_were_left_out_are_told_in_their_order():
+    """One within a loop stands before one that follows the loop."""
+    source = "for i in range(2):\n    get_ipython().system('one')\nget_ipython().system('two')"
+    told = [(one.line, one.command) for one in find_left_out([Cell(1, source)])]
+    assert told == [(2, "!one"), (3, "!two")]

@@ -39,15 +39,16 @@ def find_left_out(cells: Iterable[Cell]) -> list[LeftOut]:
 
 
 def list_commands(source: str) -> Iterator[tuple[int, str]]:
-    """The line and the text of each command in a cell that is not run, in order."""
+    """Yield the line and the text of each command in a cell that is not run, line by line."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(source)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return
-    for node in ast.walk(tree):
-        if not isinstance(node, ast.Call) or not is_of_ipython(node.func):
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    for node in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
+        if not is_of_ipython(node.func):
             continue
         texts = [one.value for one in node.args if isinstance(one, ast.Constant)]
         command = write_command(node.func.attr, list(map(str, texts)))  # type: ignore[attr-defined]
