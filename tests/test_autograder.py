@@ -5,6 +5,7 @@ A temporary folder takes the place of /autograder.
 
 import json
 import os
+import secrets
 import shutil
 import subprocess
 import sys
@@ -15,7 +16,8 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
-from kinoedu.grading.assignments.questions import read_assignment
+from kinoedu.grading.assignments.questions import read_assignment, read_course_secret
+from kinoedu.grading.export import autograder_zip
 from kinoedu.grading.export.autograder import find_submission
 from kinoedu.grading.sandbox import sandbox
 
@@ -292,3 +294,33 @@ def test_an_autograder_is_for_one_assignment(tmp_path, capsys):
     assert main([*command, "--assignment", "99_nothing"]) == 2
     assert "99_nothing" in capsys.readouterr().err
     assert not (tmp_path / "a.zip").exists()
+
+
+def test_two_commands_that_begin_at_once_have_one_secret(tmp_path, monkeypatch):
+    """The one that comes second takes the secret of the first, or its grades would have none."""
+    file, token, first = tmp_path / "new" / "secret", secrets.token_hex, []
+
+    def draw(size):
+        if not first:
+            first.append(b"")
+            first[0] = read_course_secret(file)  # meanwhile, by the other command
+        return token(size)
+
+    monkeypatch.setattr(secrets, "token_hex", draw)
+    assert read_course_secret(file) == first[0] == read_course_secret(file)
+    assert os.name == "nt" or file.stat().st_mode & 0o777 == 0o600
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")
+def test_the_zip_with_the_secret_is_never_readable_by_others(tmp_path, monkeypatch):
+    """Not even for the moment in which it is put in place."""
+    modes, replace = [], os.replace
+
+    def look(part, file):
+        modes.append(Path(part).stat().st_mode & 0o777)
+        replace(part, file)
+
+    monkeypatch.setattr(os, "replace", look)
+    monkeypatch.setattr(autograder_zip, "pack_library", lambda house: ())
+    autograder_zip.pack_autograder(tmp_path / "a.zip", "01_geometry", bytes(32))
+    assert modes == [0o600]

@@ -282,10 +282,10 @@ class Packed(NamedTuple):
     mode: int = 0o644
 
 
-def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed]) -> None:
-    """Write a zip atomically; the same files give the same bytes."""
+def write_zip(zip_file: str | os.PathLike[str], files: Iterable[Packed], mode: int = 0o644) -> None:
+    """Write a zip with these permissions atomically; the same files give the same bytes."""
     with (
-        written_whole(zip_file) as part,
+        written_whole(zip_file, mode) as part,
         zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive,
     ):
         for file in files:

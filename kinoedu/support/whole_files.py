@@ -8,10 +8,14 @@ from pathlib import Path
 
 
 @contextmanager
-def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
+def written_whole(path: str | os.PathLike[str], mode: int = 0o644) -> Iterator[Path]:
     """A temporary file beside `path`, which replaces `path` when the block ends.
 
     It is removed where the block fails.
+
+    Parameters
+    ----------
+    mode : the permissions of the file.
 
     Raises
     ------
@@ -27,7 +31,7 @@ def written_whole(path: str | os.PathLike[str]) -> Iterator[Path]:
     part = Path(name)
     try:
         yield part
-        part.chmod(0o644)
+        part.chmod(mode)
         os.replace(part, file)
     except OSError as error:
         if error.errno is None or error.filename not in (None, name, part):

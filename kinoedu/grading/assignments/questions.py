@@ -12,6 +12,7 @@ import json
 import os
 import re
 import secrets
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,7 +23,6 @@ from ...course.lessons import find
 from ...course.release import HOUSE, solution_path
 from ...course.trivial import find_trivial_kinds
 from ...errors import InvalidParameter
-from ...support.whole_files import written_whole
 
 IMPORT = re.compile(r"^from (kinoedu(?:\.\w+)+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
 # these only show something in a notebook, and do nothing in the sandbox
@@ -97,10 +97,7 @@ def read_course_secret(file: Path) -> bytes:
         Where the file does not hold a secret of at least 16 bytes.
     """
     if not file.exists():
-        file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        with written_whole(file) as part:
-            part.write_text(secrets.token_hex(32) + "\n", encoding="ascii")
-        os.chmod(file, 0o600)
+        make_course_secret(file)
     try:
         secret = bytes.fromhex(file.read_text(encoding="ascii").strip())
     except ValueError as error:
@@ -112,6 +109,20 @@ def read_course_secret(file: Path) -> bytes:
             f"{file} holds a secret of {len(secret)} bytes; at least 16 are needed"
         )
     return secret
+
+
+def make_course_secret(file: Path) -> None:
+    """Write a new secret, unless another command has just written one."""
+    file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    secret = secrets.token_hex(32) + "\n"
+    with suppress(FileExistsError):
+        handle = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        try:
+            with os.fdopen(handle, "w", encoding="ascii") as stream:
+                stream.write(secret)
+        except OSError:  # such as a full disk
+            file.unlink()
+            raise
 
 
 class Cases(NamedTuple):

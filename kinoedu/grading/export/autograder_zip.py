@@ -95,8 +95,7 @@ def pack_autograder(
         Packed(f"{COURSE}/solutions/{name}.ipynb", read_questions(solution_path(name, house))),
         *pack_library(house),
     ]
-    write_zip(zip_file, files)
-    os.chmod(zip_file, 0o600)
+    write_zip(zip_file, files, 0o600)
     return len(files)
 
 
