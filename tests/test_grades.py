@@ -19,6 +19,8 @@ from pathlib import Path
 import pytest
 
 from kinoedu.cli import main
+from kinoedu.cli.export import read_back_from_nbgrader
+from kinoedu.compiled.store import try_lock
 from kinoedu.course.lessons import EXERCISES, find
 from kinoedu.course.release import assignments
 from kinoedu.errors import InvalidParameter
@@ -30,10 +32,12 @@ from kinoedu.grading.collect.marks import count_shared, find_questions
 from kinoedu.grading.collect.names import find_name, read_gradescope_names, read_names
 from kinoedu.grading.collect.notebook import UnreadableSubmission
 from kinoedu.grading.collect.submissions import Submission, collect
+from kinoedu.grading.export import nbgrader_course
 from kinoedu.grading.export.freshness import list_old_exports
 from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
 from kinoedu.grading.judge import running
 from kinoedu.grading.judge.class_list import (
+    LOCK,
     Class,
     Entry,
     add_earlier,
@@ -1044,3 +1048,21 @@ def test_exports_and_tables_that_no_longer_agree_are_named(tmp_path, capsys):
     (out / "grades.csv").unlink()
     assert list_old_exports(of, rows) == []
     assert "older" in export()
+
+
+def test_scores_come_back_from_nbgrader_while_no_other_command_writes(tmp_path, monkeypatch):
+    """Students whom another command has just added keep their rows and pages."""
+    out, seen = tmp_path / "grades", []
+    old = a_class(out, {"ann": record()})
+    write_class(a_class(out, {"ann": record(), "bob": record()}))
+    (tmp_path / "gradebook.db").touch()
+
+    def bring(of, folder):
+        with open(out / LOCK, "wb") as lock:
+            seen.append((len(of.entries), try_lock(lock)))
+        return 0
+
+    monkeypatch.setattr(nbgrader_course, "import_nbgrader_scores", bring)
+    assert read_back_from_nbgrader(old, tmp_path) == 0
+    assert seen == [(2, False)]
+    assert "bob" in (out / "grades.csv").read_text("utf-8")

@@ -99,7 +99,7 @@ def add_export(commands: Commands) -> None:
 def run_export(arguments: argparse.Namespace) -> int:
     """Read the class, and write the export that the arguments name."""
     from ..grading.export.freshness import list_warnings, note_export
-    from ..grading.judge.class_list import read_class
+    from ..grading.judge.class_list import locked_class, read_class
     from ..grading.report.decisions import read_decisions
     from ..grading.report.rows import list_class_rows
 
@@ -118,7 +118,8 @@ def run_export(arguments: argparse.Namespace) -> int:
         print(f"kinoedu: warning: {warning}", file=sys.stderr)
     arguments.out = arguments.out or of.out / DEFAULT_PLACES[arguments.to]
     print(EXPORTS[arguments.to](arguments, of, rows))
-    note_export(of, rows, arguments.to, arguments.out)
+    with locked_class(of.out):
+        note_export(of, rows, arguments.to, arguments.out)
     return 0
 
 
@@ -195,6 +196,7 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
     """Read the scores that people gave in formgrader, and write the grades again."""
     require_nbgrader()
     from ..grading.export.nbgrader_course import import_nbgrader_scores
+    from ..grading.judge.class_list import locked_class, read_class
     from ..grading.report.writing import write_all
     from .grade import warn_of_old_exports
 
@@ -202,7 +204,8 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
         raise InvalidParameter(
             f"{folder} has no gradebook.db; name the folder that kinoedu export --to nbgrader made"
         )
-    with show_stage("reading the gradebook"):
+    with show_stage("reading the gradebook"), locked_class(of.out):
+        of = read_class(of.out)  # another command may have added its students meanwhile
         count = import_nbgrader_scores(of, folder)
         rows = write_all(of)
     warn_of_old_exports(of, rows)
