@@ -394,3 +394,21 @@ def test_a_folder_that_is_missing_is_named_at_once(tmp_path, capsys):
     assert not list(tmp_path.glob("*.part"))
     assert main(["hand-in", str(tmp_path)]) == 2
     assert "not a plain file" in capsys.readouterr().err
+
+
+def test_a_list_of_students_in_another_encoding_is_refused(tmp_path, capsys):
+    """Spreadsheets of Windows write them; the message says what to do."""
+    (tmp_path / "students.txt").write_bytes("Müller\n".encode("latin-1"))
+    options = ["--variants", str(tmp_path / "students.txt"), "--out", str(tmp_path / "out")]
+    assert main(["release", "02_bug_algorithms", *options]) == 2
+    assert "save it as UTF-8" in capsys.readouterr().err
+
+
+def test_a_notebook_is_not_overwritten_by_its_zip(tmp_path, capsys):
+    """A slip in --out must not cost a student's answers."""
+    mine = tmp_path / "01_geometry.ipynb"
+    released = Path(__file__).parent.parent / "exercises" / mine.name
+    mine.write_bytes(released.read_bytes())
+    assert main(["hand-in", str(mine), "--out", str(mine)]) == 2
+    assert "ends in .zip" in capsys.readouterr().err
+    assert mine.read_bytes() == released.read_bytes()

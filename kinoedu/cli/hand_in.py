@@ -4,6 +4,7 @@ import argparse
 from datetime import UTC, datetime
 from pathlib import Path
 
+from ..errors import InvalidParameter
 from .commands import Commands
 
 HAND_IN_HELP = """\
@@ -38,6 +39,8 @@ def run_hand_in(arguments: argparse.Namespace) -> int:
     from ..grading.collect.handing_in import hand_in
 
     zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")
+    if zip_file.suffix.lower() != ".zip":
+        raise InvalidParameter(f"--out {zip_file}: what you hand in is a file that ends in .zip")
     receipt = hand_in(arguments.file, zip_file, datetime.now(UTC))
     print(
         f"{receipt}\nYour zip: {zip_file}. Nothing was sent: upload it yourself. What you had not "

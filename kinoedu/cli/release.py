@@ -150,16 +150,14 @@ def release_variants(arguments: argparse.Namespace) -> int:
     """Write each student's own variants, and print where they are."""
     from ..grading.assignments.questions import read_course_secret
     from ..grading.judge.variants import write_variants
+    from ..support.reading import read_text
     from .grade import find_secret_file
 
     if arguments.out is None or not arguments.assignments:
         raise InvalidParameter(
             "--variants needs the names of assignments before it, and --out FOLDER"
         )
-    try:
-        lines = arguments.variants.read_text(encoding="utf-8-sig").splitlines()
-    except UnicodeDecodeError as error:
-        raise InvalidParameter(f"{arguments.variants} is no text in UTF-8: {error}") from error
+    lines = read_text(arguments.variants).splitlines()
     students = list(dict.fromkeys(line.strip() for line in lines if line.strip()))
     if not students:
         raise InvalidParameter(
