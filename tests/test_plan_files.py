@@ -11,6 +11,7 @@ import pytest
 import kinoedu as ke
 from kinoedu.cli import main
 from kinoedu.errors import InvalidParameter, KinoeduError, UnknownFormat, UnreadableScene
+from kinoedu.files import read_plan
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
 WORLD = ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (6, 8), (4, 8)], ((8, 9), 0.5)])
@@ -222,3 +223,25 @@ def test_the_command_line_saves(tmp_path, capsys):
     for wrong in (tmp_path / "plan.png", scene, tmp_path / "gone" / "plan.json"):
         assert main(["plan", str(scene), "--save", str(wrong)]) == 2
         assert capsys.readouterr().err.startswith("kinoedu: --save")
+
+
+def empty_plan(**parts) -> str:
+    """A plan's file without a path."""
+    missing = dict.fromkeys(("cost", "path", "tree", "roadmap", "walk", "problem"))
+    plan = {"version": 1, "planner": "mine", "reason": "", "stats": {}, **missing, **parts}
+    return json.dumps(plan)
+
+
+def test_large_counts_are_read_to_the_last_digit(tmp_path):
+    """They are integers, and never floats."""
+    stats = {"nodes": 2**53 + 1, "checks": 10**400}
+    (tmp_path / "plan.json").write_text(empty_plan(stats=stats))
+    assert read_plan(tmp_path / "plan.json").stats == stats
+
+
+def test_only_a_parent_is_none_of_the_nodes(tmp_path):
+    """An edge to -1 was drawn to the last node."""
+    roadmap = {"nodes": [[0, 0], [1, 1]], "edges": [[-1, 0]]}
+    (tmp_path / "plan.json").write_text(empty_plan(roadmap=roadmap))
+    with pytest.raises(UnreadableScene, match="edges"):
+        read_plan(tmp_path / "plan.json")

@@ -192,20 +192,20 @@ def parse_plan(plan: Field) -> Plan:
             name: parse_record(there[name], kinds) for name, kinds in KINDS.items() if name in there
         },
         trajectory=parse_trajectory(there["trajectory"]) if "trajectory" in there else None,
-        stats={name: int(parse_array(c)) for name, c in parse_stats(fields["stats"]).items()},
+        stats=parse_stats(fields["stats"]),
         reason=fields["reason"].text(),
         problem=parse_problem(there["problem"]) if "problem" in there else None,
         planner=fields["planner"].text(),
     )
 
 
-def parse_stats(field: Field) -> dict[str, Field]:
+def parse_stats(field: Field) -> dict[str, int]:
     """The counts by their names. Any name is allowed."""
     counts = field.members((), tuple(field.value) if isinstance(field.value, dict) else ())
     for count in counts.values():
         if isinstance(count.value, bool) or not isinstance(count.value, int):
             raise count.wrong("a whole number")
-    return counts
+    return {name: count.value for name, count in counts.items()}
 
 
 def parse_array(field: Field) -> Any:
@@ -251,7 +251,9 @@ def parse_member(field: Field, name: str, n: int) -> Any:
         array = array.reshape((0, 2) if name in PAIRS else 0)
     if array.ndim != (2 if name in PAIRS else 1) or (name in PAIRS and array.shape[1] != 2):
         raise field.wrong("pairs of numbers" if name in PAIRS else "a list of numbers")
-    return as_node_numbers(field, array, n) if name in NODE_NUMBERS else array
+    if name not in NODE_NUMBERS:
+        return array
+    return as_node_numbers(field, array, n, least=-1 if name == "parent" else 0)
 
 
 def parse_trajectory(field: Field) -> TrajectoryRecord:
@@ -272,8 +274,8 @@ def parse_trajectory(field: Field) -> TrajectoryRecord:
     return TrajectoryRecord(start, controls, durations, fields["wheelbase"].number())
 
 
-def as_node_numbers(field: Field, array: Any, n: int) -> Any:
-    """Integers from 0 to n - 1; or -1, the parent of a root."""
-    if (array != np.floor(array)).any() or (array < -1).any() or (array >= n).any():
+def as_node_numbers(field: Field, array: Any, n: int, least: int) -> Any:
+    """Integers from 0 to n - 1; or from -1, the parent of a root."""
+    if (array != np.floor(array)).any() or (array < least).any() or (array >= n).any():
         raise field.wrong(f"numbers of the {n} nodes")
     return array.astype(np.int64)
