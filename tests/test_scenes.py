@@ -3,6 +3,7 @@
 import copy
 import json
 import os
+import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -24,6 +25,7 @@ from kinoedu.errors import (
     UnknownFormat,
     UnreadableScene,
 )
+from kinoedu.files import read_scene
 
 SCENE = {
     "version": 1,
@@ -304,3 +306,13 @@ def test_a_car_in_a_scene(tmp_path, sizes):
     assert np.array_equal(
         ke.read_scene(written(tmp_path, scene)).robot.outline, ke.Car(30, 10, 20).outline
     )
+
+
+def test_a_repeated_key_among_many_is_found_at_once(tmp_path):
+    """It took time that grew with the square of their number."""
+    keys = ", ".join(f'"{min(i, 39_998)}": 1' for i in range(40_000))
+    (tmp_path / "scene.json").write_text(f"{{{keys}}}")
+    began = time.process_time()
+    with pytest.raises(UnreadableScene, match="twice: '39998'"):
+        read_scene(tmp_path / "scene.json")
+    assert time.process_time() - began < 3.0

@@ -35,7 +35,7 @@ def mend_scene(scene: Field, file: str) -> Field:
         items = fields["obstacles"].items()
         plain = [k for k, item in enumerate(items) if is_plain_polygon(item)]
         rings = mended_rings([polygon_of(items[k]) for k in plain], notes, plain)
-        others = [mend_rooms(item, notes) for k, item in enumerate(items) if k not in plain]
+        others = [mend_rooms(item, notes) for item in items if not is_plain_polygon(item)]
         mended["obstacles"] = [{"polygon": ring.tolist()} for ring in rings] + others
     warn_mended(notes, file)
     return scene._replace(value={**scene.value, "world": mended})

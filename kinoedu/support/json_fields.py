@@ -3,6 +3,7 @@
 import difflib
 import json
 import math
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -164,7 +165,6 @@ def members_without_repeats(pairs: list[tuple[str, Json]]) -> JsonObject:
     """The members of an object; a repeated key is refused."""
     members = dict(pairs)
     if len(members) < len(pairs):
-        keys = [key for key, _ in pairs]
-        repeated = next(key for key in keys if keys.count(key) > 1)
+        [(repeated, _)] = Counter(key for key, _ in pairs).most_common(1)
         raise UnreadableScene(f"a key is there twice: {repeated!r}")
     return members
