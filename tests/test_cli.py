@@ -412,3 +412,11 @@ def test_a_notebook_is_not_overwritten_by_its_zip(tmp_path, capsys):
     assert main(["hand-in", str(mine), "--out", str(mine)]) == 2
     assert "ends in .zip" in capsys.readouterr().err
     assert mine.read_bytes() == released.read_bytes()
+
+
+def test_a_file_may_have_the_longest_name(tmp_path):
+    """The temporary file beside it has a shorter one."""
+    file = tmp_path / ("x" * 251 + ".csv")
+    with written_whole(file) as part:
+        part.write_text("whole")
+    assert [one.name for one in tmp_path.iterdir()] == [file.name]

@@ -36,7 +36,7 @@ def save_plots(table: Table, folder: str | os.PathLike[str]) -> list[Path]:
             for what in ("cost", "seconds")
         ]
         growth = [partial(draw_convergence, runs.growth(), label=get_message("comparisons.cost"))]
-        safe = re.sub(r"[^\w-]+", "_", problem)
+        safe = re.sub(r"[^\w-]+", "_", problem)[:50]  # the number keeps files apart
         height = 1.6 + 0.55 * len(runs.values("cost"))
         for kind, panels, size in (
             ("medians", bars, (6.4, height)),

@@ -23,8 +23,8 @@ def written_whole(path: str | os.PathLike[str], mode: int = 0o644) -> Iterator[P
         Where the file cannot be made or written; it names `path`.
     """
     file = Path(path)
-    try:
-        handle, name = tempfile.mkstemp(dir=file.parent, prefix=file.stem, suffix=".part")
+    try:  # a name may be as long as the system allows
+        handle, name = tempfile.mkstemp(dir=file.parent, prefix=file.stem[:50], suffix=".part")
     except OSError as error:
         raise type(error)(error.errno, error.strerror, str(file)) from None
     os.close(handle)
