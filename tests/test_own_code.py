@@ -581,3 +581,23 @@ def test_the_guides_robot_and_world_are_as_the_guide_says(tmp_path, monkeypatch,
     table = run(read_experiment(tmp_path / "air.toml"), where="here")
     assert [row.problem for row in table] == ["orchard"] * 5 + ["pond"] * 5
     assert {row.status for row in table} == {"found"}
+
+
+class Unspeakable(Exception):
+    """An error whose own text fails."""
+
+    def __str__(self):
+        return self.missing
+
+
+def test_an_error_whose_own_text_fails_is_named():
+    """By a check of a planner, as by an experiment."""
+
+    def planner(problem):
+        raise Unspeakable
+
+    report = ke.check_planner(planner)
+    assert "Unspeakable" in report["errors"].where[0]
+    problem = ke.Problem(ke.Point(), ke.Terrain([[1] * 9] * 9), (1, 1), (8, 8))
+    (row,) = run(Experiment({"empty": problem}, {"mine": planner}), where="here")
+    assert row.status == "not run" and "Unspeakable" in row.reason

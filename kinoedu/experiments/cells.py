@@ -14,6 +14,7 @@ from ..compiled import compiled_first
 from ..geometry.checks import Array
 from ..planners.own import Faults, as_plan, call_planner, find_faults, is_own
 from ..problems import MOTIONS, PLACES, Plan, ProblemRecord
+from ..support.faults import shorten_message
 from .digests import digest, version
 
 FOUND, NO_PATH, WRONG, OUT_OF_TIME, NOT_RUN = (
@@ -97,7 +98,7 @@ def run_cell(cell: Cell) -> Outcome:
         faults = find_faults(plan, cell.problem) if own else Faults()
         return outcome_of(plan, faults, counts, statistics.median(seconds))
     except (Exception, SystemExit) as error:
-        return Outcome(NOT_RUN, reason=f"{type(error).__name__}: {error}")
+        return Outcome(NOT_RUN, reason=f"{type(error).__name__}: {shorten_message(error)}")
 
 
 def outcome_of(plan: Plan, faults: Faults, query_counts: Any, seconds: float) -> Outcome:

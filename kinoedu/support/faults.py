@@ -29,7 +29,8 @@ def describe_exception(error: BaseException, who: str) -> str:
     It has the reader's own line, and none of the package's.
     """
     name = type(error).__name__
-    text = f"{name}: {shorten_message(error)}" if str(error) else name
+    message = shorten_message(error)
+    text = f"{name}: {message}" if message else name
     calls = [(frame.f_code, line) for frame, line in walk_tb(error.__traceback__)]
     own = [(code, line) for code, line in calls if is_readers_code(code.co_filename)]
     if not own:
@@ -59,6 +60,9 @@ def is_readers_code(file: str) -> bool:
 
 
 def shorten_message(error: BaseException) -> str:
-    """The message of an exception, on one line."""
-    text = " ".join(str(error).split())
+    """The message of an exception, on one line; "" where its own code fails."""
+    try:
+        text = " ".join(str(error).split())
+    except Exception:
+        return ""
     return text if len(text) <= 200 else text[:197] + "..."
