@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from kinoedu import messages
-from kinoedu.course import EXERCISES, ValueExercise, check
+from kinoedu.course import EXERCISES, ValueExercise, check, outcomes
 from kinoedu.course.advice import COMMON_ERRORS
 from kinoedu.course.feedback import Feedback, fold_line
 from kinoedu.course.judging import judge_outcomes, run_case
@@ -846,3 +846,11 @@ def test_a_failing_world_is_shown_without_the_obstacles_that_do_not_matter(name,
     assert len(failure.case.given["obstacles"]) == least <= max(seen)
     if "problem" in failure.case.given:
         assert len(scene_of(failure.case.given["problem"].problem)["world"]["obstacles"]) == least
+
+
+def test_a_file_beside_the_package_is_a_students():
+    """Such as kinoedu_answers.py, whose name begins with that of the package's folder."""
+    package = Path(outcomes.__file__).resolve().parent.parent
+    assert outcomes.is_students(f"{package}_answers.py")
+    assert not outcomes.is_students(str(package / "course" / "outcomes.py"))
+    assert not outcomes.is_students(json.__file__)

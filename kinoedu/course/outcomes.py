@@ -17,7 +17,7 @@ from .exceptions import MAX_NAMES, describe_exception
 from .plain import WrongShape, wrong_shape
 from .shapes import Listed, Record, Shape, Text, Truth, Value
 
-HERE = str(Path(__file__).resolve().parent.parent)
+HERE = Path(__file__).resolve().parent.parent
 
 
 class Answer(NamedTuple):
@@ -182,13 +182,13 @@ def raised_outcome(error: BaseException) -> Raised:
 def is_students(file: str) -> bool:
     """Whether a file belongs neither to kinoedu nor to an installed library."""
     return (
-        not file.startswith((HERE, "<"))
+        not file.startswith("<")
         and "site-packages" not in file
-        and not file.startswith(STANDARD)
+        and {HERE, STANDARD}.isdisjoint(Path(file).parents)
     )
 
 
-STANDARD = str(Path(traceback.__file__).resolve().parent)
+STANDARD = Path(traceback.__file__).resolve().parent
 
 
 def encode_outcome(outcome: Outcome, shape: Shape) -> JsonObject:
