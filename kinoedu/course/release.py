@@ -20,7 +20,7 @@ from ..support.whole_files import written_whole
 from .kit import compress_results, record_results, take_out_answers
 from .questions.asking import ASKED, Questions
 from .questions.question import Question, hold_back, parse_questions, read_questions
-from .section import vary_exercises
+from .section import format_notebook, vary_exercises
 from .withheld import FILE
 
 HOUSE = Path(__file__).resolve().parent.parent.parent
@@ -271,7 +271,7 @@ def ask_without_answers(notebook: str, questions: tuple[Question, ...]) -> str:
             if ASKED in "".join(page):
                 asked = Questions("", questions)
                 output["data"] = {"text/html": [asked._repr_html_()], "text/plain": [repr(asked)]}
-    return json.dumps(book, indent=1, ensure_ascii=False) + "\n"
+    return format_notebook(book)
 
 
 class Packed(NamedTuple):

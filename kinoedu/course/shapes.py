@@ -22,7 +22,7 @@ Value = Any  # a value of a shape that an exercise declares
 
 
 class Shape(Protocol):
-    """Interface of all shapes; `words` describes the shape for students."""
+    """Interface of all shapes; `description` is for students."""
 
     @property
     def description(self) -> str: ...

@@ -107,9 +107,9 @@ def run_within_processor_time(seconds: float, work: Callable[[], T]) -> T:
 
     Only the processor time of its thread counts. The time spent in interpreted functions of the
     library and in imports does not count. Systems that cannot tell a thread's processor time use
-    wall-clock time. A slower computer gets proportionally more: `seconds` times speed(). A program
-    that only waits ends after WAITING times the limit, and every program after LONGEST times the
-    limit. Waiting for machine code does not count as waiting.
+    wall-clock time. A slower computer gets proportionally more: `seconds` times slowdown(). A
+    program that only waits ends after MAX_WAIT_FACTOR times the limit, and every program after
+    LONGEST times the limit. Waiting for machine code does not count as waiting.
 
     Raises
     ------
@@ -196,7 +196,7 @@ class Clock:
 
 
 class FairClock(Clock):
-    """A clock of the time that a thread's own program computes, as in within_processor_time."""
+    """A clock of the time that a thread's own program computes, as in run_within_processor_time."""
 
     def __init__(self, allowed: float) -> None:
         super().__init__(allowed)

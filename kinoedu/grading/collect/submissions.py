@@ -21,7 +21,7 @@ from ...support.csv_cells import one_line
 from .found import METADATA, Found, read_files
 from .gradescope import read_submitters
 from .marks import choose_most_shared, count_shared, find_assignment, find_questions, strip_zip
-from .notebook import MOST_BYTES, UnreadableSubmission
+from .notebook import UnreadableSubmission
 
 CANVAS = re.compile(
     r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE
@@ -258,7 +258,6 @@ def read_gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
     return {
         folder: submitter.id
         for data in lists
-        if len(data) < MOST_BYTES
         for folder, submitter in read_submitters(data).items()
     }
 

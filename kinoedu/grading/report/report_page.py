@@ -11,6 +11,7 @@ from ...figures import palette
 from ...messages import get_message
 from ...support.csv_cells import number
 from ..judge.class_list import Class, read_record
+from ..judge.submission import UNANSWERED
 from .failures import describe_kind
 from .feedback_page import add_name, name_page
 from .pages import breakable, heading, page, paragraph, table
@@ -156,12 +157,9 @@ def tabulate_questions(rows: list[Row]) -> Iterator[str]:
         sorted(scored, key=lambda row: places[row.assignment, row.question]),
         key=lambda row: (row.assignment, row.question),
     ):
-        shares = [(row.score or 0.0) / row.max_score for row in group]
-        answered = sum(
-            row.status != "not answered"
-            for row in scored
-            if (row.assignment, row.question) == (assignment, question)
-        )
+        its = list(group)
+        shares = [(row.score or 0.0) / row.max_score for row in its]
+        answered = sum(row.status != UNANSWERED for row in its)
         full, mean = sum(share >= 1.0 for share in shares) / len(shares), sum(shares) / len(shares)
         names = [breakable(assignment), breakable(question)]
         low, median, high = (find_quantile(sorted(shares), at) for at in (0.25, 0.5, 0.75))
