@@ -361,7 +361,7 @@ def test_a_wrong_letter_of_a_variant_is_an_error_before_any_release(tmp_path, ca
         (["--out", "X", "--zip", "X.zip", "--variants", "S"], "one of them at a time"),
         (["--graded-questions", "01_geometry"], "--graded-questions is for --zip"),
         (["--graded-questions", "01", "--zip", "X.zip"], "there are no questions for '01'"),
-        (["--out", "X", "--variants", "S"], "S is no text in UTF-8"),
+        (["--out", "X", "--variants", "S"], "save it as UTF-8"),
     ],
 )
 def test_what_a_release_would_ignore_is_refused_at_once(tmp_path, options, words, capsys):

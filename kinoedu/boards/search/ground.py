@@ -157,7 +157,7 @@ def make_grid_graph(free: NDArray[np.bool_], corner: Array, side: float) -> Grap
 
     More cells than a board shows are refused before a graph is made of them.
     """
-    check_size(np.count_nonzero(free))
+    check_size(int(np.count_nonzero(free)))
     number = np.full(free.shape, -1)
     number[free] = np.arange(np.count_nonzero(free))
     across = np.stack([number[:, :-1], number[:, 1:]], axis=-1)[free[:, :-1] & free[:, 1:]]
