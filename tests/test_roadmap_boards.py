@@ -511,3 +511,26 @@ def test_cells_may_have_any_number_of_corners():
         about["layers"][0]["points"] == 5
         and np.frombuffer(buffer, np.float32).tolist() == [0.5] * 10
     )
+
+
+def test_a_planner_that_could_not_be_stopped_is_not_started_again(monkeypatch):
+    """Not after a scene that has no plan either; the others run on."""
+    runs = []
+
+    def hang(problem):
+        return None
+
+    def run(planner, problem, given):
+        runs.append(planner.__name__)
+        if planner is not hang:
+            return run_planner(planner, problem, given)
+        return race.Runner(race.Attempt([], 0, fault="stopped", still_running=True), Drawing())
+
+    monkeypatch.setattr(race, "run_planner", run)
+    made = race_board(problem_of(), [hang, ke.rrt], nodes=50)
+    start = made.canvas.scene["handles"][0]["at"]
+    outside = [made.canvas.scene["hi"][0], start[1]]
+    for seq, at in enumerate((outside, [start[0] + 0.01, start[1]])):
+        Page(made.canvas).moves(("handle", 0, at), seq=seq)
+        assert len(made.plans) == (2 if seq else 0)
+    assert runs == ["hang", "rrt", "rrt"]

@@ -89,6 +89,7 @@ class RaceBoard(Framed):
         self.code = make_menu("race_board.code", list_lines(self._planners), NO_CODE)
         self._scene: Scene = {}
         self._runners: list[Runner] = []
+        self._stuck: dict[int, Runner] = {}  # those that could not be stopped, by their numbers
         self._fault: KinoeduError | None = None
         self._lines: Callable[[], list[Drawing]] | None = None
         self.canvases: list[Canvas] = []
@@ -130,7 +131,7 @@ class RaceBoard(Framed):
 
         A run that is interrupted leaves all lanes as they were.
         """
-        before, runners = self._runners, list[Runner]()
+        runners = list[Runner]()
         try:
             problem = problem_in(scene, self._given)
         except KinoeduError as error:
@@ -138,10 +139,13 @@ class RaceBoard(Framed):
             return
         given = Settings(self.seed.value, self.step_size.value, self.nodes.value)
         for number, planner in enumerate(self._planners):
-            old = before[number] if before else None
-            stuck = old is not None and getattr(old.plan, "still_running", False)
-            runners.append(old if old and stuck else run_planner(planner, problem, given))
+            runners.append(self._stuck.get(number) or run_planner(planner, problem, given))
         self._scene, self._fault, self._runners = scene, None, runners
+        self._stuck = {
+            number: runner
+            for number, runner in enumerate(runners)
+            if isinstance(runner.plan, Attempt) and runner.plan.still_running
+        }
         self._lines = self._choose_lines(problem, given)
 
     def _choose_lines(
@@ -151,7 +155,7 @@ class RaceBoard(Framed):
         if self.code.value == NO_CODE:
             return None
         leader, runners = int(self.code.value), self._runners
-        if getattr(runners[leader].plan, "still_running", False):
+        if leader in self._stuck:
             return None
         return cache(partial(follow_lines, self._planners[leader], runners, leader, problem, given))
 
