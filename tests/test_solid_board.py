@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 from PIL import Image
+from trimesh import Trimesh
 
 from kinoedu import PolygonWorld
 from kinoedu.boards import solid_board, turning_board
@@ -136,6 +137,22 @@ def test_a_torus_has_the_colours_of_its_cells():
     for wrong in (np.zeros((2, 5)), np.full((4, 4), 3), [1, 2, 3]):
         with pytest.raises(InvalidPoint, match="image"):
             torus_mesh(wrong)
+
+
+def test_a_mesh_is_cut_with_and_without_axes():
+    """The plane and the cut are drawn in both."""
+    box = torus_mesh(np.zeros((3, 3), int))
+    assert len(draw_mesh(box, theta=0.1)) == len(draw_mesh(box, theta=0.1, axes=False)) == 3
+    plt.close("all")
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_face_without_an_area_has_a_colour():
+    """A mesh from a file may have one."""
+    flat = Trimesh(
+        [(0, 0, 0), (1, 0, 0), (0, 1, 0), (2, 0, 0)], [(0, 1, 2), (0, 1, 3)], process=False
+    )
+    assert np.frombuffer(solid_board(flat).colours, np.uint8).min() > 0
 
 
 def test_figures_are_drawn():

@@ -49,10 +49,10 @@ def draw_mesh(
     flat = (hi - lo)[:2].max()
     height, zoom = (1.0, 0.92) if axes else ((hi - lo)[2] / flat, 1.25)
     ax.set_box_aspect((*((hi - lo)[:2] / flat), height), zoom=zoom)
-    if not axes:
+    if axes:
+        dress_axes(ax)
+    else:
         ax.set_axis_off()
-        return artists
-    dress_axes(ax)
     if theta is not None:
         solid.set(alpha=0.5, edgecolor="none")
         margin = 0.06 * (hi - lo)
@@ -79,14 +79,15 @@ def dress_axes(ax: Any) -> None:
 
 
 def shade_faces(mesh: Trimesh) -> Array:
-    """The colour of each face under the light, (m, 3)."""
+    """The colour of each face under the light, (m, 3), also of one without an area."""
     visual: Any = mesh.visual
     own = np.array([to_rgb(palette.ROADMAP)])
     if visual is not None and visual.kind == "face":
         own = np.asarray(visual.face_colors)[:, :3] / 255.0
     normals = np.array(mesh.face_normals)
     normals[:, 2] /= np.pi  # the solid is drawn compressed in theta, which makes faces steeper
-    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    lengths = np.linalg.norm(normals, axis=1)[:, None]
+    normals = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0.0)
     light = 0.62 + 0.38 * (normals @ LIGHT)
     return np.clip(own * light[:, None], 0.0, 1.0)
 
