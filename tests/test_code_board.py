@@ -494,6 +494,8 @@ def test_a_pose_keeps_its_heading_while_its_place_is_dragged():
         ((), {}, "do not fit"),
         (((0.0, 0.0), 1, 2, 3), {}, "do not fit"),
         ((1, 2, 3), {}, "window"),
+        ((1, 2, 3), {"window": ((9, 9), (0, 0))}, "lo must lie"),
+        ((1, 2, 3), {"window": ((0, 0), (9, 0))}, "lo must lie"),
         (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"points": {"a": "b ="}}, "expressions"),
         (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"most": 0}, "most"),
         (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"first": -1}, "first"),

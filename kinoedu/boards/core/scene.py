@@ -67,7 +67,7 @@ def make_scene(
     Raises
     ------
     InvalidParameter
-        For a list of another name.
+        For a list of another name, or a world without width or height.
     InvalidPoint
         Where a corner or the boundary is not made of finite numbers.
     """
@@ -76,6 +76,11 @@ def make_scene(
     if unknown:
         raise InvalidParameter(
             f"a scene has {', '.join(LISTS.values())}, got {', '.join(sorted(unknown))}"
+        )
+    if not (low < high).all():
+        raise InvalidParameter(
+            "lo must lie below and to the left of hi, got "
+            f"lo = {shortened(low.tolist())}, hi = {shortened(high.tolist())}"
         )
     return {
         "lo": low.tolist(),
