@@ -20,8 +20,8 @@ from ...support.text import shortened
 from ..core.drawing import Drawing
 from ..core.framed import (
     Framed,
-    control_style,
     make_code_box,
+    make_counter,
     make_length_slider,
     make_menu,
     title_of,
@@ -120,11 +120,10 @@ class Board(Framed):
         return make_menu("board.planner", options, chosen)
 
     def _sliders(self, step_size: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:
-        seed, n = integer(rng, "rng", least=0), integer(samples, "samples", least=1)
         return (
-            widgets.IntSlider(seed, 0, max(99, seed), **control_style("board.seed")),
+            make_counter("board.seed", integer(rng, "rng", least=0), 0, 99),
             make_length_slider("board.step_size", world_size(self._given), step_size),
-            widgets.IntSlider(n, min(10, n), max(3000, n), **control_style("board.samples")),
+            make_counter("board.samples", integer(samples, "samples", least=1), 10, 3000),
         )
 
     def answer(self, scene: Scene) -> Drawing:
