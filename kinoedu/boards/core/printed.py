@@ -185,17 +185,12 @@ def orient_ring(ring: np.ndarray, *, inner: bool) -> np.ndarray:
 def print_layer(layer: Layer, ax: Axes, drawing: Drawing) -> Array:
     """Draw one layer as it is at the step that is shown first; returns what names keep off."""
     step = drawing.total if drawing.first is None else drawing.first
-    there = np.ones(len(layer.rows), np.bool_)
-    if layer.when is not None:
-        there &= layer.when <= step
-    if layer.until is not None:
-        there &= layer.until > step
-    there &= step >= drawing.total or not layer.last
-    if there.any() and layer.kind in PRINTERS:
-        texts = tuple(text for text, is_there in zip(layer.texts, there) if is_there)
-        shown = layer._replace(texts=texts)
-        PRINTERS[layer.kind](shown, layer.rows[there], palette.NAMED[layer.colour], ax)
-    return passed_places(layer, layer.rows[there])
+    seen = layer.at(step)
+    rows = seen.rows if step >= drawing.total or not layer.last else seen.rows[:0]
+    if len(rows) and layer.kind in PRINTERS:
+        shown = seen._replace(when=layer.when)  # arrows that grow lie beneath others
+        PRINTERS[layer.kind](shown, rows, palette.NAMED[layer.colour], ax)
+    return passed_places(layer, rows)
 
 
 def join_rows(parts: list[Array]) -> Array:
