@@ -33,7 +33,7 @@ from __future__ import annotations
 import base64
 import threading
 import uuid
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from copy import deepcopy
 from pathlib import Path
@@ -315,11 +315,13 @@ class Canvas(anywidget.AnyWidget):
         return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
-def front_messages() -> dict[str, str]:
-    """The messages that the browser shows, by name; it fills in their values."""
+def front_messages(
+    table: str = "board.front", front: Mapping[str, Sequence[str]] = FRONT
+) -> dict[str, str]:
+    """The messages of a table that the browser shows, by name; it fills in their values."""
     return {
-        name: get_message(f"board.front.{name}", **{value: f"{{{value}}}" for value in values})
-        for name, values in FRONT.items()
+        name: get_message(f"{table}.{name}", **{value: f"{{{value}}}" for value in values})
+        for name, values in front.items()
     }
 
 

@@ -31,7 +31,7 @@ from ...geometry.rings import as_ring
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
-from ..core.canvas import add_picture, widget_script, widget_style
+from ..core.canvas import add_picture, front_messages, widget_script, widget_style
 from ..core.printed import SHARP, render
 
 if TYPE_CHECKING:
@@ -40,7 +40,11 @@ if TYPE_CHECKING:
 log = logging.getLogger("kinoedu")
 
 MOST = 40_000  # the most triangles that a browser can paint while they are turned
-FRONT = {"theta": (), "hint": (), "solid": ("azimuth", "height", "theta"), "slice": ("theta",)}
+FRONT: dict[str, tuple[str, ...]] = {  # the messages that the browser shows, and their values
+    **dict.fromkeys(("theta", "hint"), ()),
+    "solid": ("azimuth", "height", "theta"),
+    "slice": ("theta",),
+}
 Section = Callable[[float, Array], dict[str, Any]]
 
 
@@ -184,10 +188,7 @@ class SolidBoard(anywidget.AnyWidget):
             theta=float(angle),
             place=here,
             palette=palette.THEMES,
-            words={
-                name: get_message(f"c_space.front.{name}", **{v: f"{{{v}}}" for v in values})
-                for name, values in FRONT.items()
-            },
+            words=front_messages("c_space.front", FRONT),
         )
         self.observe(lambda _: self._answer(), ["theta", "place"])
         self._answer()
