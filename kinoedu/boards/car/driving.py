@@ -53,7 +53,7 @@ def continue_drive(problem: ProblemRecord, drive: Drive, held: Set[str]) -> Driv
 
 
 def greatest_speed(car: CarRobot, direction: int) -> float:
-    """A car's greatest speed forward (way 1) or backward (way -1); 0 where it has none."""
+    """A car's greatest speed forward, direction 1, or backward, -1; 0 where it has none."""
     if direction == 0:
         return 0.0
     return float(max(car.speeds.max(), 0.0) if direction > 0 else min(car.speeds.min(), 0.0))
