@@ -13,6 +13,7 @@ from kinoedu.course.judging import judge_case, judge_outcomes
 from kinoedu.course.lessons import EXERCISES
 from kinoedu.course.lessons.bugs.walks import length_of
 from kinoedu.course.outcomes import Answer, Misshapen
+from kinoedu.course.shrinking import shrink
 from kinoedu.course.sizes import MOST_NUMBERS
 from kinoedu.grading.assignments.questions import AssignmentQuestion, Cases
 from kinoedu.grading.judge import submission
@@ -180,3 +181,19 @@ def test_memory_is_unbounded_after_blocks_of_several_threads():
     for thread in threads:
         thread.join()
     assert resource.getrlimit(resource.RLIMIT_AS) == before
+
+
+def test_an_answer_that_is_too_long_is_not_judged_for_a_smaller_case_either():
+    """It has the wrong shape there too, so obstacles can be left out."""
+    exercise = next(
+        one
+        for one in EXERCISES.values()
+        if "obstacles" in one.given.fields and one.fixed_cases[-1].given["obstacles"]
+    )
+    case = next(one for one in exercise.fixed_cases if len(one.given["obstacles"]) > 1)
+    too_long = Answer([0.0] * 1_000_000)
+    failure = judge_case(exercise, case, too_long, 0)
+    assert isinstance(failure.outcome, Misshapen)
+    smaller = shrink(exercise, failure, lambda case: too_long)
+    assert isinstance(smaller.outcome, Misshapen)
+    assert len(smaller.case.given["obstacles"]) < len(case.given["obstacles"])

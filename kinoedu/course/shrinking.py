@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from .exercise import Case, Exercise, Given
-from .judging import JudgedCase
+from .judging import JudgedCase, judge_case
 from .outcomes import Answer, Late, Outcome
 from .tasks import problem_of, scene_of
 from .withheld import NotInTheKit
@@ -32,10 +32,10 @@ def shrink(exercise: Exercise, failure: JudgedCase, run: Callable[[Case], Outcom
             break
         if not is_solved(exercise, case):
             continue
-        outcome = run(case)
-        verdict = exercise.judge(case, outcome)
-        if verdict.rule == failure.verdict.rule and type(outcome) is type(failure.outcome):
-            failure = replace(failure, case=case, outcome=outcome, verdict=verdict)
+        judged = judge_case(exercise, case, run(case), failure.number)
+        is_alike = type(judged.outcome) is type(failure.outcome)
+        if is_alike and judged.verdict.rule == failure.verdict.rule:
+            failure = replace(judged, slip=failure.slip)
     return failure
 
 
