@@ -442,13 +442,13 @@ def finish(line, lock, show_progress):
 
 def progress(text):
     """A function that shows the seconds since now, on one line of a terminal."""
-    began, live = time.time(), sys.stderr.isatty()
+    began, live = time.monotonic(), sys.stderr.isatty()
     if not live:
         write_line(text)
 
     def show_progress(end=""):
         if live:
-            sys.stderr.write("\r%s: %d s%s" % (text, time.time() - began, end))
+            sys.stderr.write("\r%s: %d s%s" % (text, time.monotonic() - began, end))
             sys.stderr.flush()
 
     return show_progress

@@ -176,3 +176,9 @@ def test_count_the_cells(seed):
     asked, answer = draw("count_the_cells", seed)
     n = int(re.search(r"(\d) triangles", asked.text)[1])
     assert answer == [3, 3 + 4 * n]
+
+
+def test_no_paper_overwrites_another():
+    """Disks of Windows and macOS have one file for both names."""
+    with pytest.raises(InvalidParameter, match="different names"):
+        make_papers([], 0, ["A", "a"])

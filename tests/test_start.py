@@ -6,6 +6,7 @@ Nothing here needs the network: a course of three files is set up by a uv that o
 
 import ast
 import importlib.util
+import io
 import json
 import os
 import re
@@ -722,3 +723,16 @@ def test_old_pythons_can_read_the_script_that_refuses_them():
     """They know no comma after ** in a call."""
     text = (ROOT / "start.py").read_text(encoding="utf-8")
     assert re.findall(r"\*\*\w+(?:\([^()]*\))?,\s*\)", text) == []
+
+
+def test_the_seconds_of_the_set_up_never_go_back(monkeypatch):
+    """Also where the computer's clock is set back meanwhile."""
+    spec = importlib.util.spec_from_file_location("start_of_the_course", ROOT / "start.py")
+    start = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(start)
+    terminal, clock = io.StringIO(), [5000.0]
+    terminal.isatty = lambda: True
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(time, "time", lambda: clock.pop() if clock else 0.0)
+    start.progress("setting up")()
+    assert terminal.getvalue() == "\rsetting up: 0 s"

@@ -89,9 +89,10 @@ def make_papers(
     Raises
     ------
     InvalidParameter
-        Where two variants have the same name, or a question has too few different answers.
+        Where two variants have the same name, on a disk that ignores case too, or a question has
+        too few different answers.
     """
-    if len(set(variants)) != len(variants) or not variants:
+    if len({one.casefold() for one in variants}) != len(variants) or not variants:
         raise InvalidParameter(
             f"variants need different names, got {', '.join(variants) or 'none'}"
         )
