@@ -2,7 +2,10 @@
 
 import contextlib
 import json
+import os
 import string
+import subprocess
+import sys
 from array import array
 from collections import OrderedDict, deque
 from pathlib import Path
@@ -273,3 +276,19 @@ def test_data_deeper_than_any_value_is_no_value():
     for k in range(wire.MOST_DEEP - 1):
         value = {"a": value} if k % 2 else [value]
     assert wire.decode(wire.encode(value, lambda value: None), lambda mark, content: None) == value
+
+
+@pytest.mark.skipif(os.name == "nt", reason="programs run on Linux and macOS only")
+def test_a_trusted_program_has_a_folder_whatever_a_killed_run_has_left(tmp_path):
+    """The numbers of processes come again, and so did the folder's name."""
+    code = """
+import os, sys
+from pathlib import Path
+from kinoedu.grading.sandbox import trusted
+trusted.PLACE = Path(sys.argv[1])
+(trusted.PLACE / f"kinoedu-trusted-{os.getpid()}").mkdir()
+trusted.give_up_rights(0, memory=2**30, cpu=10, files=2**20)
+print(len(list(Path().iterdir())), Path.cwd().parent == trusted.PLACE.resolve())
+"""
+    line = [sys.executable, "-c", code, str(tmp_path)]
+    assert subprocess.run(line, capture_output=True, text=True, check=False).stdout == "0 True\n"

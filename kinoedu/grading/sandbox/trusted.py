@@ -21,9 +21,9 @@ NO_NEW_RIGHTS = 38  # an argument of prctl
 fork_alone = os.fork  # an ordinary process, which sees the others
 
 
-def find_folder(process: int) -> Path:
-    """The folder in which a program starts."""
-    return PLACE / f"kinoedu-trusted-{process}"
+def name_folder(process: int) -> str:
+    """How the name of the folder begins in which a program starts; the rest is drawn."""
+    return f"kinoedu-trusted-{process}-"
 
 
 def give_up_rights(user: int, *, memory: int, cpu: int, files: int) -> None:
@@ -31,8 +31,8 @@ def give_up_rights(user: int, *, memory: int, cpu: int, files: int) -> None:
 
     If this process is root, it becomes a user that the system does not know.
     """
-    folder = find_folder(os.getpid())
-    folder.mkdir(mode=0o700)
+    # a new one: a run that was killed may have left the folder of a process with this number
+    folder = tempfile.mkdtemp(prefix=name_folder(os.getpid()), dir=PLACE)
     os.chdir(folder)
     if user:
         os.chown(folder, user, user)
@@ -70,7 +70,8 @@ def main() -> None:
 
     def end_child(child: int, *others: Any) -> int:
         status = student_end_child(child, *others)
-        shutil.rmtree(find_folder(child), ignore_errors=True)
+        for folder in PLACE.glob(f"{name_folder(child)}*"):
+            shutil.rmtree(folder, ignore_errors=True)
         return int(status)
 
     student.end_child = end_child
