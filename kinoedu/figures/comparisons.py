@@ -199,7 +199,6 @@ def draw_convergence(
         artists += ax.plot(sizes, median, line, color=colour, linewidth=2.4, marker=marker)
         if np.isfinite(median).any():
             ends.append((name, float(median[np.isfinite(median)][-1]), colour))
-    ax.set_xlabel(get_message("comparisons.nodes"), fontsize=palette.TEXT_SIZE)
     ax.set_ylabel(label, fontsize=palette.TEXT_SIZE)
     right = ax.get_xlim()[1]
     ax.set_xlim(right=right)
