@@ -223,3 +223,13 @@ def test_a_script_keeps_its_own_style():
 
 def test_an_empty_figure_has_no_picture():
     assert style.print_sharp(plt.figure()) is None
+
+
+@pytest.mark.parametrize("steps", [(1,), (3, 4), (1, 2, 3)])
+def test_an_odd_number_of_steps_leaves_no_empty_frame(steps):
+    """Two are in a row."""
+    problem = ke.Problem(ke.Point(), ke.PolygonWorld([(0, 0), (9, 0), (9, 6)]), (2, 1), (8, 5))
+    tree = ke.rrt(problem, max_nodes=9, rng=0).tree
+    figures.draw_rrt_steps(problem, tree, np.array([6.0, 2.0]), 1.0, steps=steps)
+    assert [ax.get_visible() for ax in plt.gcf().axes].count(True) == len(steps)
+    plt.close("all")

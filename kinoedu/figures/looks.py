@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 
 from ..messages import get_message
 from ..problems import ProblemRecord
 from . import palette
 from .drawing import draw_edges, draw_path, draw_problem
+from .panels import panels
 
 
 def draw_looks(
@@ -29,10 +29,7 @@ def draw_looks(
     axes : as many; by default those of a new figure, two in a row.
     """
     if axes is None:
-        rows = -(-len(which) // 2)
-        size = (10.6, 3.5 * rows)
-        _, new = plt.subplots(*(rows, 2), figsize=size, dpi=72, layout="constrained")
-        axes = new.ravel()
+        axes = panels(len(which), columns=2, width=5.3, height=3.5)
     artists: list[Artist] = []
     for ax, k in zip(axes, which):
         look = looks[k]

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot as plt
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 
@@ -16,6 +15,7 @@ from ..problems import ProblemRecord, Tree
 from . import palette
 from .drawing import draw_problem, draw_tree
 from .flowcharts import Step, draw_flowchart
+from .panels import panels
 from .plane import dot, label, segment
 
 
@@ -45,19 +45,15 @@ def draw_rrt_steps(
     >>> artists = draw_rrt_steps(problem, tree, np.array([6.0, 2.0]), 1.0)
     >>> plt.close()
     """
-    panels = axes
-    if panels is None:
-        rows = -(-len(steps) // 2)
-        size = (10.4, 3.4 * rows)
-        _, new = plt.subplots(rows, 2, figsize=size, dpi=72, layout="constrained")
-        panels = new.ravel()
+    if axes is None:
+        axes = panels(len(steps), columns=2, width=5.2, height=3.4)
     q_rand = np.asarray(sample, float)
     near = int(np.argmin([problem.distance(q, q_rand) for q in tree.nodes]))
     q_near, q_new = tree.nodes[near], problem.steer(tree.nodes[near], q_rand, step_size)
     free = problem.is_free_path(q_near, q_new)
     artists: list[Artist] = []
     titles = [get_message(f"rrt_steps.{name}") for name in ("sample", "nearest", "steer", "check")]
-    for ax, number in zip(panels, (step - 1 for step in steps)):
+    for ax, number in zip(axes, (step - 1 for step in steps)):
         artists += [*draw_problem(problem, ax), *draw_tree(tree, ax)]
         artists += ax.plot(*tree.nodes.T, "o", color=palette.TREE, markersize=5, zorder=4)
         if number < 3:
