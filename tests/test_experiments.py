@@ -232,7 +232,7 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
         ("aimless", None): "wrong",
         ("A*", None): "found",
     }
-    assert rows["raising", None].reason == "ArithmeticError: never mind\nthat"
+    assert rows["raising", None].reason == "ArithmeticError: never mind that"
     assert "ended with status" in rows["crashing", 0].reason
     assert "must end at the goal" in rows["aimless", None].reason
     assert rows["endless", None].seconds == 2.0
