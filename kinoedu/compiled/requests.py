@@ -36,7 +36,7 @@ def is_pending(place: Path, request: Request) -> bool:
 def request_compilation(place: Path, request: Request, *, gives_way: bool) -> bool:
     """Request machine code; returns whether it exists or can be expected.
 
-    `gives_way` is whether it is compiled at low priority, as long as no call waits for it.
+    With `gives_way` it is compiled at low priority: no call waits for it.
     """
     if is_refused(place, request) or is_there(place, request):
         return is_there(place, request)

@@ -228,7 +228,7 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
 
 @compiled
 def compare_reach(l1: float, l2: float, far: float) -> int:
-    """Whether the tip of links of lengths l1 and l2 reaches places at a distance from the base."""
+    """IN_REACH, TOO_FAR or TOO_NEAR: a place at the distance `far` from the base of two links."""
     if far > (l1 + l2) * (1.0 + RIM):
         return TOO_FAR
     return TOO_NEAR if far < abs(l1 - l2) - RIM * (l1 + l2) else IN_REACH
