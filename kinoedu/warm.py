@@ -8,7 +8,7 @@ from typing import Any
 
 from .collision import free_configurations, free_motions
 from .compiled import HAS_COMPILER, requests
-from .compiled.store import Request, folder
+from .compiled.store import AWAITED, WANTED, Request, folder
 from .compiled.tiers import TIERED
 from .curves import dubins_path, reeds_shepp_path
 from .graphs import Graph, astar, bfs, dfs, dijkstra
@@ -54,12 +54,12 @@ def warm_up() -> list[str]:
     list
         The functions that could not be compiled; they stay interpreted.
     """
-    return compile_all(first_jobs(), workers=os.cpu_count() or 1)
+    return compile_all(AWAITED, first_jobs(), workers=os.cpu_count() or 1)
 
 
 def warm_all() -> list[str]:
     """Compile what all lessons use; returns the functions that could not be compiled."""
-    return compile_all(chain(first_jobs(), later_jobs()), workers=os.cpu_count() or 1)
+    return compile_all(AWAITED, chain(first_jobs(), later_jobs()), workers=os.cpu_count() or 1)
 
 
 def warm_behind() -> list[str]:
@@ -68,11 +68,11 @@ def warm_behind() -> list[str]:
     Returns the functions that could not be compiled.
     """
     workers = max(1, (os.cpu_count() or 1) - 1)
-    first = compile_all(first_jobs(), workers=workers, gives_way=True)
-    return first + compile_all(later_jobs(), workers=workers, gives_way=True)
+    first = compile_all(WANTED, first_jobs(), workers=workers)
+    return first + compile_all(WANTED, later_jobs(), workers=workers)
 
 
-def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -> list[str]:
+def compile_all(queue: str, jobs: Iterator[Job], *, workers: int) -> list[str]:
     """Run all jobs interpreted to record the algorithms and types they call; compile those.
 
     Returns the functions that could not be compiled.
@@ -85,9 +85,9 @@ def compile_all(jobs: Iterator[Job], *, workers: int, gives_way: bool = False) -
     with show_progress("compiling once") as report_progress:
         left = requests.compile_all(
             place,
+            queue,
             requests_of_called_algorithms(),
             workers=workers,
-            gives_way=gives_way,
             report_progress=report_progress,
         )
     return sorted({f"{request.module}.{request.function}" for request in left})

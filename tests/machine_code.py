@@ -18,7 +18,7 @@ from typing import Any
 
 from kinoedu.compiled import HAS_COMPILER, requests
 from kinoedu.compiled.kinds import Kind, is_tuple_kind
-from kinoedu.compiled.store import Request, folder
+from kinoedu.compiled.store import AWAITED, Request, folder
 from kinoedu.compiled.tiers import TIERED
 from kinoedu.course.recorded import named
 from kinoedu.support.progress import show_progress
@@ -35,6 +35,7 @@ def compile_ahead() -> None:
         with show_progress("compiling for the tests") as report_progress:
             refused = requests.compile_all(
                 place,
+                AWAITED,
                 read_requests(),
                 workers=os.cpu_count() or 1,
                 report_progress=report_progress,

@@ -717,8 +717,8 @@ import json, time, kinoedu.compiled.tiers as t
 from kinoedu.compiled import requests
 t.BUDGET, t.IMPORTING, t.LOOK_AGAIN = 0.0, 0.0, 0.0
 # it would wait long on a busy computer
-start = requests.start_worker
-requests.start_worker = lambda *given, gives_way: start(*given, gives_way=False)
+request = requests.request_compilation
+requests.request_compilation = lambda place, queue, call: request(place, "awaited", call)
 from kinoedu.geometry import orientation
 from kinoedu.geometry.exact import orientation_sign
 answers, last = set(), time.monotonic() + 250
@@ -748,16 +748,36 @@ def test_a_request_that_is_lost_is_repeated(monkeypatch) -> None:
 @pytest.mark.parametrize("is_awaited", [False, True])
 def test_a_worker_for_which_a_call_waits_does_not_give_way(monkeypatch, is_awaited) -> None:
     """Beside other programs a call would wait ten times as long."""
-    started: list[bool] = []
+    started: list[str] = []
     call = tiers.Specialization(orientation_sign, ("f8",) * 6)
     monkeypatch.setattr(NUMBA_THREAD, "submit", lambda work: work())
     monkeypatch.setattr(requests, "is_there", lambda place, request: False)
-    monkeypatch.setattr(requests, "write_request", lambda place, request: None)
-    monkeypatch.setattr(
-        requests, "start_worker", lambda place, slot, *, gives_way: started.append(gives_way)
-    )
+    monkeypatch.setattr(requests, "write_request", lambda queue, request: None)
+    monkeypatch.setattr(requests, "start_worker", lambda place, queue, slot: started.append(queue))
     call.request_after(3.0, is_awaited=is_awaited)
-    assert started == [not is_awaited]
+    assert started == ["awaited" if is_awaited else "wanted"]
+
+
+@needs_compiler
+def test_what_is_compiled_ahead_does_not_delay_a_call_that_waits(tmp_path, monkeypatch) -> None:
+    """The worker of such calls leaves the older requests, for which nobody waits, to the others."""
+    from kinoedu.compiled import worker
+
+    monkeypatch.setattr(store, "user_cache", lambda: tmp_path)
+    place = store.folder.__wrapped__()
+    ahead = [Request("kinoedu.geometry.exact", "orientation_sign", ("f8",) * n) for n in range(3)]
+    call = Request("kinoedu.geometry.exact", "orientation_sign", ("f8",) * 6)
+    for request in ahead:
+        store.write_request(place / store.WANTED, request)
+    store.write_request(place / store.AWAITED, call)
+    compiled: list[str] = []
+    monkeypatch.setattr(store, "folder", lambda: place)
+    monkeypatch.setattr(worker, "LINGER", 0.2)
+    monkeypatch.setattr(worker.signal, "signal", lambda *_: None)
+    monkeypatch.setattr(worker, "compile_request", lambda queue, file: compiled.append(file.name))
+    assert worker.main([str(place), store.AWAITED, "0"]) == 0
+    assert compiled == [call.name]
+    assert len(store.pending_requests(place / store.WANTED)) == len(ahead)
 
 
 @pytest.mark.skipif(not hasattr(os, "nice"), reason="priorities of Windows have no numbers")
@@ -874,15 +894,15 @@ def test_what_cannot_be_compiled_stays_interpreted(tmp_path: Path, monkeypatch) 
     monkeypatch.setattr(store, "user_cache", lambda: tmp_path)
     place = store.folder.__wrapped__()
     impossible = Request("kinoedu.geometry.exact", "orientation_sign", ("none",) * 6)
-    assert requests.compile_all(place, [impossible], workers=1) == [impossible]
+    assert requests.compile_all(place, store.WANTED, [impossible], workers=1) == [impossible]
     assert "none" in (place / f"{impossible.name}.refused").read_text()
-    assert not requests.request_compilation(place, impossible, gives_way=True)
+    assert not requests.request_compilation(place, store.WANTED, impossible)
     deadly = Request("kinoedu.geometry.exact", "orientation_sign", ("f8",) * 6)
     taken = place / "taken-7"
     taken.mkdir()
     for attempt in range(3):
         (taken / deadly.name).write_bytes(pickle.dumps(deadly._replace(attempts=attempt)))
-        retry_unfinished(place, taken)
+        retry_unfinished(place / store.WANTED, taken)
         assert requests.is_refused(place, deadly) == (attempt == 2)
         assert not list(taken.iterdir())
 

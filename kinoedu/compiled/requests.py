@@ -8,14 +8,13 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 
 from ..support.threads import WAITING_FILES
-from .store import PACKAGE, Request, try_lock, write_request
+from .store import AWAITED, PACKAGE, Request, slot_file, try_lock, write_request
 
-BACKGROUND, AWAITED = 0, -1  # slots: of a worker that gives way, and of one for which calls wait
 POLL_INTERVAL = 0.05  # seconds between two looks for machine code
 MAX_FAILURES = 3  # workers that may fail during one wait
 
 WAITING_FILES.add(__file__)
-started: dict[int, "subprocess.Popen[bytes]"] = {}  # workers by slot
+started: dict[tuple[str, int], "subprocess.Popen[bytes]"] = {}  # workers by queue and slot
 
 
 def is_refused(place: Path, request: Request) -> bool:
@@ -33,16 +32,13 @@ def is_pending(place: Path, request: Request) -> bool:
     return not is_there(place, request) and not is_refused(place, request)
 
 
-def request_compilation(place: Path, request: Request, *, gives_way: bool) -> bool:
-    """Request machine code; returns whether it exists or can be expected.
-
-    With `gives_way` it is compiled at low priority: no call waits for it.
-    """
+def request_compilation(place: Path, queue: str, request: Request) -> bool:
+    """Request machine code; returns whether it exists or can be expected."""
     if is_refused(place, request) or is_there(place, request):
         return is_there(place, request)
     try:
-        write_request(place, request)
-        start_worker(place, BACKGROUND if gives_way else AWAITED, gives_way=gives_way)
+        write_request(place / queue, request)
+        start_worker(place, queue, 0)
     except OSError:  # processes are not possible, or the disk is full
         return False
     return True
@@ -50,15 +46,15 @@ def request_compilation(place: Path, request: Request, *, gives_way: bool) -> bo
 
 def compile_and_wait(place: Path, request: Request) -> bool:
     """Request machine code and wait; returns whether it was compiled."""
-    return not compile_all(place, [request], workers=1)
+    return not compile_all(place, AWAITED, [request], workers=1)
 
 
 def compile_all(
     place: Path,
+    queue: str,
     requests: Collection[Request],
     *,
     workers: int,
-    gives_way: bool = False,
     report_progress: Callable[[int, int], None] = lambda done, of: None,
 ) -> list[Request]:
     """Compile all requests in several processes, and wait.
@@ -66,9 +62,9 @@ def compile_all(
     Parameters
     ----------
     place : the folder of machine code.
+    queue : AWAITED or WANTED.
     requests : what to compile.
     workers : how many processes compile.
-    gives_way : whether they run at low priority.
     report_progress : is called with the number of requests that are done, and the number of all.
 
     Returns
@@ -78,35 +74,35 @@ def compile_all(
     """
     missing = [request for request in requests if is_pending(place, request)]
     for request in missing:
-        write_request(place, request)
+        write_request(place / queue, request)
     total, slots = len(missing), range(1, 1 + min(workers, len(missing)))
     failures = 0
     try:
         while missing and failures < MAX_FAILURES:
             report_progress(total - len(missing), total)
             for slot in slots:
-                failures += has_failed(slot)
-                start_worker(place, slot, gives_way=gives_way)
+                failures += has_failed(queue, slot)
+                start_worker(place, queue, slot)
             time.sleep(POLL_INTERVAL)
             missing = [request for request in missing if is_pending(place, request)]
     except BaseException:
         for slot in slots:
-            stop_worker(slot)
+            stop_worker(queue, slot)
         raise
     return [request for request in requests if not is_there(place, request)]
 
 
-def start_worker(place: Path, slot: int, *, gives_way: bool) -> None:
-    """Start the worker of a slot, unless it runs."""
-    worker = started.get(slot)
-    if (worker is not None and worker.poll() is None) or has_worker(place, slot):
+def start_worker(place: Path, queue: str, slot: int) -> None:
+    """Start the worker of a queue's slot, unless it runs."""
+    worker = started.get((queue, slot))
+    if (worker is not None and worker.poll() is None) or has_worker(place, queue, slot):
         return
     path = os.pathsep.join(filter(None, [str(PACKAGE.parent), os.environ.get("PYTHONPATH")]))
     env = {name: value for name, value in os.environ.items() if name != "KINOEDU_MACHINE_CODE"}
-    command = [sys.executable, "-P", "-m", "kinoedu.compiled.worker", str(place), str(slot)]
+    worker_of = [str(place), queue, str(slot)]
     with open(place / "log", "ab") as log:
-        started[slot] = subprocess.Popen(
-            command + ["gives-way"] * gives_way,
+        started[queue, slot] = subprocess.Popen(
+            [sys.executable, "-P", "-m", "kinoedu.compiled.worker", *worker_of],
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=log,
@@ -115,24 +111,24 @@ def start_worker(place: Path, slot: int, *, gives_way: bool) -> None:
         )
 
 
-def has_failed(slot: int) -> bool:
-    """Whether the worker of a slot has ended with an error."""
-    worker = started.get(slot)
+def has_failed(queue: str, slot: int) -> bool:
+    """Whether the worker of a queue's slot has ended with an error."""
+    worker = started.get((queue, slot))
     if worker is None or worker.poll() is None:
         return False
-    del started[slot]
+    del started[queue, slot]
     return worker.returncode != 0
 
 
-def has_worker(place: Path, slot: int) -> bool:
-    """Whether any process is the worker of a slot."""
-    with open(place / f"slot-{slot}", "wb") as lock:
+def has_worker(place: Path, queue: str, slot: int) -> bool:
+    """Whether any process is the worker of a queue's slot."""
+    with open(slot_file(place, queue, slot), "wb") as lock:
         return not try_lock(lock)  # closing the file unlocks it
 
 
-def stop_worker(slot: int) -> None:
-    """Terminate the worker of a slot."""
-    worker = started.pop(slot, None)
+def stop_worker(queue: str, slot: int) -> None:
+    """Terminate the worker of a queue's slot."""
+    worker = started.pop((queue, slot), None)
     if worker is not None:
         worker.terminate()
         worker.wait()

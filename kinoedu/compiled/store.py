@@ -8,7 +8,8 @@ is never stale.
     <digest>/
       <module>.<function>.<kinds>.code       machine code
       <module>.<function>.<kinds>.refused    why numba could not compile it: it stays interpreted
-      wanted/<module>.<function>.<kinds>     a request to the process that compiles
+      awaited/<module>.<function>.<kinds>    a request to the process that compiles: someone waits
+      wanted/<module>.<function>.<kinds>     the same, where nobody waits
 """
 
 import functools
@@ -45,6 +46,7 @@ UPPER_ROOMS = (
     "grading",
     "slides",
 )
+AWAITED, WANTED = "awaited", "wanted"  # the queues of requests; those of the second give way
 VERSION = re.compile(r"[0-9a-f]{16}(-[0-9a-f]{8})?")  # the name of a folder of machine code
 STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
 IMPORTED = time.time()  # sources changed later than this do not run in this process
@@ -151,7 +153,8 @@ def make_folder(place: Path) -> None:
         shutil.rmtree(fresh)
         fresh.mkdir()
     fresh.chmod(0o700)
-    (fresh / "wanted").mkdir(exist_ok=True)
+    for queue in (AWAITED, WANTED):
+        (fresh / queue).mkdir(exist_ok=True)
     try:
         fresh.rename(place)
     except OSError:  # another process was faster
@@ -161,7 +164,7 @@ def make_folder(place: Path) -> None:
 def remove_stale(place: Path) -> None:
     """Remove the folders of other versions in which nothing was compiled for a month."""
     for other in place.parent.iterdir():
-        is_version = VERSION.fullmatch(other.name) and (other / "wanted").is_dir()
+        is_version = VERSION.fullmatch(other.name) and (other / WANTED).is_dir()
         if is_version and other != place and time.time() - other.stat().st_mtime > STALE:
             shutil.rmtree(other, ignore_errors=True)
 
@@ -177,10 +180,15 @@ def are_digested(kinds: tuple[Kind, ...]) -> bool:
     return all(map(is_digested, set[type]().union(*map(record_classes, kinds))))
 
 
-def write_request(place: Path, request: Request) -> None:
-    """Write a request for machine code."""
-    with written_whole(place / "wanted" / request.name) as part:
+def write_request(queue: Path, request: Request) -> None:
+    """Write a request for machine code into the folder of a queue."""
+    with written_whole(queue / request.name) as part:
         part.write_bytes(pickle.dumps(request))
+
+
+def slot_file(place: Path, queue: str, slot: int | str) -> Path:
+    """The file that the worker of a queue's slot keeps locked."""
+    return place / f"slot-{queue}-{slot}"
 
 
 def try_lock(lock: IO[bytes]) -> bool:
@@ -201,10 +209,10 @@ def try_lock(lock: IO[bytes]) -> bool:
     return True
 
 
-def pending_requests(place: Path) -> list[Path]:
-    """The files of all requests, the oldest first."""
+def pending_requests(queue: Path) -> list[Path]:
+    """The files of a queue's requests, the oldest first."""
     found = []
-    for file in (place / "wanted").iterdir():
+    for file in queue.iterdir():
         if not file.name.endswith(".part"):
             try:
                 found.append((file.stat().st_mtime_ns, file))

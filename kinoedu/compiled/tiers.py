@@ -248,16 +248,15 @@ class Specialization:
             from .numba_thread import NUMBA_THREAD
 
             self.requested_after = seconds
-            NUMBA_THREAD.submit(lambda: self.request_here(gives_way=not is_awaited))
+            queue = store.AWAITED if is_awaited else store.WANTED
+            NUMBA_THREAD.submit(lambda: self.request_here(queue))
 
-    def request_here(self, *, gives_way: bool) -> None:
+    def request_here(self, queue: str) -> None:
         """Request its compilation, in this thread."""
         from .requests import request_compilation
 
         place = store.folder()
-        is_expected = place is not None and request_compilation(
-            place, self.to_compile, gives_way=gives_way
-        )
+        is_expected = place is not None and request_compilation(place, queue, self.to_compile)
         self.is_never_stored = not is_expected
 
     def compile_now(self) -> None:

@@ -1,9 +1,12 @@
-"""The process that compiles: python -m kinoedu.compiled.worker FOLDER SLOT [gives-way].
+"""The process that compiles: python -m kinoedu.compiled.worker FOLDER QUEUE SLOT.
 
-It takes the oldest request, compiles it, and leaves the machine code in the folder. It ends when no
-requests are left, or after its current request if its parent process has ended. Each slot has one
-worker at a time. A request during which a worker was killed is tried again by the next worker, up
-to ATTEMPTS times.
+It takes the oldest request of its queue, compiles it, and leaves the machine code in the folder. It
+ends when no requests are left, or after its current request if its parent process has ended. Each
+slot of a queue has one worker at a time. A request during which a worker was killed is tried again
+by the next worker, up to ATTEMPTS times.
+
+A worker of the queue WANTED gives way to other programs. A request that someone waits for does not
+come after the many that are compiled ahead, because it has a queue of its own.
 """
 
 import contextlib
@@ -20,8 +23,10 @@ from . import store
 from .store import (
     PACKAGE,
     UPPER_ROOMS,
+    WANTED,
     Request,
     pending_requests,
+    slot_file,
     sources,
     try_lock,
     write_request,
@@ -36,18 +41,19 @@ AUTOGROUP = Path("/proc/self/autogroup")  # the priority of this session, see ma
 
 def main(arguments: list[str]) -> int:
     """Compile the requests in a folder; returns the exit code."""
-    place, slot = Path(arguments[0]), arguments[1]
-    if "gives-way" in arguments:
+    place, queue, slot = Path(arguments[0]), arguments[1], arguments[2]
+    if queue == WANTED:
         lower_priority()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     if store.folder() != place:  # the sources have changed since the request
         return 1
-    with contextlib.suppress(FileNotFoundError), open(place / f"slot-{slot}", "wb") as lock:
+    with contextlib.suppress(FileNotFoundError), open(slot_file(place, queue, slot), "wb") as lock:
         if not try_lock(lock):
             return 0
-        retry_unfinished(place, place / f"taken-{slot}")
+        taken = place / f"taken-{queue}-{slot}"
+        retry_unfinished(place / queue, taken)
         import_compiled_modules()
-        compile_requests(place, place / f"taken-{slot}")
+        compile_requests(place / queue, taken)
     return 0
 
 
@@ -70,7 +76,7 @@ def lower_priority() -> None:
         kernel.SetPriorityClass(kernel.GetCurrentProcess(), idle)
 
 
-def retry_unfinished(place: Path, taken: Path) -> None:
+def retry_unfinished(queue: Path, taken: Path) -> None:
     """Repeat the requests that the last worker did not finish, up to ATTEMPTS times."""
     taken.mkdir(exist_ok=True)
     for file in taken.iterdir():
@@ -78,9 +84,9 @@ def retry_unfinished(place: Path, taken: Path) -> None:
             unfinished: Request = pickle.loads(file.read_bytes())
             again = unfinished._replace(attempts=unfinished.attempts + 1)
             if again.attempts < ATTEMPTS:
-                write_request(place, again)
+                write_request(queue, again)
             else:
-                write_refusal(place, again, f"compiling it ended {ATTEMPTS} processes")
+                write_refusal(queue.parent, again, f"compiling it ended {ATTEMPTS} processes")
         file.unlink(missing_ok=True)
 
 
@@ -92,33 +98,33 @@ def import_compiled_modules() -> None:
         importlib.import_module(".".join(parts).removesuffix(".__init__"))
 
 
-def compile_requests(place: Path, taken: Path) -> None:
+def compile_requests(queue: Path, taken: Path) -> None:
     """Compile until there are no requests for LINGER seconds, or the parent process has ended."""
     parent, last = os.getppid(), time.monotonic()
     while os.getppid() == parent and time.monotonic() < last + LINGER:
-        file = take_request(place, taken)
+        file = take_request(queue, taken)
         if file is None:
             time.sleep(POLL_INTERVAL)
         else:
-            compile_request(place, file)
+            compile_request(queue, file)
             last = time.monotonic()
 
 
-def take_request(place: Path, taken: Path) -> Path | None:
+def take_request(queue: Path, taken: Path) -> Path | None:
     """Take the oldest request; None if there is none."""
-    for file in pending_requests(place):
+    for file in pending_requests(queue):
         mine = taken / file.name
         try:
             file.rename(mine)
         except OSError:  # another worker took it
             continue
-        if not (place / f"{file.name}.code").exists():
+        if not (queue.parent / f"{file.name}.code").exists():
             return mine
         mine.unlink()
     return None
 
 
-def compile_request(place: Path, file: Path) -> None:
+def compile_request(queue: Path, file: Path) -> None:
     """Compile a request and write its machine code, or the reason why there is none."""
     from .compiler import compile_entry
     from .machine import to_bytes
@@ -127,13 +133,13 @@ def compile_request(place: Path, file: Path) -> None:
     request: Request = pickle.loads(file.read_bytes())
     try:
         result = compile_entry(find_function(request.module, request.function), request.kinds)
-        with written_whole(place / f"{request.name}.code") as part:
+        with written_whole(queue.parent / f"{request.name}.code") as part:
             part.write_bytes(to_bytes(result))
     except (OSError, SystemExit):
-        write_request(place, request)
+        write_request(queue, request)
         raise
     except Exception as error:
-        write_refusal(place, request, f"{type(error).__name__}: {error}")
+        write_refusal(queue.parent, request, f"{type(error).__name__}: {error}")
     file.unlink()
 
 
