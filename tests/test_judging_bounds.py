@@ -11,10 +11,10 @@ from kinoedu.course import check
 from kinoedu.course.feedback import Feedback
 from kinoedu.course.judging import judge_case, judge_outcomes
 from kinoedu.course.lessons import EXERCISES
-from kinoedu.course.lessons.bugs.walks import length_of
 from kinoedu.course.outcomes import Answer, Misshapen
 from kinoedu.course.shrinking import shrink
 from kinoedu.course.sizes import MOST_NUMBERS
+from kinoedu.geometry.paths import path_length
 from kinoedu.grading.assignments.questions import AssignmentQuestion, Cases
 from kinoedu.grading.judge import submission
 from kinoedu.grading.judge.running import is_settled
@@ -103,8 +103,8 @@ def test_a_tree_that_was_given_without_samples_is_judged():
 def test_a_walk_is_at_most_several_exact_ones():
     """So a bug that circles for ever is refused."""
     exercise, case = first_case("bug1", "one")
-    exact = max(exercise.exact_walks(case.given), key=length_of)
-    assert exercise.size_limit(case) > 5 * length_of(exact) / case.given["step"]
+    exact = max(exercise.exact_walks(case.given), key=path_length)
+    assert exercise.size_limit(case) > 5 * path_length(exact) / case.given["step"]
     path = np.tile(exact, (10_000, 1))
     assert judge_case(exercise, case, Answer(path), 0).verdict.rule == "shape"
 

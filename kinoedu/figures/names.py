@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from ..collision import free_configurations
 from ..geometry.checks import Array
+from ..geometry.paths import points_at_fractions
 from ..robots import Point
 from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorldRecord
@@ -170,9 +171,7 @@ def spread(line: Array) -> Array:
     """Places along a line, evenly, (n, 2)."""
     if len(line) < 2:
         return line
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
-    at = np.linspace(0.0, along[-1], STEPS)
-    return np.column_stack([np.interp(at, along, values) for values in line.T])
+    return points_at_fractions(line, np.linspace(0.0, 1.0, STEPS))
 
 
 def box_of(text: Annotation, offset: tuple[float, float], ax: Axes) -> Box:

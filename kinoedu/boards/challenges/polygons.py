@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry.paths import path_length
 from ...planners import prm
 from ..core.challenge import Answer, posed
 from ..planning.board import Board
@@ -28,6 +29,6 @@ def detour(board: Board, kept: dict[str, Any]) -> Answer:
     if board.plan is None or board.plan.path is None:
         return "no_path", {}
     straight = float(np.hypot(*(board.problem.goal[:2] - board.problem.start[:2])))
-    way = float(np.hypot(*np.diff(board.plan.path[:, :2], axis=0).T).sum())
+    way = path_length(board.plan.path[:, :2])
     ratio = way / straight if straight > 0.0 else 0.0
     return "reached" if ratio >= DETOUR else "not_yet", {"ratio": f"{ratio:.3g}"}

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ...geometry.paths import path_length
 from ...planners.problem_input import world_size
 from ..core.challenge import Answer, posed
 from ..planning.board import Board
@@ -28,7 +29,7 @@ def path_jumps(board: Board, kept: dict[str, Any]) -> Answer:
     moved = float(np.abs(before[0] - places_in(board)).max())
     if moved > SMALL * world_size(problem):
         return "slower", {}
-    short, long = sorted((length_of(before[1]), length_of(path)))
+    short, long = sorted(path_length(way[:, :2]) for way in (before[1], path))
     if moved == 0.0:
         return "move", {}
     values = {"short": f"{short:.4g}", "long": f"{long:.4g}"}
@@ -53,8 +54,3 @@ def places_in(board: Board) -> np.ndarray:
     points = [np.ravel(item["at"]) for item in [*scene["handles"], *scene["discs"]]]
     rings = [np.ravel(ring) for item in scene["polygons"] for ring in item["rings"]]
     return np.concatenate([*points, *rings])
-
-
-def length_of(path: np.ndarray) -> float:
-    """The length of a path (n, 2)."""
-    return float(np.hypot(*np.diff(path[:, :2], axis=0).T).sum())

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...geometry.checks import Array
+from ...geometry.paths import distances_along, points_at_fractions
 from ...messages import get_message
 from ...planners.exploring.receding_horizon import Look
 from ...problems import Plan
@@ -24,7 +25,7 @@ def draw_exploration(plan: Plan, looks: Sequence[Look]) -> Drawing:
     total = len(places) - 1
     begins = MOVES * np.arange(len(looks))
     ends = np.append(begins[1:], np.inf)
-    walked = np.concatenate([[0.0], np.sqrt((np.diff(places, axis=0) ** 2).sum(axis=1)).cumsum()])
+    walked = distances_along(places)
     robot = [
         dots(places, colour, radius=r, when=steps, until=steps + 1)
         for colour, r in (("free", 8.0), ("robot", 6.5))
@@ -56,12 +57,6 @@ def draw_looks(looks: Sequence[Look], begins: NDArray[np.int64], ends: Array) ->
         edges(walls, "hit", width=3.0, when=times),
         edges(rows, "tree", width=2.5, dash=(7.0, 5.0), when=begins[which], until=ends[which]),
     ]
-
-
-def points_at_fractions(points: Array, fractions: Array) -> Array:
-    """Points at given fractions of the length of a path, (k, 2)."""
-    along = np.concatenate([[0.0], np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).cumsum()])
-    return np.column_stack([np.interp(fractions * along[-1], along, axis) for axis in points.T])
 
 
 def describe_steps(looks: Sequence[Look], walked: Array) -> list[str]:

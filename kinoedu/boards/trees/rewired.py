@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from ...figures.drawing import line_width
 from ...geometry.checks import Array
+from ...geometry.paths import path_length
 from ...graphs import extract_path
 from ...messages import get_message
 from ...planners.trees.rewiring import Rewirings
@@ -52,8 +53,7 @@ def find_paths_to_goal(log: Rewirings) -> list[PathToGoal]:
             on_path, points = set(numbers.tolist()), log.nodes[numbers, :2]
             while paths and paths[-1].step == created + 1:
                 paths.pop()
-            length = float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())
-            paths.append(PathToGoal(created + 1, points, length))
+            paths.append(PathToGoal(created + 1, points, path_length(points)))
     return paths
 
 
@@ -66,9 +66,8 @@ def find_last_path(log: Rewirings) -> list[PathToGoal]:
     parent[log.node[last]] = log.parent[last]
     numbers = extract_path(parent, log.at_goal)
     points = log.nodes[numbers, :2]
-    length = float(np.sqrt((np.diff(points, axis=0) ** 2).sum(axis=1)).sum())
     step = int(log.created_at[last & np.isin(log.node, numbers)].max())
-    return [PathToGoal(max(step, log.at_goal) + 1, points, length)]
+    return [PathToGoal(max(step, log.at_goal) + 1, points, path_length(points))]
 
 
 def draw_paths(paths: list[PathToGoal]) -> list[Layer]:

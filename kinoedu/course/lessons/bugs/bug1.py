@@ -7,6 +7,7 @@ import numpy as np
 
 from ....geometry import point_polygon_distance
 from ....geometry.checks import Array
+from ....geometry.paths import path_length
 from ....planners import bug1
 from ....planners.bugs.bug1 import bug1_walk
 from ....problems import Plan
@@ -23,7 +24,6 @@ from .walking import (
     walk_with_choices,
     world,
 )
-from .walks import length_of
 
 WIDE = np.array([(2, -3), (3, -3), (3, 3.6), (2, 3.6)], float)  # it leads away from the goal first
 TIED = 0.3  # ways that differ by less count as equally long
@@ -81,7 +81,7 @@ def is_tied(given: Given, plan: Plan) -> bool:
             given["obstacles"],
             key=lambda obstacle: float(point_polygon_distance(walk.points[hit], obstacle)),
         )
-        around = length_of(np.vstack([wall, wall[:1]]))
+        around = path_length(np.vstack([wall, wall[:1]]))
         back = walk.travelled[leave] - walk.travelled[hit] - around
         if abs(around - 2.0 * back) < TIED:
             return True

@@ -9,6 +9,7 @@ import numpy as np
 from ....geometry import point_segment_distance
 from ....geometry.checks import Array
 from ....geometry.leash import count_followed_points, densify_path
+from ....geometry.paths import path_length
 from ....geometry.polygons import locate_points
 from ....messages import get_message
 from ...exercise import MAX_POINTS_SHOWN, RIGHT, Axes, Case, Exercise, Given, Verdict, format_value
@@ -62,7 +63,7 @@ class WalkExercise(Exercise):
 
     def size_limit(self, case: Case) -> int:
         """The most rows: those of a walk that is many times longer than the exact ones."""
-        longest = max(map(length_of, self.exact_walks(case.given)))
+        longest = max(map(path_length, self.exact_walks(case.given)))
         return int(TIMES_LONGER * longest / case.given["step"]) + FEW_ROWS
 
     def bound_size(self, case: Case, outcome: Outcome) -> Outcome:
@@ -152,8 +153,8 @@ class WalkExercise(Exercise):
 
     def describe_expected(self, case: Case) -> str:
         """Description by the lengths of the exact walks."""
-        walks = sorted(self.exact_walks(case.given), key=length_of)
-        lengths = dict.fromkeys(f"{length_of(walk):.4g}" for walk in walks)
+        walks = sorted(self.exact_walks(case.given), key=path_length)
+        lengths = dict.fromkeys(f"{path_length(walk):.4g}" for walk in walks)
         tolerance = f"{self.leash * case.given['step']:.3g}"
         return get_message(
             "walk.wanted", lengths=get_message("walk.or").join(lengths), tolerance=tolerance
@@ -166,22 +167,17 @@ class WalkExercise(Exercise):
         violation = self.find_violation(case.given, value)
         values = {
             "points": len(value),
-            "length": f"{length_of(value):.4g}",
+            "length": f"{path_length(value):.4g}",
             "first": round_point(value[0]),
             "last": round_point(value[-1]),
         }
         if violation is None:
             return get_message("walk.yours", **values)
         at = violation.at
-        travelled = f"{length_of(value[: at + 1]):.4g}"
+        travelled = f"{path_length(value[: at + 1]):.4g}"
         return get_message(
             "walk.yours_departs", **values, at=round_point(value[at]), travelled=travelled
         )
-
-
-def length_of(path: Array) -> float:
-    """Length of a path (n, 2)."""
-    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
 def round_point(point: Array) -> str:
