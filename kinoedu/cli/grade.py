@@ -183,20 +183,10 @@ def run_regrade(arguments: argparse.Namespace) -> int:
 
 
 def find_secret_file(arguments: argparse.Namespace, before: str) -> Path:
-    """The file of the course's secret: as given, else `before`, else this user's own.
-
-    Prints a line where the user's own file does not exist yet and will be made.
-    """
+    """The file of the course's secret: as given, else `before`, else this user's own."""
     from ..grading.assignments.secret_place import default_secret_file
 
-    file = arguments.secret or (Path(before) if before else default_secret_file())
-    if not file.exists() and not before:
-        print(
-            f"kinoedu: the course's secret is made, once, in {file}; keep it, and keep it to "
-            "yourself",
-            file=sys.stderr,
-        )
-    return Path(file)
+    return arguments.secret or (Path(before) if before else default_secret_file())
 
 
 def make_run(arguments: argparse.Namespace, secret_file: Path, grading: Any, writing: Any) -> Any:

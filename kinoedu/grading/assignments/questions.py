@@ -12,6 +12,7 @@ import json
 import os
 import re
 import secrets
+import sys
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -91,6 +92,8 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
 def read_course_secret(file: Path) -> bytes:
     """The course's secret, made if there is none yet, in a file that only its owner can read.
 
+    A line on standard error says where it was made.
+
     Raises
     ------
     InvalidParameter
@@ -123,6 +126,11 @@ def make_course_secret(file: Path) -> None:
         except OSError:  # such as a full disk
             file.unlink()
             raise
+        print(
+            f"kinoedu: the course's secret was made, once, in {file}; keep it, and keep it to "
+            "yourself",
+            file=sys.stderr,
+        )
 
 
 class Cases(NamedTuple):
