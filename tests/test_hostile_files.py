@@ -117,6 +117,16 @@ def test_names_that_are_none_cost_nobody_a_grade(tmp_path):
     assert [(one.student, one.trouble) for one in found] == [("ann", ""), ("bob", ""), ("cy", "")]
 
 
+def test_a_damaged_file_in_the_zip_of_a_class_costs_only_its_student_a_grade(tmp_path):
+    """A byte that was changed on the way does not keep the others from being graded."""
+    members = {f"{name}/01_geometry.ipynb": NOTEBOOK + name.encode() for name in ("ann", "bob")}
+    data = packed(zipfile.ZIP_STORED, **members)
+    (tmp_path / "class.zip").write_bytes(data.replace(NOTEBOOK + b"ann", NOTEBOOK + b"and"))
+    ann, bob = collect(tmp_path / "class.zip")
+    assert (ann.student, bob.student, bob.trouble) == ("ann", "bob", "")
+    assert "it cannot be read in its zip: Bad CRC-32" in ann.trouble
+
+
 def test_a_long_name_in_a_zip_is_read_at_once():
     """What copies add to names is looked for in as many letters as a name in a folder may have."""
     assert find_assignment("-1" * 2**20 + "x.ipynb", (), {}, ["01_geometry"]) == ""

@@ -133,8 +133,11 @@ def read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[
         return Found(place, b"")
     if member.compress_type not in PACKED:
         return Found(place, b"", "it was packed in an unusual way; pack it with an ordinary zip")
-    with archive.open(member) as stream:
-        data = stream.read(MOST_BYTES + 1)
+    try:
+        with archive.open(member) as stream:
+            data = stream.read(MOST_BYTES + 1)
+    except UNREADABLE as error:  # such as a damaged member; the others may be whole
+        return Found(place, b"", f"it cannot be read in its zip: {error}")
     return (
         Found(place, data)
         if len(data) <= MOST_BYTES
