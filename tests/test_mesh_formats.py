@@ -50,6 +50,8 @@ def test_an_obj_is_read_however_it_is_written(tmp_path, text, shapes):
         ("f 1 2", "fewer than three"),
         ("v 1 2", "no vertex of three numbers"),
         ("v 1 2 1_0", "no vertex of three numbers"),
+        ("f 1 2 3 \\\n 4\nf 1 2 x", "line 7 'x' is no corner"),
+        ("f 1 \\\n2", "line 5 'f 1 2' is a face of fewer"),
     ],
 )
 def test_a_damaged_line_of_an_obj_is_named(tmp_path, line, says):

@@ -20,6 +20,7 @@ from ..geometry.ear_clipping import cut_ears
 from ..support.text import shortened
 
 Numbers = NDArray[np.int64]
+CONTINUED = b"\v\f"  # stands for the end of a line that goes on in the next; a blank
 
 
 def read_obj(data: bytes) -> Array:
@@ -31,16 +32,20 @@ def read_obj(data: bytes) -> Array:
         Where a line is damaged; the message names the line, but not the file.
     """
     vertices, faces = list[list[float]](), dict[int, list[list[int]]]()
-    joined = data.replace(b"\\\r\n", b" ").replace(b"\\\n", b" ")
-    for number, line in enumerate(joined.splitlines(), start=1):
+    joined = data.replace(b"\\\r\n", CONTINUED).replace(b"\\\n", CONTINUED)
+    number = 1
+    for line in joined.splitlines():
         kind, *words = line.partition(b"#")[0].split() or [b""]
         if kind == b"v":
             vertices.append(read_vertex(words, number))
         elif kind == b"f":
             corners = [read_corner(word, len(vertices), number) for word in words]
             if len(corners) < 3:
-                raise damage(number, line, "is a face of fewer than three corners")
+                raise damage(
+                    number, b" ".join([kind, *words]), "is a face of fewer than three corners"
+                )
             faces.setdefault(len(corners), []).append(corners)
+        number += 1 + line.count(CONTINUED)
     points = np.array(vertices, float).reshape(-1, 3)
     parts = [cut_faces(points, np.array(of_size)) for of_size in faces.values()]
     return np.concatenate([np.empty((0, 3, 3)), *parts])
