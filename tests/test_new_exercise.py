@@ -193,6 +193,8 @@ def test_an_exercise_without_a_lesson_is_refused(capsys):
         ("planner", LESSON, "exists already"),
         ("halfway", "walls", "15_walls"),
         ("halfway", "../15_walls", "15_walls"),
+        ("halfway", "15_while", "Python reserves"),
+        ("halfway", "15_3d", "15_walls"),
     ],
 )
 def test_impossible_names_are_refused(name, lesson, words, capsys):

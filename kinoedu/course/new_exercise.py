@@ -131,10 +131,11 @@ def check_names(name: str, lesson: str, house: Path) -> None:
             "the name of an exercise is the name of its function: 3 to 51 lower-case letters, "
             f"digits and _, such as closest_wall; got {name!r}"
         )
-    if not re.fullmatch(r"\d\d_[a-z0-9_]+", lesson):
+    topic = lesson[3:]  # the name of a package
+    if not re.fullmatch(r"\d\d_[a-z][a-z0-9_]*", lesson) or keyword.iskeyword(topic):
         raise InvalidParameter(
-            "the name of a lesson is two digits and one or more words, such as 15_walls; "
-            f"got {lesson!r}"
+            "the name of a lesson is two digits and one or more words, such as 15_walls, and not "
+            f"a single word that Python reserves; got {lesson!r}"
         )
     if not (house / TEMPLATES).is_dir():
         raise InvalidParameter(
