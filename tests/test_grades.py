@@ -1007,6 +1007,19 @@ def test_a_notebook_that_ends_every_worker_is_given_up(tmp_path, students):
         assert ("a worker ended" in one.trouble) == (one.submission.student == "eve")
 
 
+def test_an_export_of_grades_that_can_only_be_read_is_whole(tmp_path, capsys):
+    """It cannot be noted beside the grades, which is no failure of the export."""
+    out, totals = tmp_path / "out", tmp_path / "totals.csv"
+    of = a_class(out, {"ann": record()})
+    write_class(of)
+    write_all(of)
+    (out / ".lock").unlink(missing_ok=True)
+    (out / ".lock").mkdir()  # like a folder that cannot be written, for every user
+    assert main(["export", str(out), "--to", "csv", "--out", str(totals)]) == 0
+    assert "ann" in totals.read_text(encoding="utf-8")
+    assert "cannot note this export" in capsys.readouterr().err
+
+
 def test_exports_and_tables_that_no_longer_agree_are_named(tmp_path, capsys):
     """Decisions after grading, submissions that changed, and exports of other grades."""
     folder, out = tmp_path / "in", tmp_path / "out"

@@ -118,8 +118,15 @@ def run_export(arguments: argparse.Namespace) -> int:
         print(f"kinoedu: warning: {warning}", file=sys.stderr)
     arguments.out = arguments.out or of.out / DEFAULT_PLACES[arguments.to]
     print(EXPORTS[arguments.to](arguments, of, rows))
-    with locked_class(of.out):
-        note_export(of, rows, arguments.to, arguments.out)
+    try:
+        with locked_class(of.out):
+            note_export(of, rows, arguments.to, arguments.out)
+    except OSError as error:  # the export is whole; the grades may be in a folder to read only
+        print(
+            f"kinoedu: warning: {of.out} cannot note this export ({error.strerror}), so grade will "
+            "not warn when it is old",
+            file=sys.stderr,
+        )
     return 0
 
 
