@@ -1,6 +1,7 @@
 """Exercises are made from solutions, hold no answers, and are what is committed."""
 
 import json
+import os
 import shutil
 from pathlib import Path
 
@@ -8,7 +9,9 @@ import nbformat
 import numpy as np
 import pytest
 
+from kinoedu.cli import main
 from kinoedu.course import EXERCISES
+from kinoedu.course import release as release_module
 from kinoedu.course.release import assignments, release, remove_answers
 from kinoedu.errors import InvalidParameter
 
@@ -173,3 +176,19 @@ def test_release_stores_no_check_that_was_answered(house):
     nbformat.write(book, file)
     with pytest.raises(InvalidParameter, match="must say that nothing is answered yet"):
         release("01_geometry", house)
+
+
+def test_a_zip_that_cannot_be_written_is_refused_before_anything_is_released(
+    tmp_path, monkeypatch, capsys
+):
+    """A release takes minutes."""
+
+    def refuse(name):
+        raise AssertionError(f"{name} is released")
+
+    monkeypatch.setattr(release_module, "release", refuse)
+    assert main(["release", "--zip", str(tmp_path)]) == 2
+    assert "cannot be written: it is a folder" in capsys.readouterr().err
+    monkeypatch.setattr(os, "access", lambda place, mode: False)
+    assert main(["release", "--zip", str(tmp_path / "course.zip")]) == 2
+    assert "nothing can be written in" in capsys.readouterr().err

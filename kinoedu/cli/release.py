@@ -2,6 +2,7 @@
 
 import argparse
 import importlib.util
+import os
 from pathlib import Path
 
 from ..errors import InvalidParameter
@@ -102,8 +103,8 @@ def run_release(arguments: argparse.Namespace) -> int:
         if arguments.zip is None:
             raise InvalidParameter("--variant needs --zip FILE or --out FOLDER")
         choose_for_section(EXERCISES.values(), arguments.variant)  # refuse a wrong letter at once
-    if arguments.zip is not None and not arguments.zip.parent.is_dir():
-        raise InvalidParameter(f"there is no folder {arguments.zip.parent} for {arguments.zip}")
+    if arguments.zip is not None:
+        require_place_for(arguments.zip)
     if importlib.util.find_spec("nbgrader") is None:
         raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
 
@@ -134,6 +135,15 @@ def refuse_useless_options(arguments: argparse.Namespace) -> None:
         raise InvalidParameter("--graded-questions is for --zip FILE")
     for lesson in arguments.graded_questions:
         read_questions(lesson)
+
+
+def require_place_for(file: Path) -> None:
+    """Raise InvalidParameter where a file cannot be written, before the work that it is for."""
+    if not file.parent.is_dir():
+        raise InvalidParameter(f"there is no folder {file.parent} for {file}")
+    if file.is_dir() or not os.access(file.parent, os.W_OK):
+        reason = "it is a folder" if file.is_dir() else f"nothing can be written in {file.parent}"
+        raise InvalidParameter(f"{file} cannot be written: {reason}")
 
 
 def release_section(names: list[str], arguments: argparse.Namespace) -> int:
