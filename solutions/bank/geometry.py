@@ -50,6 +50,13 @@ takes_near_for_the_same = changed(
     "line_through_points", ("(p1 == p2).all()", "np.allclose(p1, p2, atol=0.1)")
 )
 has_a_tolerance = changed("line_through_points", ("(p1 == p2).all()", "np.allclose(p1, p2)"))
+is_close_in_both = changed(
+    "line_through_points",
+    ("(p1 == p2).all()", "math.isclose(p1[0], p2[0]) and math.isclose(p1[1], p2[1])"),
+)
+has_a_tiny_tolerance = changed(
+    "line_through_points", ("(p1 == p2).all()", "math.dist(p1, p2) < 1e-15")
+)
 steep_is_upright = changed(
     "line_through_points",
     ("    x, y", "    if abs(p2[0] - p1[0]) < 0.01:\n        return 1.0, 0.0, -p1[0]\n    x, y"),
@@ -110,6 +117,11 @@ squared_distance = changed("point_line_distance", ("+ c)", "+ c) ** 2"), slip="s
 near_points_are_refused = changed(
     "point_line_distance",
     ("(p1 == p2).all()", "math.dist(p1, p2) < 1e-6"),
+    within="line_through_points",
+)
+close_points_are_refused = changed(
+    "point_line_distance",
+    ("(p1 == p2).all()", "math.isclose(p1[0], p2[0]) and math.isclose(p1[1], p2[1])"),
     within="line_through_points",
 )
 zero_before_the_test = changed(  # also where there is no line

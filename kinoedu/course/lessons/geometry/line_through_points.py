@@ -11,7 +11,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Record, Value
 from ..shared.pictures import draw_line
 from ..shared.random_shapes import points, sizes
-from .lines import LEVEL, POINT, UPRIGHT, LineExercise
+from .lines import LEVEL, NEXT, POINT, UPRIGHT, LineExercise
 
 
 class LineThroughPoints(LineExercise):
@@ -54,7 +54,8 @@ class LineThroughPoints(LineExercise):
             ("slanted", (1, 2), (1.001, 2.001)),
             ("slanted", (0, 0), (0.0003, 0.0004)),
             ("slanted", (0, 0), (3e-9, 4e-9)),
-            ("level", (0, 0), (1e-13, 0)),
+            ("level", (0, 0), (1e-30, 0)),
+            ("level", (1, 2), (1 + NEXT, 2)),
             ("slanted", (0, 0), (0.1, 9000)),
             ("slanted", (0, 0), (9000, 0.1)),
             ("slanted", (9999.9, 9999.7), (9999.8, 9999.9)),

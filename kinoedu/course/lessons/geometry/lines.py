@@ -9,6 +9,8 @@ from ...shapes import Numbers, Value
 
 POINT = Numbers((2,))
 LEVEL, UPRIGHT = np.eye(2)
+# added to 1 it gives a number that `math.isclose` takes for 1; products with it are not rounded
+NEXT = 2.0**-35
 NEAR = 1.0  # points nearer than this may have been taken for the same point
 
 

@@ -12,7 +12,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record
 from ..shared.pictures import draw_distance
 from ..shared.random_shapes import points, sizes
-from .lines import POINT, UPRIGHT, DistanceExercise, LineExercise
+from .lines import NEXT, POINT, UPRIGHT, DistanceExercise, LineExercise
 
 
 class PointLineDistance(LineExercise, DistanceExercise):
@@ -74,7 +74,8 @@ class PointLineDistance(LineExercise, DistanceExercise):
             ("beside", (1, 1), (0, 0), (0.0005, 2)),
             ("beside", (-4, 3), (0, 0), (0.0003, 0.0004)),
             ("beside", (-4, 3), (0, 0), (3e-9, 4e-9)),
-            ("beside", (-4, 3), (0, 0), (1e-13, 0)),
+            ("beside", (-4, 3), (0, 0), (1e-30, 0)),
+            ("beside", (1, 5), (1, 2), (1 + NEXT, 2)),
             ("beside", (1, 4000), (0, 0), (0.1, 9000)),
             ("beside", (9999.2, 9999.5), (9999.9, 9999.7), (9999.8, 9999.9)),
         ):
