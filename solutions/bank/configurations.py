@@ -622,6 +622,12 @@ def answer_in_degrees(a, b):
     return math.degrees(circle_distance(a, b))
 
 
+@wrong("circle_distance")
+def angle_between_directions(a, b):
+    """Takes acos of a dot product, which may be rounded to more than 1."""
+    return math.acos(math.cos(a) * math.cos(b) + math.sin(a) * math.sin(b))
+
+
 @wrong("circle_distance", slip="rounded")
 def circle_rounded(a, b):
     """Rounds its answer."""

@@ -61,6 +61,7 @@ class CircleDistance(BetweenAngles):
             (10, 10.001),
             (0, 0),
             (95, -95),
+            (25.5, 25.5),  # the dot product of its direction with itself is rounded to more than 1
         ):
             yield self.case(a, b)
         for _ in range(25):
