@@ -676,6 +676,25 @@ def half_a_side_added(points):
     return low, low + 1 / 80
 
 
+def probes_at_the_walls(m):
+    """Return m x m probes, the first and the last of each row at the walls."""
+    return np.array(list(product(np.linspace(0, 1, m), repeat=2)))
+
+
+@wrong("dispersion_bounds")
+def half_a_side_between_walls(points):
+    """Adds half the side of a cell; its probes at the walls find the farthest corner and side."""
+    low = farthest(probes_at_the_walls(51), points)
+    return low, low + 1 / 100
+
+
+@wrong("dispersion_bounds")
+def too_few_between_walls(points):
+    """Adds 0.02, where half the diagonal of a cell is longer."""
+    low = farthest(probes_at_the_walls(25), points)
+    return low, low + 0.02
+
+
 @wrong("dispersion_bounds")
 def too_few_probes(points):
     """Returns right bounds that are far apart."""

@@ -18,6 +18,10 @@ from .pictures import draw_holes
 
 APART = 0.02  # the greatest allowed difference of the bounds
 SLACK = 1e-9
+# centres of holes that are as far as possible from all probes of a lattice that divides the square
+# into 4 k + 2, 8 k + 4, 16 k + 8 and 32 k + 16 parts along each side, probes at the walls included
+BETWEEN_PROBES = ((8, 24), (12, 20), (10, 22), (11, 21))  # thirty-seconds
+APART_ROUND = 0.125  # half the side of the square of points round such a hole
 
 
 class DispersionBounds(Exercise):
@@ -62,6 +66,8 @@ class DispersionBounds(Exercise):
         ):
             yield make_case(np.array(points, float))
         yield make_case(halton(100))
+        for centre in BETWEEN_PROBES:
+            yield make_case(surround(np.array(centre) / 32))
         yield from self.chosen(rng)
 
     def chosen(self, rng: np.random.Generator) -> Iterator[Case]:
@@ -106,6 +112,19 @@ def make_case(points: Array) -> Case:
     return Case(
         "one" if len(points) == 1 else ("inside", "wall", "corner")[walls], {"points": points}
     )
+
+
+def surround(centre: Array) -> Array:
+    """Points all over the square, in which four points on diagonals leave a hole round a centre.
+
+    Towards each of the four the distance decreases as fast as one moves, so that probes beside the
+    centre find much less than the size of the hole.
+    """
+    i, j = np.indices((19, 19)).reshape(2, -1) - 9
+    kept = ((i + j) % 2 == 0) & ((i != 0) | (j != 0))  # a grid and its centres, but for one centre
+    points = centre + APART_ROUND * np.column_stack([i, j])[kept]
+    near = ((points > -APART_ROUND) & (points < 1.0 + APART_ROUND)).all(axis=1)
+    return np.unique(np.clip(points[near], 0.0, 1.0), axis=0)
 
 
 def draw_points_at_random(rng: np.random.Generator) -> Array:
