@@ -306,6 +306,9 @@ def no_cells_at_all(boundary, obstacles):
     return []
 
 
+a_little_after_each_event = changed(  # beyond the next event, where that one is near
+    "trapezoidation", ("(x + after) / 2", "x + 1e-6")
+)
 x_to_three_digits = changed(
     "trapezoidation", ("cells.append((x0, x,", "cells.append((round(x0, 3), round(x, 3),")
 )

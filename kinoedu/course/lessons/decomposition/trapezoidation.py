@@ -19,6 +19,8 @@ from .slips import hollow, slabs, without_last, without_triangles
 
 # low cells, one of them very narrow, and numbers of many digits
 LOW = np.array([(0, 0), (4.00012345, -0.01), (8, 0.02), (4.00091234, 0.015)], float)
+# two vertices at nearly the same x
+CLOSE = np.array([(0, 0), (4, -1), (8, 2), (4 + 2.0**-28, 3)], float)
 HEIGHTS = [0, 1, 2, 4, 3, 5]  # the columns, both floors before both ceilings
 
 
@@ -57,6 +59,7 @@ class TrapezoidsOfWorld(ValueExercise):
             ("convex", {"boundary": np.array([(0, 0), (4, -2), (8, 4)], float), "obstacles": []}),
             ("convex", {"boundary": KITE, "obstacles": []}),
             ("convex", {"boundary": LOW, "obstacles": []}),
+            ("convex", {"boundary": CLOSE, "obstacles": []}),
             ("bays", bay),
             ("bays", mirrored(bay)),
             ("one", {"boundary": KITE, "obstacles": [WEDGE]}),
