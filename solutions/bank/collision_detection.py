@@ -428,6 +428,11 @@ def one_corner_short(robot, obstacle):
 whole_numbers = changed(
     "c_obstacle", ("convex_hull(", "np.round(convex_hull("), ("for b in robot]", "for b in robot])")
 )
+two_decimals = changed(
+    "c_obstacle",
+    ("convex_hull(", "np.round(convex_hull("),
+    ("b in robot])", "b in robot]), 2)"),
+)
 
 # The arm among discs
 

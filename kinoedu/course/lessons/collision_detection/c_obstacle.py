@@ -66,6 +66,7 @@ class CObstacle(ValueExercise):
             ("general", WEDGE, [(4, 2), (6, 3), (3, 5)]),
             ("parallel", WEDGE, [(4, 3), (7, 3), (7, 5), (4, 5)]),
             ("off", WEDGE + 1, [(6, 2), (8, 3), (5, 5)]),
+            ("general", WEDGE / 64, np.array([(4, 2), (6, 3), (3, 5)]) / 64),
         ):
             yield Case(
                 kind, {"robot": np.array(robot, float), "obstacle": np.array(obstacle, float)}
