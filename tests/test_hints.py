@@ -104,6 +104,12 @@ def with_a_rounded_quantile(path, discs, offsets):
     return share, (middle - reach) / (1 + z * z / n), (middle + reach) / (1 + z * z / n)
 
 
+def find_cheap_nodes(neighbours, weights, start):
+    """A program for `dijkstra` in which 10**6 stands for infinity."""
+    costs = np.array(EXERCISES["dijkstra"].right_answer(neighbours, weights, start))
+    return np.where(costs < 10**6, costs, np.inf)
+
+
 @pytest.mark.parametrize(
     ("name", "variant", "program", "said"),
     [
@@ -117,6 +123,7 @@ def with_a_rounded_quantile(path, discs, offsets):
         ("bfs_path", "incoming", lambda *given: None, "u in neighbours[v]"),
         ("replay", "degrees", stand_still, "np.radians(phi)"),
         ("collision_probability", "no_hit", with_a_rounded_quantile, "1.2302"),
+        ("dijkstra", "", find_cheap_nodes, "math.inf"),
     ],
 )
 def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said):

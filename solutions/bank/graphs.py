@@ -312,6 +312,11 @@ a_thousand_for_infinity = changed(
     ("[inf]", "[1000]"),
     ("return cost", "return [c if c < 1000 else inf for c in cost]"),
 )
+a_billion_for_infinity = changed(
+    "dijkstra",
+    ("[inf]", "[10**9]"),
+    ("return cost", "return [c if c < 10**9 else inf for c in cost]"),
+)
 refuses_zero_weights_too = changed("dijkstra", ("w < 0", "w <= 0"))
 ignores_little_gains = changed("dijkstra", ("< cost[v]:", "< cost[v] - 1e-4:"))
 rounds_costs = changed("dijkstra", ("cost[v] = c + w", "cost[v] = round(c + w, 3)"))
@@ -438,6 +443,7 @@ adds_estimates_up = changed(
 )
 whole_weights = changed("astar", (EDGES, "zip(neighbours[u], map(int, weights[u]))"))
 a_million_for_infinity = changed("astar", ("[inf]", "[10**6]"))
+largest_int_for_infinity = changed("astar", ("[inf]", "[2**63 - 1]"))
 three_times_at_most = changed(
     "astar",
     ("while", "times = [0] * len(cost)\n    while"),

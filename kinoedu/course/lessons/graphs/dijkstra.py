@@ -6,9 +6,9 @@ import numpy as np
 
 from .... import graphs
 from ....graphs.search import expand
-from ...exercise import Axes, Case, Change, Restated, Slip, ValueExercise
+from ...exercise import Axes, Case, Change, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Numbers, Record
+from ...shapes import Numbers, Record, Value
 from ...whole_shapes import Integer
 from ...withheld import withheld
 from ..shared.graph_slips import (
@@ -144,6 +144,14 @@ class Dijkstra(ValueExercise):
                 yield Case(
                     "negative", {"neighbours": neighbours, "weights": spoilt, "start": start}
                 )
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Compare the costs; infinity for a node that can be reached breaks a rule of its own."""
+        verdict, truth = super().value_verdict(case, value), self.truth(case)
+        if verdict.is_right or len(value) != len(truth):
+            return verdict
+        is_lost = bool((np.isinf(value) & np.isfinite(truth)).any())
+        return verdict._replace(rule="reached") if is_lost else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the graph with its weights, and the true and the student's cost of every node."""

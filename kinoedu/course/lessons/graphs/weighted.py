@@ -15,8 +15,8 @@ WEIGHTS = Listed(Listed(Number()))
 DETOUR = [(0, 1, 1), (1, 2, 1), (0, 2, 5)]
 LATE_GAIN = [(0, 1, 1), (0, 2, 4), (1, 2, 2), (2, 3, 1)]
 
-
-UNITS = (1.0, 0.737, 1e7)
+# costs in the last unit exceed numbers that programs take for infinity, such as sys.maxsize
+UNITS = (1.0, 0.737, 1e20)
 
 
 def graphs_in_units(rng: np.random.Generator) -> Iterator[tuple[str, Neighbours, Weights]]:
