@@ -338,6 +338,47 @@ def test_a_touch_that_the_browser_takes_over_is_no_click(tmp_path):
         assert page.evaluate(PLACES)[1] == goal != [4, 3]
 
 
+# A second picture of the board, as a page with a kernel has it, at the top of a long page.
+AGAIN = """() => {
+  const { board } = kernel, place = document.createElement("div");
+  document.body.append(place);
+  document.body.style.paddingBottom = "2000px";
+  globalThis.again = new ([...board.views][0].constructor)(board, place);
+  place.scrollIntoView(); }"""
+ON_PAGE = """at => {
+  const { x, y } = again.canvas.getBoundingClientRect(), [px, py] = again.toPixels(at);
+  return [x + px, y + py]; }"""
+
+
+def swipe(page, x, y):
+    """Move one finger up by 150 pixels."""
+    touch = page.context.new_cdp_session(page)
+    for k, kind in enumerate(["touchStart", *["touchMove"] * 6, "touchEnd"]):
+        points = [] if kind == "touchEnd" else [{"x": x, "y": y - 25 * k}]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        frames(page)
+
+
+def test_a_finger_on_the_ground_scrolls_and_one_on_a_thing_drags(light):
+    """On a telephone a board is as wide as the page, so there is no other place to scroll."""
+    phone = {"has_touch": True, "is_mobile": True, "viewport": {"width": 360, "height": 640}}
+    with browser(**phone, device_scale_factor=3) as page:
+        page.goto(light)
+        shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        page.evaluate("kernel.start()")
+        page.evaluate(AGAIN)
+        frames(page)
+        begun, places = page.evaluate("scrollY"), page.evaluate(PLACES)
+        swipe(page, *page.evaluate(ON_PAGE, [9, 1]))
+        dragged = page.evaluate(PLACES)
+        assert dragged[0] == places[0] and dragged[1][1] > places[1][1] + 2
+        assert abs(page.evaluate("scrollY") - begun) < 40
+        swipe(page, *page.evaluate(ON_PAGE, [2, 1]))
+        assert page.evaluate("scrollY") > begun + 80
+        assert page.evaluate(PLACES) == dragged
+
+
 def test_a_plot_without_things_has_no_button_to_start_again(light):
     """There is nothing in it to put back; the board that has things keeps the button."""
     with browser() as page:

@@ -651,7 +651,6 @@ class View {
     const spoken = { role: "status", "aria-live": "polite" };
     this.state = make("div", "kinoedu-state", this.column, spoken);
     this.how = make("div", "kinoedu-hint", this.root);   // below the code, where there is some
-    if (recorded) this.canvas.style.touchAction = "auto";
     this.pen = this.canvas.getContext("2d");
   }
 
@@ -705,6 +704,9 @@ class View {
   listen() {
     const { board, canvas } = this;
     canvas.addEventListener("pointerdown", (e) => this.grab(e));
+    canvas.addEventListener("touchstart", (e) => {   // after it: a finger that holds nothing scrolls
+      if (this.grabs.size) e.preventDefault();
+    }, { passive: false });
     canvas.addEventListener("pointermove", (e) => this.drag(e));
     canvas.addEventListener("pointerup", (e) => this.letGo(e));
     canvas.addEventListener("pointercancel", (e) => this.drop(e));
