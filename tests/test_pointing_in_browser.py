@@ -379,6 +379,29 @@ def test_a_finger_on_the_ground_scrolls_and_one_on_a_thing_drags(light):
         assert page.evaluate(PLACES) == dragged
 
 
+def test_an_arrow_with_another_key_is_the_browsers(light):
+    """Alt and an arrow goes back in the history; a key that is let go while Ctrl is held ends."""
+    with browser() as page:
+        page.goto(light)
+        shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        page.evaluate(AGAIN)
+        frames(page)
+        page.evaluate("again.buttons.get('handle-1').focus()")
+        for key in ("Alt+ArrowUp", "Control+ArrowLeft"):
+            page.keyboard.press(key)
+        assert page.evaluate(PLACES)[1] == [9, 1]
+        page.keyboard.press("ArrowUp")
+        assert page.evaluate(PLACES)[1] == [9, 1.1]
+        page.evaluate("again.steered(again.growth); again.back.focus()")
+        held = "[...kernel.board.held]"
+        page.keyboard.down("ArrowUp")
+        assert page.evaluate(held) == ["ArrowUp"]
+        page.keyboard.down("Control")
+        page.keyboard.up("ArrowUp")
+        assert page.evaluate(held) == []
+
+
 def test_a_plot_without_things_has_no_button_to_start_again(light):
     """There is nothing in it to put back; the board that has things keeps the button."""
     with browser() as page:

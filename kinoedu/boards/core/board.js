@@ -569,6 +569,11 @@ class Board {
   }
 }
 
+// The arrow key of an event, as a direction. With another key it is the browser's: Alt goes back.
+function wayOf({ key, ctrlKey, metaKey, altKey }) {
+  return ctrlKey || metaKey || altKey ? undefined : WAYS[key];
+}
+
 function keepKeys(event) {               // the notebook must not handle the keys that a board uses
   if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
 }
@@ -691,7 +696,7 @@ class View {
 
   steered(element) {                     // let arrow keys drive while the element has the focus
     const held = (down) => (event) => {
-      if (!WAYS[event.key] || event.ctrlKey || event.metaKey) return;
+      if (!(down ? wayOf(event) : WAYS[event.key])) return;
       this.board.hold(event.key, down);
       event.preventDefault();
       if (down) event.stopPropagation();
@@ -892,7 +897,7 @@ class View {
   // keys: every thing has a button over it, visible only while it has the focus
 
   press(event, thing) {
-    const { board } = this, way = WAYS[event.key];
+    const { board } = this, way = wayOf(event);
     const opens = event.key === "Enter" && thing.kind === "polygon";
     if (way) {
       this.nudge(thing, way, event.shiftKey ? 0.05 : 0.01);
@@ -1681,7 +1686,7 @@ class Pointer {
   choose(target) { if (target) this.point(this.place(target), NEAR); }
 
   press(event) {
-    const way = WAYS[event.key], here = this.found();
+    const way = wayOf(event), here = this.found();
     if (way) this.choose(this.next(way));
     else if (event.key === "Enter") this.choose(this.parentOf(here));
     else if (event.key === "Escape") this.button.blur();
