@@ -684,6 +684,31 @@ def test_a_page_that_turns_dark_takes_its_boards_along(light):
             assert root.evaluate("root => getComputedStyle(root).color") == f"rgb({channels})"
 
 
+# Chromium without a window does not tell a page that its zoom has changed; the test does.
+RATIOS = """window.ratios = [];
+    const match = window.matchMedia;
+    window.matchMedia = (query) => {
+      if (!query.includes("resolution")) return match.call(window, query);
+      ratios.push(new EventTarget());
+      return ratios.at(-1); };"""
+
+
+def test_a_page_that_is_zoomed_has_sharp_boards(light):
+    """More than once, though the size of the board stays the same."""
+    with browser() as page:
+        page.add_init_script(RATIOS)
+        page.goto(light)
+        canvas = shown(page).locator("canvas")
+        screen = page.context.new_cdp_session(page)
+        size = {"width": 900, "height": 900, "mobile": False}
+        wide = canvas.evaluate("canvas => canvas.width")
+        for ratio in (2, 1, 1.5):
+            screen.send("Emulation.setDeviceMetricsOverride", {**size, "deviceScaleFactor": ratio})
+            page.evaluate("[...ratios].forEach(one => one.dispatchEvent(new Event('change')))")
+            frames(page)
+            assert canvas.evaluate("canvas => canvas.width") == ratio * wide
+
+
 LATE = """
 const append = Element.prototype.append;
 Element.prototype.append = function (...nodes) {

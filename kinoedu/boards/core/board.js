@@ -591,6 +591,7 @@ class View {
     this.build(el);
     this.listen();
     this.endTheme = followTheme((theme) => this.dress(theme));
+    this.endPixels = followPixels(() => this.request());
     this.word = null;                    // the colour that a word under the pointer names
     this.read = ({ type, target, relatedTarget }) => {
       this.light(type === "focusout" ? relatedTarget : target);
@@ -606,6 +607,7 @@ class View {
   close() {
     this.resizing.disconnect();
     this.endTheme();
+    this.endPixels();
     READING.forEach((kind) => document.removeEventListener(kind, this.read));
     [this.speaking, this.settling].forEach(clearTimeout);
     this.board.views.delete(this);

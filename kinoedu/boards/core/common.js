@@ -36,6 +36,19 @@ function followTheme(dress) {
   };
 }
 
+// Call `paint` whenever the page gets more or fewer pixels, as by the browser's zoom, until the
+// returned function is called.
+function followPixels(paint) {
+  let pixels = null;
+  const wait = () => {                   // for the next change: a query is of one ratio only
+    pixels = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    pixels.addEventListener("change", tell, { once: true });
+  };
+  const tell = () => { paint(); wait(); };
+  wait();
+  return () => pixels.removeEventListener("change", tell);
+}
+
 // JupyterLab shows twice for each question that the kernel works: it fetches another icon for its
 // tab (a quarter of what a drag cost), and looks through its tool bar when the sign there changes
 // (a sixth). While questions are asked it finds no icons, and looks through the tool bar later.

@@ -41,6 +41,7 @@ class Solid {
     this.measure();
     this.listen();
     this.endTheme = followTheme((theme) => this.dress(theme));
+    this.endPixels = followPixels(() => this.request());
     this.answered = () => this.receive();
     this.replaced = () => this.replace();
     model.on("change:section", this.answered);
@@ -53,6 +54,7 @@ class Solid {
   close() {
     this.resizing.disconnect();
     this.endTheme();
+    this.endPixels();
     this.model.off("change:section", this.answered);
     this.model.off("change:theta", this.replaced);
     this.model.off("change:place", this.replaced);
