@@ -595,6 +595,54 @@ def test_a_page_says_what_was_wrong_with_a_recorded_answer(chromium, tmp_path):
     opened.close()
 
 
+@pytest.fixture
+def bare(chromium, tmp_path):
+    """A live board whose page has no modules: it says the name of that which it could not load."""
+    problem = ke.Problem(ke.Point(), ke.PolygonWorld(ROOM, [SQUARE]), start=(6, 1), goal=(1, 6))
+    write_records(tmp_path, [ke.board(problem, "rrt")], page_script(describe_bodies()))
+    opened = chromium.new_page()
+    opened.goto((tmp_path / "index.html").as_uri())
+    opened.wait_for_selector(".kinoedu-board[data-paints]")
+    yield opened
+    opened.close()
+
+
+NAMED = "name => document.querySelector('.kinoedu-text').textContent.includes(`live/${name}.js`)"
+
+
+def test_a_module_that_was_not_there_is_asked_for_again(bare):
+    """At the next answer that needs it; nothing is remembered of a network that was lost."""
+    asked, menu = [], bare.locator(".kinoedu-live select")
+    bare.on("request", lambda request: asked.append(request.url.rpartition("/")[2]))
+    for name in ("prm", "rrt_star", "prm"):
+        menu.select_option(name)
+        bare.wait_for_function(NAMED, arg=name)
+    assert asked == ["prm.js", "rrt_star.js", "prm.js"]
+
+
+LATER = """late => {
+    const { head } = document, { append } = head;
+    head.append = (element) => {
+        if (element.src.endsWith(late)) globalThis.come = () => append.call(head, element);
+        else append.call(head, element);
+    }; }"""
+
+
+def test_what_is_not_chosen_any_more_is_not_shown(bare):
+    """A module that comes late does not replace the answer of the one chosen after it."""
+    menu = bare.locator(".kinoedu-live select")
+    bare.evaluate(LATER, "prm.js")
+    menu.select_option("prm")
+    menu.select_option("rrt_star")
+    bare.wait_for_function(NAMED, arg="rrt_star")
+    bare.evaluate("come()")
+    with pytest.raises(Exception, match="Timeout"):
+        bare.wait_for_function(NAMED, arg="prm", timeout=1_000)
+    menu.select_option("prm")
+    bare.evaluate("come()")
+    bare.wait_for_function(NAMED, arg="prm")
+
+
 def lab_text(name, start, goal, polygon, seed):
     """What the board of a lesson says of the same scene."""
     try:

@@ -43,14 +43,17 @@ function startWorker() {
   return made;
 }
 
-// Load a body's module once and hand it to the worker.
+// Load a body's module once and hand it to the worker. What failed is tried again when it is asked
+// for again: a telephone may have lost its network.
 function load(name) {
   if (!modules.has(name)) {
-    modules.set(name, script(`live/${name}.js`).then(() => {
+    const loading = script(`live/${name}.js`).then(() => {
       worker ??= startWorker();
       const { fields } = LIVE.bodies[name], module = bytesOf(globalThis.kinoeduModules[name]);
       worker.postMessage({ name, module, fields });
-    }));
+    });
+    loading.catch(() => modules.delete(name));
+    modules.set(name, loading);
   }
   return modules.get(name);
 }
@@ -101,13 +104,17 @@ class Answers {
       await load(name);
       const shown = await ask({ name, scene, free, settings, seed }), body = LIVE.bodies[name];
       drawing = drawn(body, scene, settings, shown);
-      move(this.scene, drawing.message.places);
       if (body.beside && !drawing.message.warning) {
         second = drawn({ ...body, ...body.beside }, this.beside.scene, settings, shown);
       }
     } catch (error) {
       drawing = warned(said("live.failed", { error: error.message }));
     }
+    if (name !== this.body) {            // another was chosen while the module of this one came
+      (asksBeside ? this.beside : this).tell({ kind: "skipped", to, seq });
+      return;
+    }
+    move(this.scene, drawing.message.places);
     const { message, buffers } = drawing, { total } = message;
     const first = this.step === null ? null : Math.min(this.step, total);  // of a link
     const own = asksBeside ? [null, null] : [to, seq];
