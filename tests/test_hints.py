@@ -18,6 +18,7 @@ from kinoedu.geometry import point_line_distance, point_polygon_distance, polygo
 
 HOUSE = Path(__file__).resolve().parent.parent
 TREE = Solutions(HOUSE / "solutions" / "09_trees.ipynb").right["tree_roadmap"]
+UPRIGHT_CELLS = Solutions(HOUSE / "solutions" / "03_decomposition.ipynb").right["trapezoidation"]
 CHANCE = EXERCISES["collision_probability"].right_answer
 CHANGED = [
     find(exercise.name, change.key)
@@ -124,6 +125,7 @@ def find_cheap_nodes(neighbours, weights, start):
         ("replay", "degrees", stand_still, "np.radians(phi)"),
         ("collision_probability", "no_hit", with_a_rounded_quantile, "1.2302"),
         ("dijkstra", "", find_cheap_nodes, "math.inf"),
+        ("trapezoidation", "level", UPRIGHT_CELLS, "Your contract asks for another answer"),
     ],
 )
 def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said):

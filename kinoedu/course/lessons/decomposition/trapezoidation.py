@@ -73,7 +73,8 @@ class TrapezoidsOfWorld(ValueExercise):
                 ("one", 1),
                 ("several", int(rng.integers(2, 6))),
             ):
-                yield Case(kind, general_world(rng, number, size, convex=kind == "convex"))
+                convex = kind == "convex"
+                yield Case(kind, general_world(rng, number, size, convex=convex, both_ways=True))
 
     def same(self, value: object, truth: object) -> bool:
         """Compare rows up to order and rounding."""
