@@ -233,8 +233,14 @@ ALSO_RIGHT = {
         ),
     ],
     "link_in_contact": [lambda *given: np.int64(EXERCISES["link_in_contact"].source(*given))],
-    "plot_environment": [lambda *given: drawn_in_pieces(*given)],
-    "plot_configuration_space": [lambda *given: scattered_dots(*given)],
+    "plot_environment": [
+        lambda *given: drawn_in_pieces(*given),
+        lambda *given: drawn_link_by_link(*given),
+    ],
+    "plot_configuration_space": [
+        lambda *given: scattered_dots(*given),
+        lambda *given: dots_by_numbers(*given),
+    ],
     "rrt": [
         lambda *given: tuple(
             None if part is None else np.array(part).tolist()
@@ -342,6 +348,25 @@ def scattered_dots(samples, lengths, width, discs, ax):
         *np.where(q > np.pi, q - 2 * np.pi, q).T,
         c=[("tab:blue", "k", "#c00000")[link] for link in links],
     )
+
+
+def drawn_link_by_link(q, lengths, width, discs, ax):
+    """A drawing with joints that are dots on lines, in which each link draws both of its ends."""
+    drawn_in_pieces(q, lengths, width, discs, ax)
+    base, elbow, tip = [dot.get_xydata()[0] for dot in ax.lines]
+    for dot in list(ax.lines):
+        dot.remove()
+    for ends in ((base, elbow), (elbow, tip)):
+        ax.plot(*np.transpose(ends), "o-", label="joints")
+
+
+def dots_by_numbers(samples, lengths, width, discs, ax):
+    """One scatter plot with a number for each dot and a map from numbers to colours."""
+    from matplotlib.colors import ListedColormap
+
+    q = 2 * np.pi * samples
+    links = [EXERCISES["link_in_contact"].source(one, lengths, width, discs) for one in q]
+    ax.scatter(*q.T, c=links, cmap=ListedColormap(["blue", "black", "red"]), vmin=0, vmax=2)
 
 
 def seen_in_another_order(problem, obstacles):

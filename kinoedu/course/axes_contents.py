@@ -16,7 +16,7 @@ def read_axes(value: Any) -> dict[str, Any] | None:
     if not all(hasattr(value, name) for name in ("lines", "collections", "patches", "get_title")):
         return None
     solid = [line for line in value.lines if line.get_linestyle() not in ("None", "")]
-    dotted = [line for line in value.lines if line not in solid]
+    dotted = [line for line in value.lines if str(line.get_marker()) not in ("None", "", " ")]
     lines = [curve_data(line.get_xydata(), line, line.get_color()) for line in solid]
     dots = [curve_data(line.get_xydata(), line, line.get_markerfacecolor()) for line in dotted]
     for group in value.collections:
@@ -81,6 +81,7 @@ def scatter_dots(group: Any) -> list[dict[str, Any]]:
     """The dots of a scatter plot, one entry for each colour."""
     if hasattr(group, "get_segments") or not len(group.get_offsets()):
         return []
+    group.update_scalarmappable()  # colours by numbers, which are otherwise mapped when drawn
     points = np.asarray(group.get_offsets(), float)
     colours = np.asarray(group.get_facecolor(), float)
     if not len(colours):  # unfilled dots

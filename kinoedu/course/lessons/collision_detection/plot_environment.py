@@ -69,7 +69,8 @@ class PlotEnvironment(DrawnExercise):
         wrong = [
             rule for label, rule in rules.items() if not same_region(found[label], wanted[label])
         ]
-        return wrong[0] if wrong else "" if same_dots(found[JOINTS], wanted[JOINTS]) else JOINTS
+        dots = [without_repetition(one[JOINTS]) for one in (found, wanted)]
+        return wrong[0] if wrong else "" if same_dots(*dots) else JOINTS
 
     def value_verdict(self, case: Case, value: object) -> Verdict:
         """Check labels, links, discs and joints."""
@@ -121,6 +122,13 @@ def drawn_scene(plot: Any) -> Scene:
         **scene,
         JOINTS: [dot for one in plot["dots"] if one["label"] == JOINTS for dot in one["points"]],
     }
+
+
+def without_repetition(dots: list[Array]) -> Array:
+    """Dots, each place once, (n, 2): a joint may be drawn as an end of each of its links."""
+    places = np.reshape(dots, (-1, 2))
+    _, first = np.unique(np.round(places, 5) + 0.0, axis=0, return_index=True)
+    return places[first]
 
 
 def same_region(found: list[Array], wanted: list[Array]) -> bool:
