@@ -177,6 +177,8 @@ def goes_round_for_ever(start, goal, obstacles, step):
     return path
 
 
+# a small obstacle is behind it by then
+a_hundred_steps_at_least = changed("bug1", ("len(tour) < 10", "len(tour) < 100"))
 # the round ends where the goal is ten steps farther than at the nearest point so far
 half_a_round = changed(
     "bug1",

@@ -26,6 +26,7 @@ from .walking import (
 )
 
 WIDE = np.array([(2, -3), (3, -3), (3, 3.6), (2, 3.6)], float)  # it leads away from the goal first
+SMALL = np.array([(2, -0.2), (2.6, -0.2), (2.6, 0.4), (2, 0.4)], float)  # round it in few steps
 TIED = 0.3  # ways that differ by less count as equally long
 
 
@@ -44,6 +45,7 @@ class Bug1(BugExercise):
         yield Case("one", world((0, 0), (6, 0), [BOX]))
         yield Case("one", world((0, 0), (60, 0), [BOX]))
         yield Case("one", world((0, 0), (6, 0), [WIDE]))
+        yield Case("one", world((0, 0), (6, 0), [SMALL]))
         yield Case("many", world((0, 0), (5, 3), ME145))
         for n in (2, 3, 2):
             yield self.random_case(rng, "one", 1)
