@@ -18,6 +18,7 @@ from kinoedu.course.lessons.shared.planned import (
     problem_of,
 )
 from kinoedu.course.lessons.trees.exposing_room import is_connected
+from kinoedu.course.watching import FAR
 from kinoedu.planners import rrt
 
 WAYS = [name for name in TRAPS if name != "sealed"]
@@ -136,15 +137,15 @@ def test_a_fault_of_the_third_call_is_shown_with_its_seed(name):
     case = next(c for c in exercise.cases(np.random.default_rng(0)) if c.kind == "wall")
     seed = case.given["rng"]
 
-    def wrong_for_the_next_seed(*given):
+    def wrong_for_the_other_seed(*given):
         answer = list(exercise.right_answer(*given))
-        if given[-1] == seed + 1:
+        if given[-1] == seed + FAR:
             answer[0] = np.array(answer[0])[:-1]
         return answer
 
-    outcome = run_case(exercise, wrong_for_the_next_seed, case)
+    outcome = run_case(exercise, wrong_for_the_other_seed, case)
     assert not exercise.judge(case, outcome).is_right
-    assert exercise.case_at_fault(case, outcome).given["rng"] == seed + 1
+    assert exercise.case_at_fault(case, outcome).given["rng"] == seed + FAR
 
 
 def test_nodes_of_one_number_have_a_picture():

@@ -939,6 +939,8 @@ five_turns_at_most = changed(
     ),
 )
 less_than_a_thousand = changed("fastest_drive", ("time.get(v, math.inf)", "time.get(v, 1000.0)"))
+two_digits_of_the_seed = changed("kinodynamic_rrt", ("default_rng(rng)", "default_rng(rng % 100)"))
+even_or_odd_seed = changed("kinodynamic_prm", ("default_rng(rng)", "default_rng(rng % 2)"))
 ignores_little_gains = changed(
     "fastest_drive", ("< time.get(v, math.inf)", "< time.get(v, math.inf) - 1e-4")
 )

@@ -890,6 +890,7 @@ ignores_little_gains = changed(
 only_nodes_with_edges = changed(
     "shortest_path", ("while heap:", "while heap and start in np.asarray(edges):")
 )
+last_digit_of_the_seed = changed("sampled_roadmap", ("default_rng(rng)", "default_rng(rng % 10)"))
 hundred_tries = changed(
     "sampled_roadmap",
     ("while len(nodes) < n + 2:", "for _ in range(10 * n):"),

@@ -380,6 +380,12 @@ def gives_up_early(problem, n, rng):
     return prm(problem, n, rng, is_free=lambda q: problem.is_free(q) or next(tries, None) is None)
 
 
+last_two_digits_of_the_seed = changed(
+    "rrt_on_terrain", ("default_rng(rng)", "default_rng(rng % 100)")
+)
+last_digit_of_the_seed = changed("prm_on_terrain", ("default_rng(rng)", "default_rng(rng % 10)"))
+
+
 # Repeated numbers
 
 

@@ -108,6 +108,7 @@ start_left_out = changed("rrt", ("node >= 0", "parent[node] != -1"))
 global_chance = changed("rrt", (SEED, "default_rng(np.random.randint(10**6))"))
 never_the_same = changed("rrt", (SEED, "default_rng()"))
 always_the_same = changed("rrt", (SEED, "default_rng(0)"))
+last_digit_of_the_seed = changed("rrt", (SEED, "default_rng(rng % 10)"))
 ignores_the_bias = changed("rrt", ("rng.random() < goal_bias", "False"))
 asks_for_the_whole_way = changed("rrt", (FREE_STEP, "problem.is_free_path(nodes[near], q_rand)"))
 waits_for_the_goal_as_a_sample = changed(

@@ -12,7 +12,7 @@ from ...exercise import Axes, Case, Given
 from ...outcomes import Answer, Outcome
 from ...shapes import Shape, Together, Truth, Value
 from ...watching import call_three_times, read_drives
-from ..shared.planned import Fault, PlannerExercise
+from ..shared.planned import Fault, PlannerExercise, with_other_seed
 from .driven_trees import NOWHERE, TurnFault, find_drive_fault, find_near_goal, replay
 from .driven_turns import LOG, Turns, find_turn_fault
 from .garages import BEYOND_PI, FEW
@@ -102,8 +102,7 @@ class DrivingPlanner(PlannerExercise):
     def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
         """The case with the seed of the call that failed."""
         which = self.find_fault(case, outcome.value)[1] if isinstance(outcome, Answer) else 0
-        given = {**case.given, "rng": case.given["rng"] + 1}
-        return case._replace(given=given) if which else case
+        return with_other_seed(case) if which else case
 
     def fault_of_three(self, case: Case, value: Value) -> Value:
         """What is wrong with the answers or with their calls, or None."""
@@ -117,7 +116,9 @@ class DrivingPlanner(PlannerExercise):
         """Describe the size of the answer, where its path ends, and where its fault is."""
         fault, which = self.find_fault(case, value)
         tree, poses = self.nodes_of(case, value[which])
-        parts = [self.message("answers.seed", rng=case.given["rng"] + 1)] if which else []
+        parts = (
+            [self.message("answers.seed", rng=with_other_seed(case).given["rng"])] if which else []
+        )
         if len(poses):
             x, y, theta = poses[-1]
             end = {"drives": len(poses) - 1, "x": x, "y": y, "theta": theta}

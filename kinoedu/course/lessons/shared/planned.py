@@ -28,7 +28,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Numbers, Shape, Together, Truth, Value
 from ...sizes import count_numbers, count_rows, refuse_excess
 from ...tasks import ProblemShape, StudentProblem, problem_of
-from ...watching import Run, call_three_times, read_nothing, read_samples
+from ...watching import FAR, Run, call_three_times, read_nothing, read_samples
 from ...whole_shapes import Integer
 from .small_problems import TRAPS
 
@@ -52,6 +52,7 @@ __all__ = [
     "same_configuration",
     "three_times",
     "watched_three_times",
+    "with_other_seed",
 ]
 
 NODES, PATH = Numbers(("n", "d")), Numbers(("k", "d"))
@@ -63,7 +64,7 @@ class Fault(NamedTuple):
     """A rule that an answer breaks, and the configurations involved, shape (k, d).
 
     There are two configurations for a motion, and there may be none. `call` is the number of the
-    call at fault: 0 and 1 had the case's seed, 2 had the next one.
+    call at fault: 0 and 1 had the case's seed, 2 had another.
     """
 
     rule: str
@@ -257,7 +258,7 @@ class PlannerExercise(Exercise):
             return Fault("again", nowhere)
         if self.uses_chance(case) and self.result.encode(first) == self.result.encode(other):
             return Fault("another", nowhere)
-        fault = self.fault_of_run(with_next_seed(case), other, drawn_then)
+        fault = self.fault_of_run(with_other_seed(case), other, drawn_then)
         return None if fault is None else fault._replace(call=2)
 
     def answer_at_fault(self, case: Case, value: Value) -> Value:
@@ -281,7 +282,7 @@ class PlannerExercise(Exercise):
     def case_at_fault(self, case: Case, outcome: Outcome) -> Case:
         """The case with the seed of the call that failed."""
         fault = self.fault_of_three(case, outcome.value) if isinstance(outcome, Answer) else None
-        return with_next_seed(case) if fault is not None and fault.call == 2 else case
+        return with_other_seed(case) if fault is not None and fault.call == 2 else case
 
     def value_verdict(self, case: Case, value: object) -> Verdict:
         """Right where none of the three answers has a fault."""
@@ -316,9 +317,9 @@ class PlannerExercise(Exercise):
         draw_answer(case.given["problem"].problem, trees, path, fault, title, ax)
 
 
-def with_next_seed(case: Case) -> Case:
+def with_other_seed(case: Case) -> Case:
     """The case of the third call."""
-    return case._replace(given={**case.given, "rng": case.given["rng"] + 1})
+    return case._replace(given={**case.given, "rng": case.given["rng"] + FAR})
 
 
 def three_times(result: Shape) -> Together:

@@ -29,6 +29,7 @@ from ..shared.planned import (
     find_path_fault,
     find_tree_fault,
     measure_distances,
+    with_other_seed,
 )
 from .attempts import LOG, find_attempt_fault
 
@@ -169,11 +170,10 @@ class RrtOnTerrain(TerrainPlanner):
         fault = super().fault_of_three(case, value[:4])
         if fault is not None:
             return fault
-        later = {**case.given, "rng": case.given["rng"] + 1}
         nodes, _, path = value[0]
         fault = find_attempt_fault(case.given, nodes, path, log)
         nodes, _, path = value[2]
-        return fault or find_attempt_fault(later, nodes, path, other_log)
+        return fault or find_attempt_fault(with_other_seed(case).given, nodes, path, other_log)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer: not with goal bias 1."""
