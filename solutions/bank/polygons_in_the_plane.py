@@ -473,6 +473,12 @@ def grown(
 
 
 @wrong("rrt_for_polygon")
+def one_iteration_too_many(problem, step, goal_bias, iterations, rng):
+    """Makes one iteration more than it is told."""
+    return grown(problem, step, goal_bias, iterations + 1, rng)
+
+
+@wrong("rrt_for_polygon")
 def asks_about_ends(problem, *given):
     """Checks only whether the new configuration is free."""
     return grown(problem, *given, free=lambda a, b: problem.is_free(b))

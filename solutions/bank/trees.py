@@ -41,6 +41,7 @@ FREE = "problem.is_free_path(nodes[node], q)"
 every_edge = changed("tree_roadmap", (FREE, "True"), slip="unchecked")
 free_ends = changed("tree_roadmap", (FREE, "problem.is_free(q)"), slip="ends_only")
 four_points = changed("tree_roadmap", (FREE, free_samples("nodes[node]", "q", 4)))
+thirty_points = changed("tree_roadmap", (FREE, free_samples("nodes[node]", "q", 30)))
 numbers_from_one = changed("tree_roadmap", ("append(node)", "append(node + 1)"), slip="from_one")
 one_long_chain = changed("tree_roadmap", ("append(node)", "append(len(nodes) - 2)"), slip="chained")
 everything_on_the_root = changed("tree_roadmap", ("append(node)", "append(0)"))
@@ -143,6 +144,7 @@ start_not_tried = changed("rrt", ("<= step and", "<= step * (len(nodes) > 1) and
 ten_iterations_too_many = changed(
     "rrt", ("iterations + 1", "iterations + 11"), ("i < iterations and", "")
 )
+one_iteration_too_many = changed("rrt", ("i < iterations and ", ""))
 one_iteration_too_few = changed("rrt", ("range(iterations + 1)", "range(iterations - 1)"))
 nearer_than_a_step = changed("rrt", ("goal) <= step", "goal) < step"))
 
@@ -261,6 +263,9 @@ trees_as_they_were_swapped = changed(
         "    first = iterations % 2\n    return *trees[first], *trees[1 - first], None",
     ),
 )
+nearly_there_is_there = changed(
+    "rrt_connect", ("problem.distance(q, target) == 0", "problem.distance(q, target) < 0.05")
+)
 near_is_there = changed(
     "rrt_connect", ("problem.distance(q, target) == 0", "problem.distance(q, target) <= step")
 )
@@ -378,6 +383,7 @@ without_the_beginning = changed("follow", ("return gone", "return gone[1:]"))
 same_row_again = changed(
     "follow", (PART, PART + " if horizon > 0 else a"), ("horizon <= 0 or ", "")
 )
+cut_away_from_the_horizon = changed("follow", (SHORTER, SHORTER.replace("b)", "q)")))
 jumps_over_what_is_in_the_way = changed("follow", ("break", "continue"))
 
 

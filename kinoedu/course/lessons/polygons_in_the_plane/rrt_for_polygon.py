@@ -35,6 +35,10 @@ TASKS = {
         (2, 2, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)
     ),
 }
+# a step from the start is always free
+FAR_FROM_WALLS = make_problem(
+    (5, 5, 0), (8.85, 8.85, 0), box(7.5, 7.5, 10, 7.7), box(7.5, 7.5, 7.7, 10)
+)
 # a sheet that fits between sampled points of a motion
 SHEET = make_problem((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)
 
@@ -51,7 +55,7 @@ class RrtForPolygon(Rrt):
         """Yield every task twice, then runs straight to the goal with and without a path.
 
         The second wall is a thin one, and the second closed corner has a larger bias. Of the last
-        runs one has just enough iterations, and one has goal bias 0.
+        runs one has just enough iterations, and two have goal bias 0, one of them for one step.
         """
         for tasks, bias in ((TASKS, BIAS), ({**TASKS, "wall": SHEET}, OFTEN)):
             for kind in tasks:
@@ -64,6 +68,7 @@ class RrtForPolygon(Rrt):
         added = len(grow_tree(*straight.given.values())[0]) - 2  # start and goal are not drawn
         yield straight._replace(given={**straight.given, "iterations": added})
         yield with_bias(self.make_case("sealed", TASKS["sealed"], rng), 0.0, iterations=60)
+        yield with_bias(self.make_case("sealed", FAR_FROM_WALLS, rng), 0.0, iterations=1)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""

@@ -109,6 +109,8 @@ class Rrt(Watched, TreeExercise):
         for kind in ("room", "sealed"):
             yield aim_at_goal(self.make_case(kind, TRAPS[kind], rng))
         yield with_bias(self.make_case("sealed", TRAPS["sealed"], rng), 0.0, iterations=60)
+        # so few steps from the start are all free: every iteration adds a node
+        yield with_bias(self.make_case("sealed", TRAPS["sealed"], rng), 0.0, iterations=5)
         # the goal is exactly one step away, or three; or less than two, and the last node joins it
         for kind, x, iterations in (("room", 3, 9), ("room", 5, 9), ("room", 3.5, 1)):
             case = self.make_case(kind, in_room((2, 3), (x, 3)), rng)
@@ -149,7 +151,7 @@ class Rrt(Watched, TreeExercise):
             return Fault("bias", nodes[:0])
         fault = None if path is None else self.fault_of_end(case, path)
         fault = fault or find_tree_fault(problem, nodes, parent, step)
-        if fault is None and len(nodes) > iterations + 2:
+        if fault is None and len(nodes) > iterations + 1 + (path is not None):
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
             fault = find_motion_off_tree(path, nodes, parent)

@@ -31,6 +31,7 @@ from ..shared.small_problems import in_room
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 FAR = in_room((0.5, 0.5), (9.5, 9.5))
+NEARLY = 0.01
 
 
 @withheld
@@ -75,9 +76,16 @@ class RrtConnect(Watched, TreeExercise):
     shown = staticmethod(grow_both)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield every trap twice, walls with a random gap, and a long run."""
+        """Yield every trap twice, walls with a random gap, and a long run.
+
+        Then comes a long run that nearly arrives, and needs one more very short step.
+        """
         yield from super().cases(rng)
         yield self.make_case("room", FAR, rng)
+        case = self.make_case("room", FAR, rng)
+        while not 0.0 < measure_last_step(case) < NEARLY:
+            case = self.make_case("room", FAR, rng)
+        yield case
 
     def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
@@ -105,6 +113,13 @@ class RrtConnect(Watched, TreeExercise):
     def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return both trees and the path."""
         return [Tree(*answer[:2]), Tree(*answer[2:4])], answer[4]
+
+
+def measure_last_step(case: Case) -> float:
+    """Return the length of the last step of the first run, where the start's tree begins."""
+    problem, step = case.given["problem"].problem, case.given["step"]
+    q = problem.sample(np.random.default_rng(case.given["rng"]))
+    return float(problem.distance(problem.goal, problem.steer(problem.start, q, step)) % step)
 
 
 def find_path_fault(

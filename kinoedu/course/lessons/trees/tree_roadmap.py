@@ -33,6 +33,14 @@ CELL = in_room(
     box(0.8, 1.2, 1.2, 1.5),
 )
 
+# a pillar among walls that fit between sampled points of a motion
+SHEETS = in_room(
+    (1, 1),
+    (9, 9),
+    box(4, 4, 5, 6.5),
+    *(box(x, y, x + 0.001, y + 2.5) for x in (2, 7) for y in (0.5, 4, 6.8)),
+)
+
 
 def grow_by(
     problem: PlanningProblem,
@@ -124,6 +132,7 @@ class TreeRoadmap(ValueExercise):
                 yield make_case("pillars", problem, name, int(rng.integers(20, 80)), rng)
         for name in EXPANSIONS:
             yield make_case("pillars", CELL, name, 80, rng)
+        yield make_case("pillars", SHEETS, "leap", 60, rng)
 
     def same(self, value: Value, truth: Value) -> bool:
         """Whether the nodes are the same, in the same order, with the same parents."""
