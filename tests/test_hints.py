@@ -126,6 +126,7 @@ def find_cheap_nodes(neighbours, weights, start):
         ("collision_probability", "no_hit", with_a_rounded_quantile, "1.2302"),
         ("dijkstra", "", find_cheap_nodes, "math.inf"),
         ("trapezoidation", "level", UPRIGHT_CELLS, "Your contract asks for another answer"),
+        ("radius_neighbours", "long_edges", lambda *given: [], "3 r / 4 is too near"),
     ],
 )
 def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said):

@@ -249,21 +249,18 @@ def find_slip(exercise: Exercise, seen: list[JudgedCase]) -> str:
     """Key of the misconception that explains most of the cases seen, or "".
 
     Where some wrong answers have values, it explains one of those: many mistakes give empty
-    answers.
+    answers. It explains no program whose answers are all empty.
     """
-    wrong_values = [
-        one
-        for one in seen
-        if not one.verdict.is_right
-        and isinstance(one.outcome, Answer)
-        and is_definite(one.outcome.value)
+    values = [
+        one for one in seen if isinstance(one.outcome, Answer) and is_definite(one.outcome.value)
     ]
+    wrong_values = [one for one in values if not one.verdict.is_right]
     likely = [
         slip
         for slip in likely_slips(exercise, seen)
         if not wrong_values or any(explains(exercise, slip, one) for one in wrong_values)
     ]
-    if not likely:
+    if not likely or not values:
         return ""
     return max(likely, key=lambda slip: sum(explains(exercise, slip, one) for one in seen)).key
 

@@ -874,6 +874,11 @@ def touching():
 
 # Distances that are nearly equal, lengths that are large, free places that are rare
 
+a_little_more_than_r = changed("radius_neighbours", ("<= r]", "<= r + 0.001]"))
+rounded_distances = changed(
+    "radius_neighbours",
+    ("problem.distance(nodes[i], nodes[j])", "round(problem.distance(nodes[i], nodes[j]), 2)"),
+)
 ties_by_rounding = changed(
     "k_closest",
     ("problem.distance(nodes[i], nodes[j]))", "round(problem.distance(nodes[i], nodes[j]), 2))"),
