@@ -116,6 +116,7 @@ def no_spacing(*given):
     return rrt(problem, step, 0.0, goal_bias, 8, rng)
 
 
+less_than_a_step = changed("rrt_on_terrain", ("goal) <= step", "goal) < step"))
 farther_than_the_spacing = changed("rrt_on_terrain", (">= spacing", "> spacing"))
 
 
@@ -382,6 +383,9 @@ def gives_up_early(problem, n, rng):
 
 last_two_digits_of_the_seed = changed(
     "rrt_on_terrain", ("default_rng(rng)", "default_rng(rng % 100)")
+)
+ignores_little_gains = changed(
+    "prm_on_terrain", ("new < cost.get(v, np.inf)", "new < cost.get(v, np.inf) - 0.05")
 )
 last_digit_of_the_seed = changed("prm_on_terrain", ("default_rng(rng)", "default_rng(rng % 10)"))
 
@@ -818,6 +822,7 @@ by_speed = varied("cost_along", "speed", ("* cost[int(y), int(x)]", "/ cost[int(
 squared_costs = varied(
     "cost_along", "squared", ("cost[int(y), int(x)]", "cost[int(y), int(x)] ** 2")
 )
+nearly_upright_is_upright = changed("cost_along", ("if p != q]", "if not np.isclose(p, q)]"))
 speed_of_the_transposed = changed(
     "cost_along",
     ("* cost[int(y), int(x)]", "/ cost.T[int(y) % len(cost.T), int(x) % len(cost)]"),

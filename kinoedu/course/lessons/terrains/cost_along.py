@@ -74,6 +74,7 @@ class CostAlong(ValueExercise):
             ("slanted", 0.5 * square, (0.5, 0.25), (1.75, 1.5)),
             ("slanted", PEAK, (0.5, 1.5), (1.505, 0.5)),
             ("slanted", square, (0.98, 0.5), (1.02, 1.75)),
+            ("slanted", square, (0.999998, 0.5), (1.000002, 1.75)),  # not quite upright
             ("backwards", two, (1.75, 0.5), (0.5, 0.5)),
             ("corners", square, (0.5, 0.5), (1.5, 1.5)),
         ):

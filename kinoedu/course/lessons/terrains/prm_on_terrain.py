@@ -29,6 +29,9 @@ from .rrt_on_terrain import SMALL, TerrainPlanner, make_terrain_problem
 CORRIDOR = make_terrain_problem(
     [(0, 0, SMALL, 19), (0, 21, SMALL, SMALL)], (1.5, 20.5), (38.5, 20.5)
 )
+# a small rock between start and goal
+ROCK = make_terrain_problem([(19, 19, 21, 22)], (6.5, 20.5), (33.5, 20.5))
+LITTLE = 0.01
 
 
 @withheld
@@ -68,9 +71,16 @@ class PrmOnTerrain(Watched, TerrainPlanner):
     shown = staticmethod(prm)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield the cases of both planners, then a corridor among rocks."""
+        """Yield the cases of both planners, then a corridor among rocks, and two equal detours.
+
+        Of these, the one that is found last is a little shorter.
+        """
         yield from super().cases(rng)
         yield self.make_case("open", CORRIDOR, int(rng.integers(1000)))
+        seed = int(rng.integers(10**6))
+        while not 1e-4 < measure_gain(ROCK, seed) < LITTLE:
+            seed = int(rng.integers(10**6))
+        yield Case("open", {"problem": ROCK, "n": 2, "rng": seed})
 
     def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case with enough samples for every trap."""
@@ -105,6 +115,21 @@ class PrmOnTerrain(Watched, TerrainPlanner):
         """Return the nodes, as trees of one node each, and the path."""
         nodes, _, path = answer
         return [Tree(nodes, np.full(len(nodes), -1))], path
+
+
+def measure_gain(problem: StudentProblem, rng: int) -> float:
+    """Return by how much the path through the second of two samples is shorter; or 0.
+
+    The first is the one nearer to the start, which Dijkstra's algorithm takes out first. It is 0
+    where a sample does not see both start and goal.
+    """
+    record, chance = problem.problem, np.random.default_rng(rng)
+    places, ends = [record.sample(chance) for _ in range(2)], (record.start, record.goal)
+    away = np.array([[record.distance(q, end) for end in ends] for q in places])
+    if not all(record.is_free_path(q, end) for q in places for end in ends):
+        return 0.0
+    first = int(away[:, 0].argmin())
+    return float(away[first].sum() - away[1 - first].sum())
 
 
 def find_node_fault(problem: StudentProblem, nodes: Array, n: int) -> Fault | None:

@@ -236,9 +236,8 @@ def find_missed_goal(
     With a path, only the goal and its parent may be within free reach of the goal.
     """
     for q in nodes[: len(nodes) - (0 if path is None else 2)]:
-        if problem.distance(q, problem.goal) <= step * (
-            1.0 - 1e-9
-        ) and problem.problem.is_free_path(q, problem.goal):
+        near = problem.distance(q, problem.goal) <= step
+        if near and problem.problem.is_free_path(q, problem.goal):
             return Fault("went_past", np.array([q, problem.goal]))
     return None
 
