@@ -939,6 +939,18 @@ five_turns_at_most = changed(
     ),
 )
 less_than_a_thousand = changed("fastest_drive", ("time.get(v, math.inf)", "time.get(v, 1000.0)"))
+TOLERANCE = "problem.tolerance"
+a_little_less_than_the_tolerance = changed(
+    "kinodynamic_rrt", (TOLERANCE, "0.98 * problem.tolerance")
+)
+a_little_more_than_the_tolerance = changed(
+    "kinodynamic_rrt", (TOLERANCE, "1.02 * problem.tolerance")
+)
+less_than_the_tolerance_in_a_roadmap = changed("kinodynamic_prm", (TOLERANCE, "4.9"))
+more_than_the_tolerance_in_a_roadmap = changed("kinodynamic_prm", (TOLERANCE, "5.1"))
+turn_counts_in_the_tolerance = changed(
+    "kinodynamic_rrt", ("math.dist(q[:2], goal[:2])", "problem.distance(q, goal)")
+)
 two_digits_of_the_seed = changed("kinodynamic_rrt", ("default_rng(rng)", "default_rng(rng % 100)"))
 even_or_odd_seed = changed("kinodynamic_prm", ("default_rng(rng)", "default_rng(rng % 2)"))
 ignores_little_gains = changed(

@@ -42,5 +42,8 @@ GARAGES = {
 TURNED = {**GARAGES, "turn": make_garage((1500, 1500, -1.9), (1500, 1500, 1.2), size=3000.0)}
 # the goal is far for so few iterations, and its heading is on the other side of pi
 BEYOND_PI, FEW = make_garage((1500, 1500, 3.0), (1400, 1500, -3.0), size=3000.0), 20
+# the start is just near enough to the goal, in place and heading, and just not near enough
+JUST_THERE = make_garage((60, 60, 0.5), (62.99, 63.99, 0.76))
+NOT_THERE = make_garage((60, 60, 0.5), (63.03, 64.04, 0.5))
 KINDS = tuple(GARAGES)
 OPEN = ("turn", "far")  # every drive is free, because no wall can be reached

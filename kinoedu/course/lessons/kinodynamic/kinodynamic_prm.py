@@ -30,7 +30,7 @@ from .driven_trees import (
 from .driven_turns import Turns
 from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target
 from .driving_planner import DrivingPlanner, with_logs
-from .garages import GARAGES, KINDS, TURNED
+from .garages import FEW, GARAGES, JUST_THERE, KINDS, NOT_THERE, TURNED
 
 
 @withheld
@@ -80,6 +80,10 @@ class KinodynamicPrm(DrivingPlanner):
                 question = {"problem": garages[kind], "k": k, "iterations": iterations, "rng": seed}
                 yield Case(kind, question)
         yield self.case_beyond_pi(rng, k=2)
+        for kind, garage in (("same", JUST_THERE), ("room", NOT_THERE)):
+            seed = int(rng.integers(1000))
+            question = {"problem": garage, "k": 2, "iterations": FEW, "rng": seed}
+            yield Case(kind, question)
 
     def uses_chance(self, case: Case) -> bool:
         """Another seed always gives another answer: the roadmap does not stop at the goal."""

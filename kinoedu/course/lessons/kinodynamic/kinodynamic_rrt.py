@@ -30,7 +30,7 @@ from .driven_trees import (
 from .driven_turns import Turns
 from .drives import CONTROLS, DURATIONS, ITERATIONS, ROUTE, choose_target
 from .driving_planner import DrivingPlanner, with_logs
-from .garages import GARAGES, KINDS, TURNED
+from .garages import FEW, GARAGES, JUST_THERE, KINDS, NOT_THERE, TURNED
 
 
 @withheld
@@ -76,6 +76,10 @@ class KinodynamicRrt(DrivingPlanner):
                 question = {"problem": garages[kind], "iterations": ITERATIONS[kind], "rng": seed}
                 yield Case(kind, question)
         yield self.case_beyond_pi(rng)
+        for kind, garage in (("same", JUST_THERE), ("room", NOT_THERE)):
+            seed = int(rng.integers(1000))
+            question = {"problem": garage, "iterations": FEW, "rng": seed}
+            yield Case(kind, question)
 
     def tree_of(self, case: Case, answer: Value) -> DrivenTree:
         """Return the tree in an answer."""
