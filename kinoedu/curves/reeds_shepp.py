@@ -1,4 +1,4 @@
-"""Reeds-Shepp curves: the shortest curves of a car that drives forward and backward.
+"""Reeds and Shepp's curves: the shortest curves of a car that drives forward and backward.
 
 Nine base words start with an arc to the left, driven forward. All other words are obtained from
 them by reflection, by driving in the opposite direction, and by reversing the order of the pieces

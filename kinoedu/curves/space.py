@@ -25,8 +25,8 @@ class CurveSpace(NamedTuple):
 
     The angle theta goes from -pi to pi.
 
-    both_ways : whether the car drives backward too, along Reeds-Shepp curves. If not, it drives
-        along Dubins curves, and the distance from a to b differs from that from b to a.
+    both_ways : whether the car drives backward too, along Reeds and Shepp's curves. If not,
+        it drives along Dubins' curves, and the distance from a to b differs from that from b to a.
     """
 
     lo: Array
