@@ -3,6 +3,7 @@
 import base64
 import json
 import re
+from contextlib import contextmanager
 from html import unescape
 from pathlib import Path
 
@@ -179,6 +180,69 @@ def test_a_browser_shows_every_slide(lesson, tmp_path):
         assert page.locator("section:not([hidden]) aside").is_visible()
         browser.close()
     assert complaints == []
+
+
+@contextmanager
+def shown_slides(tmp_path, **how):
+    """The slides of a lesson in a browser with a small window."""
+    needs_chromium()
+    from playwright.sync_api import sync_playwright
+
+    made = make_slides("09_trees", tmp_path)
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
+        page = browser.new_context(viewport={"width": 800, "height": 450}, **how).new_page()
+        page.goto(made.as_uri())
+        yield page
+        browser.close()
+
+
+ON_PAPER = """() => [...document.querySelectorAll(".slide")].map((slide) => {
+    const { width, height } = slide.getBoundingClientRect(), row = slide.querySelector(".row");
+    return [width, height, row.scrollHeight - row.clientHeight <= 2]; })"""
+
+
+def test_every_slide_fills_its_sheet_of_paper(tmp_path):
+    """Those that the small window has shown, and those that it has not; nothing is cut."""
+    with shown_slides(tmp_path) as page:
+        page.keyboard.press("ArrowRight")
+        page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        page.emulate_media(media="print")
+        sizes = page.evaluate(ON_PAPER)
+        assert len(sizes) > 20 and all(size == [1280, 720, True] for size in sizes)
+        page.emulate_media(media="screen")
+        page.evaluate("dispatchEvent(new Event('afterprint'))")
+        section = page.locator("section:not([hidden])")
+        assert section.count() == 1 and section.bounding_box()["width"] == 800
+
+
+FINGERS = """([kind, places, changed]) => {
+    const touch = ([identifier, clientX]) =>
+        new Touch({ identifier, clientX, target: document.body });
+    document.body.dispatchEvent(new TouchEvent(kind, {
+        touches: places.map(touch), changedTouches: [touch(changed)], bubbles: true })); }"""
+
+
+def test_two_fingers_zoom_and_do_not_turn_the_slide(tmp_path):
+    """Neither when they are lifted nor when one finger moves what is zoomed; else this turns it."""
+    with shown_slides(tmp_path, has_touch=True) as page:
+        for _ in range(3):
+            page.keyboard.press("ArrowRight")
+        place = page.locator("#place")
+
+        def turns(*events):
+            before = place.inner_text()
+            for kind, places, changed in events:
+                page.evaluate(FINGERS, [kind, places, changed])
+            return place.inner_text() != before
+
+        swipe = [("touchstart", [[0, 300]], [0, 300]), ("touchend", [], [0, 500])]
+        more = [("touchstart", [[0, 300], [1, 500]], [1, 500])]
+        lifted = [("touchend", [[0, 300]], [1, 600]), ("touchend", [], [0, 300])]
+        assert not turns(swipe[0], *more, *lifted)
+        assert turns(*swipe)
+        page.evaluate("Object.defineProperty(window, 'visualViewport', { value: { scale: 2 } })")
+        assert not turns(*swipe)
 
 
 def test_an_exported_notebook_has_boards_that_play(tmp_path):

@@ -4,10 +4,11 @@
   const byId = (id) => document.getElementById(id);
   let at = 0, hasNotes = false, speaker = null;
 
-  // A slide whose content is too high is made smaller, until it fits.
-  function fit() {
-    const box = slides[at].querySelector(".slide"), row = box.querySelector(".row");
-    box.style.zoom = Math.min(innerWidth / 1280, innerHeight / 720);
+  // A slide gets the size of the window. One whose content is too high is made smaller, until it
+  // fits.
+  function fit(slide = slides[at], size = Math.min(innerWidth / 1280, innerHeight / 720)) {
+    const box = slide.querySelector(".slide"), row = box.querySelector(".row");
+    box.style.zoom = size;
     let small = 1;
     row.style.zoom = small;
     const isTooLarge = () => row.scrollHeight > row.clientHeight + 1
@@ -27,6 +28,16 @@
     history.replaceState(null, "", `#${at + 1}`);
     fit();
     tell();
+  }
+
+  // On paper each slide has the size of its sheet, also those that have not been shown yet.
+  function fitPaper() {
+    for (const slide of slides) {
+      const { hidden } = slide;
+      slide.hidden = false;              // else it has no size
+      fit(slide, 1);
+      slide.hidden = hidden;
+    }
   }
 
   const notesOf = (slide) => slide.querySelector("aside").innerHTML || SLIDE_WORDS.no_notes;
@@ -74,7 +85,8 @@
 
   let touched = null;
   addEventListener("touchstart", (event) => {
-    touched = event.target.closest(".kinoedu-board") ? null : event.touches[0].clientX;
+    const zooms = event.touches.length > 1 || visualViewport.scale > 1;
+    touched = zooms || event.target.closest(".kinoedu-board") ? null : event.touches[0].clientX;
   });
   addEventListener("touchend", (event) => {
     const way = touched === null ? 0 : event.changedTouches[0].clientX - touched;
@@ -86,7 +98,9 @@
   byId("next").onclick = () => show(at + 1);
   byId("notes").onclick = toggleNotes;
   byId("window").onclick = openWindow;
-  addEventListener("resize", fit);
+  addEventListener("resize", () => fit());
+  addEventListener("beforeprint", fitPaper);
+  addEventListener("afterprint", () => fit());
   addEventListener("hashchange", () => show(Number(location.hash.slice(1)) - 1 || 0));
   new MutationObserver(() => setTimeout(fit, 50)).observe(
     document.querySelector("main"), { childList: true, subtree: true });
