@@ -26,6 +26,7 @@ from kinoedu.boards import (
     challenge,
     challenges,
     curves_board,
+    race_board,
     search_board,
 )
 from kinoedu.boards.core.drawing import arrows, edges, labels, path
@@ -434,6 +435,47 @@ def test_the_plot_beside_a_refused_bug_is_pale(tmp_path):
         page.evaluate("kernel.says({})")
         frames(page)
         assert plot.screenshot() == before
+
+
+ANSWERED = """([number, more]) => {
+  const lane = globalThis[Symbol.for("kinoedu.boards")].get(`0-${number}`);
+  const plain = { layers: [], text: "", warning: "", total: 0, unit: "", step_texts: [], took: 1 };
+  lane.receive({ kind: "drawing", to: null, seq: null, listing: null, places: [], ...plain,
+    ...more }, []); }"""
+STEPS = """() => [0, 1, 2].map((number) =>
+  globalThis[Symbol.for("kinoedu.boards")].get(`0-${number}`).step)"""
+LISTED = {"lines": ["x"], "ran": [0] * 9, "changes": [{}] * 9, "colours": {}}
+
+
+def test_lanes_whose_answers_come_late_are_scrubbed_too(tmp_path):
+    """Each takes the step of those that have theirs; the lane with code, which keeps its step when
+    something is dragged, takes the others along.
+    """
+    needs_chromium()
+    with browser() as page:
+        page.goto(site_page(tmp_path, "light", race_board(walled(), nodes=60)))
+        page.wait_for_function("document.querySelectorAll('[data-paints]').length === 3")
+
+        def answer(*numbers, **more):
+            for number in numbers:
+                page.evaluate(ANSWERED, [number, more])
+
+        answer(0, 1, 2, brief=True, total=5)
+        answer(0, total=9)
+        page.evaluate("globalThis[Symbol.for('kinoedu.boards')].get('0-0').growTo(4)")
+        assert page.evaluate(STEPS) == [4, 5, 5]
+        answer(1, 2, total=9)
+        assert page.evaluate(STEPS) == [4, 4, 4]
+        answer(0, 1, 2, brief=True, total=5)
+        answer(0, 1, 2, total=9)
+        assert page.evaluate(STEPS) == [9, 9, 9]
+        answer(1, total=9, listing=LISTED)
+        page.evaluate("globalThis[Symbol.for('kinoedu.boards')].get('0-0').growTo(4)")
+        answer(0, 1, 2, brief=True, total=5)
+        answer(0, total=8)
+        answer(2, total=8)
+        answer(1, total=8, listing=LISTED)
+        assert page.evaluate(STEPS) == [4, 4, 4]
 
 
 def test_a_board_that_changes_no_longer_says_that_it_is_copied(light):

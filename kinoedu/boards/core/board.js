@@ -461,6 +461,7 @@ class Board {
     if (!refused) {
       const end = this.drawing.total, opened = this.answers === 1 ? first ?? end : end;
       this.step = scrubbed ? Math.min(this.step, end) : opened;
+      if (completed) this.join();
     }
     this.emit("answered", seq);
     this.changed();
@@ -489,6 +490,14 @@ class Board {
       Object.assign(other, { step: this.step, playing: null });
       other.changed();
     }
+  }
+
+  join() {                               // once whole, go with the partners that are scrubbed already
+    const end = this.drawing.total;
+    const ahead = this.partners().find(({ step, drawing: { brief, total } }) => (
+      !brief && total === end && step < end));
+    if (ahead) this.step = ahead.step;
+    else if (this.step < end) this.lead();
   }
 
   pause() { this.playing = null; this.changed(); }
