@@ -5,14 +5,16 @@ import pytest
 import shapely
 from matplotlib import pyplot as plt
 
-from kinoedu import Point, PolygonWorld, Problem, Terrain
+from kinoedu import Disk, Point, PolygonWorld, Problem, Terrain
 from kinoedu.boards.core.drawing import Drawing, arrows, edges, path_edges
 from kinoedu.boards.core.printed import print_layer
-from kinoedu.figures import draw_plan, draw_problem
+from kinoedu.figures import draw_moment, draw_plan, draw_problem
 from kinoedu.figures.arms import name_region
 from kinoedu.figures.names import move_names_off, move_names_off_points, spread, write_name
 from kinoedu.figures.plane import inward
 from kinoedu.problems import Plan
+from kinoedu.problems.in_time import TimedProblem
+from kinoedu.worlds import Moving, MovingWorld
 
 ROOM = PolygonWorld([(0, 0), (20, 0), (20, 12), (0, 12)])
 ACROSS = [(14, 9), (14, 3), (6, 9), (6, 3)]  # through the sides of (10, 6)
@@ -110,6 +112,17 @@ def test_names_keep_off_obstacles(ax):
     free[5, 5] = free[6, 5] = True
     draw_problem(Problem(Point(), Terrain(free), start=(5.5, 5.5), goal=(5.5, 6.5)), ax)
     assert sides(ax)["start"] == (1, 1)
+
+
+def test_names_keep_off_moving_obstacles(ax):
+    """Where a ball stands on a name it is on another side; when the ball has gone it is back."""
+    hall = PolygonWorld([(0, 0), (20, 0), (20, 12), (0, 12)])
+    ball = Moving(1.0, [0, 10], [(5.0, 7.0), (15.0, 7.0)])
+    problem = TimedProblem(Disk(0.3), MovingWorld(hall, [ball]), start=(3, 6), goal=(17, 6))
+    for t, start, goal in ((0, (1, -1), (-1, 1)), (5, (1, 1), (-1, 1)), (10, (1, 1), (-1, -1))):
+        ax.clear()
+        draw_moment(problem, t, ax)
+        assert sides(ax).items() >= {"start": start, "goal": goal}.items()
 
 
 def test_names_on_boards_keep_off_arrows(ax):

@@ -15,6 +15,7 @@ from ..problems.in_time import TimedProblemRecord
 from ..worlds.moving import MovingWorldRecord, movers_at
 from . import palette
 from .drawing import ENDS, axes_for, draw_end, draw_path, draw_robot, draw_world
+from .names import NOWHERE, move_names_off_points, spread
 from .palette import Style
 from .plane import arrow
 
@@ -36,6 +37,11 @@ def place_on(path: Array, t: float) -> Array:
     Before and after the path it is at its ends.
     """
     return np.array([np.interp(t, path[:, 2], path[:, axis]) for axis in (0, 1)])
+
+
+def outlines_at(world: MovingWorldRecord, t: float) -> list[Array]:
+    """The outlines of all moving obstacles at a time."""
+    return [outline_of(points, radius) for points, radius in movers_at(world, t)]
 
 
 def draw_movers(world: MovingWorldRecord, t: float, ax: Axes) -> list[Artist]:
@@ -74,12 +80,15 @@ def draw_moment(
     drawn = draw_world(problem.world.still, ax) + draw_movers(problem.world, t, ax)
     for q, look in zip((problem.start, problem.goal), ENDS, strict=True):
         drawn += draw_end(q, *look, problem.world, ax)
+    lines = [np.vstack([rim, rim[0]]) for rim in outlines_at(problem.world, t)]  # under no name
     if path is not None:
         here = place_on(path, t)
-        drawn += draw_path(np.vstack([path[path[:, 2] < t, :2], here]), ax)
+        lines.append(np.vstack([path[path[:, 2] < t, :2], here]))
+        drawn += draw_path(lines[-1], ax)
         drawn += draw_robot(problem.robot, here, ax)
         dot: Style = {"color": palette.ROBOT, "markeredgecolor": palette.INK, "markersize": 7}
         drawn += ax.plot(*here, "o", zorder=8, **dot)
+    move_names_off_points(np.vstack([NOWHERE, *map(spread, lines)]), ax)
     return drawn
 
 
