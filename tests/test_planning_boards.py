@@ -1,6 +1,7 @@
 """The boards of bugs, of the sweep line and of searches, without a browser."""
 
 import io
+import re
 
 import numpy as np
 import pytest
@@ -197,6 +198,19 @@ def test_a_sweep_board_shows_the_cells_closed_and_open(x):
         )
     heights = [one.rows[:, 1] for one in made.canvas.drawing.layers if one.width == 3.0]
     assert (np.diff(heights) >= -1e-12).all()
+
+
+def test_edges_and_cells_of_a_sweep_do_not_have_the_same_names():
+    """Cells are numbered; the names of edges begin with e, and the text lists the same edges."""
+    made = sweep_board(ROOMS, x=5.0)
+    named = [one for one in made.canvas.drawing.layers if one.kind == "labels"]
+    cells, edges = (
+        [text for one in named if (one.colour == "tree") == is_cell for text in one.texts]
+        for is_cell in (True, False)
+    )
+    assert cells == [str(1 + k) for k in range(len(cells))] and len(cells) > 0
+    listed = re.findall(r"edge (\d+)", made.canvas.drawing.text)
+    assert sorted(edges) == sorted(f"e{number}" for number in listed)
 
 
 def test_the_sweep_line_is_dragged_by_hand():

@@ -219,6 +219,7 @@ NEIGHBOURS = (
     *(Say("board.note.joined", {"cells": cells}) for cells in LISTED[1:]),
 )
 EVENTS = (*KINDS.values(), "a touch", "{vertices} vertices")
+NAME_OF_EDGE = (Say("sweep_board.name"),)
 SWEPT = Body(
     show_sweep,
     NoSettings,
@@ -242,8 +243,8 @@ SWEPT = Body(
         Look("met", "dots", "ink", 3.5),
         Look("now", "dots", "path", 6.0),
         Look("crossings", "dots", "ink", 3.0),
-        Look("floor_names", "labels", "floor", form="d"),
-        Look("ceiling_names", "labels", "ceiling", form="d"),
+        Look("floor_names", "labels", "floor", says=NAME_OF_EDGE, names=("number:d",)),
+        Look("ceiling_names", "labels", "ceiling", says=NAME_OF_EDGE, names=("number:d",)),
         Look(
             "event",
             LIST,
