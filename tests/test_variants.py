@@ -337,6 +337,9 @@ def test_a_notebook_of_another_section_has_no_score(tmp_path):
     assert other.endswith("this section has variant B: grade it apart, with --variant A")
     assert "usual form" in add_section(plain, "B").trouble
     assert add_section(given["A"], "") == given["A"]
+    damaged = add_section(plain._replace(data=b"{"), "B")
+    assert damaged.letter == "B"
+    assert damaged.trouble.startswith("the file is not a whole notebook")
     with pytest.raises(InvalidParameter, match="with --variant and the letter"):
         refuse_forgotten([given["B"]])
 

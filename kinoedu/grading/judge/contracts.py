@@ -15,6 +15,7 @@ from ...course.section import Choices, choose_for_section
 from ...errors import InvalidParameter
 from ..assignments.questions import Assignment, read_assignment
 from ..collect.marks import find_contracts
+from ..collect.notebook import UnreadableSubmission
 from ..collect.submissions import Submission
 
 MARK = b"variant="  # stands in a notebook with contracts of its student
@@ -60,7 +61,7 @@ def add_contracts(one: Submission, secret: bytes) -> Submission:
 def add_section(one: Submission, letter: str) -> Submission:
     """The submission with the contracts of a section, "" for the usual form.
 
-    One whose checks ask for other contracts has that trouble, and no score.
+    One that is no notebook, or whose checks ask for other contracts, has that trouble and no score.
 
     Raises
     ------
@@ -71,7 +72,10 @@ def add_section(one: Submission, letter: str) -> Submission:
         return one._replace(letter=letter)
     exercises = [question.exercise for question in read_assignment(one.assignment).questions]
     chosen = choose_for_section(exercises, letter)
-    asked = find_contracts(one.data)
+    try:
+        asked = find_contracts(one.data)
+    except UnreadableSubmission as error:
+        return one._replace(letter=letter, trouble=str(error))
     if chosen and (not asked or asked - set(chosen)):
         one = one._replace(trouble=explain_other_section(asked, exercises, letter))
     return one._replace(letter=letter, variants=chosen)
