@@ -3,6 +3,8 @@
 A temporary folder takes the place of /autograder.
 """
 
+import errno
+import io
 import json
 import os
 import secrets
@@ -321,6 +323,21 @@ def test_a_new_secret_is_announced_when_it_is_made(tmp_path, capsys):
     read_course_secret(file)
     read_course_secret(file)
     assert capsys.readouterr().err.count(f"secret was made, once, in {file};") == 1
+
+
+def test_a_secret_that_cannot_be_written_is_named(tmp_path, monkeypatch):
+    """No half-written secret is left on a full disk."""
+    full = OSError(errno.ENOSPC, "No space left on device")
+
+    class Full(io.StringIO):
+        def write(self, text):
+            raise full
+
+    monkeypatch.setattr(os, "fdopen", lambda handle, *_, **__: os.close(handle) or Full())
+    with pytest.raises(OSError, match="No space left") as error:
+        read_course_secret(tmp_path / "secret")
+    assert error.value.filename == str(tmp_path / "secret")
+    assert not (tmp_path / "secret").exists()
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")

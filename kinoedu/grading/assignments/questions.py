@@ -123,9 +123,9 @@ def make_course_secret(file: Path) -> None:
         try:
             with os.fdopen(handle, "w", encoding="ascii") as stream:
                 stream.write(secret)
-        except OSError:  # such as a full disk
+        except OSError as error:  # such as a full disk
             file.unlink()
-            raise
+            raise type(error)(error.errno, error.strerror, str(file)) from None
         print(
             f"kinoedu: the course's secret was made, once, in {file}; keep it, and keep it to "
             "yourself",
