@@ -277,6 +277,10 @@ def test_the_command_says_where_to_look(tmp_path, capsys):
     (tmp_path / "empty").mkdir()
     assert main(["similar", str(tmp_path / "empty"), "--out", str(tmp_path / "x")]) == 2
     assert not (tmp_path / "x").exists()
+    within = tmp_path / "in" / "similar"  # grading would list it as a student without a notebook
+    assert main(["similar", str(tmp_path / "in"), "--out", str(within)]) == 2
+    assert "name a folder outside" in capsys.readouterr().err
+    assert not within.exists()
 
 
 def test_a_function_is_shown_whole_whatever_characters_stand_above_it():

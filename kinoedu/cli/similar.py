@@ -53,6 +53,7 @@ def add_similar(commands: Commands) -> None:
 
 def run_similar(arguments: argparse.Namespace) -> int:
     """Compare the programs, and print where the pages are."""
+    from ..grading.class_grading import refuse_out_among_submissions
     from ..grading.collect.submissions import collect
     from ..grading.report.similar import find_similar
     from ..grading.report.similar_page import write_similar
@@ -66,6 +67,7 @@ def run_similar(arguments: argparse.Namespace) -> int:
         raise InvalidParameter(
             f"{arguments.submissions} holds no notebooks that answer an assignment"
         )
+    refuse_out_among_submissions(arguments.out, [arguments.submissions])
     submissions.sort(key=lambda one: one.assignment)
     with show_stage(f"comparing {len(submissions)} submissions"):
         found = [

@@ -75,14 +75,14 @@ def require_sandbox(trusted: bool) -> None:
         )
 
 
-def refuse_grades_among_submissions(out: Path, folders: list[Path]) -> None:
-    """Raise InvalidParameter where the next grading would take the grades for submissions."""
+def refuse_out_among_submissions(out: Path, folders: list[Path]) -> None:
+    """Raise InvalidParameter where the next grading would take what is written for submissions."""
     place = out.resolve()
     for folder in folders:
         if folder.resolve() in (place, *place.parents):
             raise InvalidParameter(
                 f"{out} is in {folder}, where the next grading would take it for a student's; name "
-                "a folder of grades outside"
+                "a folder outside"
             )
 
 
@@ -132,7 +132,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     require_sandbox(run.trusted)
     if not any(found for _, _, found in sources):
         raise InvalidParameter(f"{sources[0][0]} holds no notebooks, and no zips of them")
-    refuse_grades_among_submissions(out, [folder for folder, _, _ in sources])
+    refuse_out_among_submissions(out, [folder for folder, _, _ in sources])
     secret = read_course_secret(run.secret_file)
     earlier = read_earlier(out, secret)
     names = {
