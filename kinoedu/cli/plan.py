@@ -39,6 +39,7 @@ PLANNER is one of
                        f(problem, rng), which returns a path, a Plan or None. The file is run with
                        all your rights on this computer. Its path is checked
   * only among polygons: not in a map or a picture, nor with discs, a radius or a clearance
+  ** only among polygons and discs: not in a map or a picture
 
 x points right and y up, from the lower left corner. The side of a pixel or map cell is one unit; a
 ROS map is in metres.

@@ -208,7 +208,7 @@ ROWS = (
     Planner(
         "receding_horizon",
         receding_horizon,
-        "plans again as a range sensor sees more obstacles; for a point *",
+        "plans again as a range sensor sees more obstacles; for a point or a disk **",
         {},
         (POINT,),
         {"max_moves": 2},
