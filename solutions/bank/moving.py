@@ -163,6 +163,7 @@ def divides_by_nothing(p0, p1, c0, c1, r):
 
 
 almost_alike = changed("first_contact", ("if a == 0 or", "if a < 1e-9 or"), slip="alike")
+a_little_after_the_end = changed("first_contact", ("0 <= s <= 1", "0 <= s <= 1.001"))
 before_the_end = changed("first_contact", ("0 <= s <= 1", "0 <= s < 1"), slip="last_moment")
 at_least_a_while = changed(
     "first_contact", ("b * b < a * c", "b * b - a * c < 1e-9"), slip="moments"

@@ -183,6 +183,7 @@ class FirstContact(ValueExercise):
         yield make_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
         yield make_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
         yield make_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
+        yield make_case("outside", (0, 0), (8, 0), (10.0008, 0), (10.0008, 0), 2)  # just too late
         yield make_case("touching", (0, 0), (5, 0), (1, 0), (9, 0), 2)
         yield make_case("touching", (2, 0), (6, 0), (0, 0), (0, 0), 2)
         yield make_case("meets", (0, 0), (8, 0), (10, 0), (10, 0), 2)  # at the last moment
