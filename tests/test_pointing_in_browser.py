@@ -25,6 +25,7 @@ from kinoedu.boards import (
     bug_board,
     challenge,
     challenges,
+    code_board,
     curves_board,
     race_board,
     search_board,
@@ -56,6 +57,12 @@ def tree_of(n):
     layer = with_notes(layer, note("node", node=None), node=numbers, parent=parent[1:])
     drawing = Drawing([layer], text="a tree", total=n - 1, unit="nodes")
     return Canvas(make_scene((-5, -5), (5, 5)), lambda scene: drawing)
+
+
+def two_lines(x):
+    """A program for a code board."""
+    y = 2 * x
+    return y + x
 
 
 def refused(problem):
@@ -749,6 +756,39 @@ def test_a_page_that_is_zoomed_has_sharp_boards(light):
             page.evaluate("[...ratios].forEach(one => one.dispatchEvent(new Event('change')))")
             frames(page)
             assert canvas.evaluate("canvas => canvas.width") == ratio * wide
+
+
+BOX = (0, 0), (4, 4)
+BARS = """() => [...document.querySelectorAll(".kinoedu-line")].map((line) => {
+    const { borderLeftWidth, borderLeftStyle } = getComputedStyle(line), range = new Range();
+    range.selectNodeContents(line);
+    return [line.matches(".kinoedu-lit"), borderLeftWidth, borderLeftStyle,
+      range.getBoundingClientRect().left]; })"""
+
+
+def test_the_lit_line_has_a_bar_also_without_colours(tmp_path):
+    """Where the system forces its colours no other line has one, and no line moves aside."""
+    needs_chromium()
+    with browser(forced_colors="active") as page:
+        page.goto(site_page(tmp_path, "light", code_board(two_lines, 1.0, window=BOX)))
+        shown(page)
+        lines = page.evaluate(BARS)
+        assert [one[1:3] for one in lines if one[0]] == [["4px", "solid"]]
+        assert all(one[1] == "0px" for one in lines if not one[0])
+        assert lines[1][3] == lines[2][3]  # both are indented once
+
+
+def test_code_is_read_from_the_left_on_every_page(tmp_path):
+    """Also where the language is not: else a colon at the end of a line stands before it."""
+    needs_chromium()
+    with browser() as page:
+        page.goto(site_page(tmp_path, "light", code_board(two_lines, 1.0, window=BOX)))
+        root = shown(page)
+        page.evaluate("document.documentElement.dir = 'rtl'")
+        assert root.locator(".kinoedu-text").evaluate("e => getComputedStyle(e).direction") == "rtl"
+        for part in (".kinoedu-line >> nth=0", ".kinoedu-values", ".kinoedu-growth"):
+            found = root.locator(part)
+            assert found.evaluate("e => getComputedStyle(e).direction") == "ltr"
 
 
 LATE = """
