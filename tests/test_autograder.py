@@ -313,16 +313,16 @@ def test_two_commands_that_begin_at_once_have_one_secret(tmp_path, monkeypatch):
     assert os.name == "nt" or file.stat().st_mode & 0o777 == 0o600
 
 
-def test_a_new_secret_is_announced_when_it_is_made(tmp_path, capsys):
+def test_a_new_secret_is_announced_when_it_is_made(tmp_path, caplog):
     """A command that stops before it needs the secret says nothing of one."""
     command = ["grade", str(tmp_path / "nothing"), "--out", str(tmp_path / "grades")]
     file = tmp_path / "secret"
     assert main([*command, "--secret", str(file)]) == 2
     assert not file.exists()
-    assert "course's secret" not in capsys.readouterr().err
+    assert "course's secret" not in caplog.text
     read_course_secret(file)
     read_course_secret(file)
-    assert capsys.readouterr().err.count(f"secret was made, once, in {file};") == 1
+    assert caplog.text.count(f"secret was made, once, in {file};") == 1
 
 
 def test_a_secret_that_cannot_be_written_is_named(tmp_path, monkeypatch):

@@ -492,7 +492,7 @@ class Board {
     }
   }
 
-  join() {                               // once whole, go with the partners that are scrubbed already
+  join() {                               // once whole, take the step of scrubbed partners
     const end = this.drawing.total;
     const ahead = this.partners().find(({ step, drawing: { brief, total } }) => (
       !brief && total === end && step < end));
@@ -720,7 +720,7 @@ class View {
   listen() {
     const { board, canvas } = this;
     canvas.addEventListener("pointerdown", (e) => this.grab(e));
-    canvas.addEventListener("touchstart", (e) => {   // after it: a finger that holds nothing scrolls
+    canvas.addEventListener("touchstart", (e) => {   // a finger that holds nothing scrolls
       if (this.grabs.size) e.preventDefault();
     }, { passive: false });
     canvas.addEventListener("pointermove", (e) => this.drag(e));

@@ -9,10 +9,10 @@ import functools
 import hashlib
 import hmac
 import json
+import logging
 import os
 import re
 import secrets
-import sys
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -28,6 +28,9 @@ from ...errors import InvalidParameter
 IMPORT = re.compile(r"^from (kinoedu(?:\.\w+)+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
 # these only show something in a notebook, and do nothing in the sandbox
 FOR_NOTEBOOKS = ("kinoedu.course:", "kinoedu.figures", "kinoedu.boards")
+ANNOUNCED = "kinoedu: the course's secret was made, once, in %s; keep it, and keep it to yourself"
+
+log = logging.getLogger("kinoedu")
 
 
 class AssignmentQuestion(NamedTuple):
@@ -92,7 +95,7 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
 def read_course_secret(file: Path) -> bytes:
     """The course's secret, made if there is none yet, in a file that only its owner can read.
 
-    A line on standard error says where it was made.
+    A warning in the log says where it was made; on the command line it is seen.
 
     Raises
     ------
@@ -126,11 +129,7 @@ def make_course_secret(file: Path) -> None:
         except OSError as error:  # such as a full disk
             file.unlink()
             raise type(error)(error.errno, error.strerror, str(file)) from None
-        print(
-            f"kinoedu: the course's secret was made, once, in {file}; keep it, and keep it to "
-            "yourself",
-            file=sys.stderr,
-        )
+        log.warning(ANNOUNCED, file)
 
 
 class Cases(NamedTuple):
