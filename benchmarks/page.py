@@ -47,7 +47,7 @@ THINGS = (
     ("RRT, wall", 0, "polygon-0"),
     ("PRM, 200 samples, goal", 1, "handle-1"),
     ("nearest point, q", 2, "handle-0"),
-    ("Dubins and Reeds-Shepp, a pose", 3, "handle-0"),
+    ("Dubins' and Reeds and Shepp's curves, a pose", 3, "handle-0"),
     ("BFS on a grid, start", 4, "handle-0"),
     ("RRT on a bitmap, goal", 5, "handle-1"),
     ("sweep, the line", 6, "handle-0"),

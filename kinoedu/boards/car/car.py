@@ -79,8 +79,8 @@ def car_board(
     Parameters
     ----------
     problem : a Problem of a Car.
-    planner : "kinodynamic_rrt", "kinodynamic_prm", "rrt" (which steers by Reeds-Shepp curves), or
-        "you".
+    planner : "kinodynamic_rrt", "kinodynamic_prm", "rrt" (which steers by Reeds and Shepp's
+        curves), or "you".
     max_iterations : where a planner gives up; of the roadmap, how many configurations are sampled.
         The default is 1,000, and 350 for the roadmap.
     view : "above", or "followed" for a view that moves with the car.

@@ -17,7 +17,7 @@ from ..core.shown import answer_by, make_live
 
 
 def curves_board(a: ArrayLike, b: ArrayLike, radius: float) -> Canvas:
-    """Drag two poses and the points that they look at: Dubins and Reeds-Shepp curves.
+    """Drag two poses and the points that they look at: Dubins' and Reeds and Shepp's curves.
 
     Parameters
     ----------
