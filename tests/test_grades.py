@@ -1007,6 +1007,23 @@ def test_a_notebook_that_ends_every_worker_is_given_up(tmp_path, students):
         assert ("a worker ended" in one.trouble) == (one.submission.student == "eve")
 
 
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--to", "csv", "--column", "x"], "--column is for --to canvas, not for --to csv"),
+        (["--to", "gradescope", "--template", "x.csv"], "--template is for --to canvas"),
+        (["--to", "canvas", "--variant", "A"], "--variant is for --gradescope-autograder"),
+        (["--to", "nbgrader", "--trust-container"], "--trust-container is for"),
+        (["--from-nbgrader", "x", "--secret", "y"], "not for --from-nbgrader"),
+        (["--gradescope-autograder", "x.zip", "--out", "y"], "--out is for --to, not for"),
+    ],
+)
+def test_an_option_without_effect_is_refused(tmp_path, capsys, options, said):
+    """It would be taken for one that was heard."""
+    assert main(["export", str(tmp_path), *options]) == 2
+    assert said in capsys.readouterr().err
+
+
 def test_an_export_of_grades_that_can_only_be_read_is_whole(tmp_path, capsys):
     """It cannot be noted beside the grades, which is no failure of the export."""
     out, totals = tmp_path / "out", tmp_path / "totals.csv"

@@ -36,6 +36,13 @@ TRUST_CONTAINER = (
     "gradescope-autograder: if no sandbox can be made there, run programs WITHOUT ONE, as an "
     "ordinary user"
 )
+ONLY_FOR = {
+    "template": "--to canvas",
+    "column": "--to canvas",
+    "secret": "--gradescope-autograder",
+    "variant": "--gradescope-autograder",
+    "trust_container": "--gradescope-autograder",
+}
 
 
 def add_export(commands: Commands) -> None:
@@ -103,6 +110,7 @@ def run_export(arguments: argparse.Namespace) -> int:
     from ..grading.report.decisions import read_decisions
     from ..grading.report.rows import list_class_rows
 
+    refuse_useless_options(arguments)
     if arguments.gradescope_autograder is not None:
         return pack_for_gradescope(arguments)
     if arguments.grades is None:
@@ -128,6 +136,19 @@ def run_export(arguments: argparse.Namespace) -> int:
             file=sys.stderr,
         )
     return 0
+
+
+def refuse_useless_options(arguments: argparse.Namespace) -> None:
+    """Raise InvalidParameter where an option would have no effect."""
+    asked = f"--to {arguments.to}"
+    if arguments.to is None:
+        packs = arguments.gradescope_autograder is not None
+        asked = "--gradescope-autograder" if packs else "--from-nbgrader"
+    for option, what in ONLY_FOR.items():
+        if getattr(arguments, option) and asked != what:
+            raise InvalidParameter(f"--{option.replace('_', '-')} is for {what}, not for {asked}")
+    if arguments.out is not None and arguments.to is None:
+        raise InvalidParameter(f"--out is for --to, not for {asked}")
 
 
 def write_csv(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
