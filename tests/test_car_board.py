@@ -359,6 +359,7 @@ def test_a_strip_shows_each_move_or_the_last_and_others(moves):
     drive = ke.Trajectory(
         ke.Car(30, 10, 20), (0, 0, 0), controls or np.empty((0, 2)), [9.0] * moves
     )
+    plt.close("all")  # those of other tests
     figures.draw_moves(ke.Car(30, 10, 20), drive)
     axes = [ax for number in plt.get_fignums() for ax in plt.figure(number).axes]
     plt.close("all")
