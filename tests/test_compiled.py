@@ -745,17 +745,17 @@ def test_a_request_that_is_lost_is_repeated(monkeypatch) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("is_awaited", [False, True])
-def test_a_worker_for_which_a_call_waits_does_not_give_way(monkeypatch, is_awaited) -> None:
-    """Beside other programs a call would wait ten times as long."""
+@pytest.mark.parametrize("queue", [store.WANTED, store.AWAITED])
+def test_a_request_goes_to_the_worker_of_its_queue(monkeypatch, queue) -> None:
+    """Beside other programs a call would wait ten times as long for a worker that gives way."""
     started: list[str] = []
     call = tiers.Specialization(orientation_sign, ("f8",) * 6)
     monkeypatch.setattr(NUMBA_THREAD, "submit", lambda work: work())
     monkeypatch.setattr(requests, "is_there", lambda place, request: False)
     monkeypatch.setattr(requests, "write_request", lambda queue, request: None)
     monkeypatch.setattr(requests, "start_worker", lambda place, queue, slot: started.append(queue))
-    call.request_after(3.0, is_awaited=is_awaited)
-    assert started == ["awaited" if is_awaited else "wanted"]
+    call.request_after(3.0, queue)
+    assert started == [queue]
 
 
 @needs_compiler

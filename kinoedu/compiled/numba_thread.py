@@ -42,6 +42,7 @@ class WatchedCall:
 
     def check(self) -> None:
         """Load, interrupt or request compilation, depending on the time that the call has taken."""
+        from .store import AWAITED
         from .tiers import IMPORTING
 
         call, seconds = self.specialization, time.perf_counter() - self.began
@@ -50,7 +51,7 @@ class WatchedCall:
         if call.is_loaded:
             self.interrupt()
         else:
-            call.request_after(call.spent + seconds, is_awaited=True)
+            call.request_after(call.spent + seconds, AWAITED)
 
     def interrupt(self) -> None:
         """Interrupt the interpreted call, unless it has ended."""

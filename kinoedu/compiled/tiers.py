@@ -238,17 +238,16 @@ class Specialization:
         self.function.machine = machine
         self.is_loaded = True
 
-    def request_after(self, seconds: float, *, is_awaited: bool = False) -> None:
+    def request_after(self, seconds: float, queue: str = store.WANTED) -> None:
         """Request its compilation by another process if interpreting has taken long.
 
         Request it again if the time has doubled: the worker may have ended without a look at it.
-        A worker that is started gives way to other programs, unless a call waits for it.
+        `queue` is AWAITED where a call waits for it; other requests give way.
         """
         if seconds > max(BUDGET, 2.0 * self.requested_after) and not self.is_never_stored:
             from .numba_thread import NUMBA_THREAD
 
             self.requested_after = seconds
-            queue = store.AWAITED if is_awaited else store.WANTED
             NUMBA_THREAD.submit(lambda: self.request_here(queue))
 
     def request_here(self, queue: str) -> None:

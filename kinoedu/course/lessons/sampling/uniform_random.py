@@ -10,12 +10,12 @@ from ...exercise import RIGHT, Axes, Case, Exercise, Given, Verdict, format_valu
 from ...outcomes import Answer, Outcome
 from ...shapes import Record, Together, Value
 from ...sizes import MOST_NUMBERS
+from ...watching import FAR
 from ...whole_shapes import Integer
 from .grids import DIMENSIONS, POINTS, find_points_fault
 from .pictures import draw_points
 
 BOXES = {1: 64, 2: 8, 3: 4}  # boxes along each side by dimension: 64 in all
-FAR = 1000  # seeds that far apart differ, even where a program keeps only some last digits
 MANY = 640  # points from which their spread is tested: ten in each box
 # bounds of the chi-square statistic of 64 boxes; random points leave them once in 10^9 times
 EVEN, UNEVEN = 16.0, 160.0

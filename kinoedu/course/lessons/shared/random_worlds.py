@@ -16,17 +16,9 @@ if TYPE_CHECKING:
 
 
 def general_world(
-    rng: np.random.Generator,
-    obstacles: int,
-    size: float,
-    *,
-    convex: bool = False,
-    both_ways: bool = False,
+    rng: np.random.Generator, obstacles: int, size: float, *, convex: bool = False
 ) -> Given:
-    """Boundary and obstacles as arguments of an exercise, counter-clockwise, with two decimals.
-
-    With `both_ways` they are in general position also where x and y are exchanged.
-    """
+    """Boundary and obstacles as arguments of an exercise, counter-clockwise, with two decimals."""
     while True:
         n = int(rng.integers(4, 9))
         boundary = round_polygon(rng, n, size) if convex else star_polygon(rng, n, size)
@@ -36,12 +28,7 @@ def general_world(
                 star = star_polygon(rng, int(rng.integers(3, 6)), 0.28 * size)
                 obstacle = np.round(star + np.round(rng.uniform(-0.6, 0.6, 2) * size, 2), 2)
                 holes += [obstacle] if room.fits(obstacle, holes) else []
-        rings = [boundary, *holes]
-        if (
-            len(holes) == obstacles
-            and is_general(rings)
-            and (not both_ways or is_general([ring[:, ::-1] for ring in rings]))
-        ):
+        if len(holes) == obstacles and is_general([boundary, *holes]):
             return {"boundary": boundary, "obstacles": holes}
 
 
