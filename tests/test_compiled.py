@@ -759,6 +759,24 @@ def test_a_request_goes_to_the_worker_of_its_queue(monkeypatch, queue) -> None:
 
 
 @needs_compiler
+def test_what_is_compiled_ahead_takes_the_process_of_single_requests_too(monkeypatch) -> None:
+    """Each process more types again what others have typed: a sixth more work for all of them."""
+    started = set[int]()
+    single, *others = (
+        Request("kinoedu.geometry.exact", "f", (kind,)) for kind in ("f8", "i8", "b1")
+    )
+    monkeypatch.setattr(requests, "is_refused", lambda place, request: False)
+    monkeypatch.setattr(requests, "is_there", lambda place, request: len(started) > 1)
+    monkeypatch.setattr(requests, "write_request", lambda queue, request: None)
+    monkeypatch.setattr(requests, "start_worker", lambda place, queue, slot: started.add(slot))
+    place = Path()
+    requests.compile_all(place, store.AWAITED, others, workers=2)
+    both = started.copy()
+    started.clear()
+    assert requests.request_compilation(place, store.AWAITED, single) and started < both
+
+
+@needs_compiler
 def test_what_is_compiled_ahead_does_not_delay_a_call_that_waits(tmp_path, monkeypatch) -> None:
     """The worker of such calls leaves the older requests, for which nobody waits, to the others."""
     from kinoedu.compiled import worker

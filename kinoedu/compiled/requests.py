@@ -64,7 +64,7 @@ def compile_all(
     place : the folder of machine code.
     queue : AWAITED or WANTED.
     requests : what to compile.
-    workers : how many processes compile.
+    workers : how many processes compile. One that runs already for single requests is among them.
     report_progress : is called with the number of requests that are done, and the number of all.
 
     Returns
@@ -75,7 +75,7 @@ def compile_all(
     missing = [request for request in requests if is_pending(place, request)]
     for request in missing:
         write_request(place / queue, request)
-    total, slots = len(missing), range(1, 1 + min(workers, len(missing)))
+    total, slots = len(missing), range(min(workers, len(missing)))
     failures = 0
     try:
         while missing and failures < MAX_FAILURES:
