@@ -38,6 +38,14 @@ def revisit(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) ->
     return node, q if rng.random() < 0.5 else nodes[int(rng.integers(len(nodes)))].copy()
 
 
+def walk(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
+    """Expand a random node by one unit along an axis, up to walls of whole coordinates."""
+    node = int(rng.integers(len(nodes)))
+    q = nodes[node].copy()
+    q[int(rng.integers(len(q)))] += rng.choice((-1.0, 1.0))
+    return node, q
+
+
 @dataclass(frozen=True)
 class Expansion:
     """A rule that proposes the next edge of a tree.
@@ -56,7 +64,7 @@ class Expansion:
 
 
 RULES: dict[str, Callable[..., tuple[int, Array]]] = {
-    rule.__name__: rule for rule in (wander, leap, reach_out, revisit)
+    rule.__name__: rule for rule in (wander, leap, reach_out, revisit, walk)
 }
 EXPANSIONS = {name: Expansion(name) for name in RULES}
 

@@ -117,6 +117,12 @@ def no_spacing(*given):
 
 
 less_than_a_step = changed("rrt_on_terrain", ("goal) <= step", "goal) < step"))
+last_step_touches = changed(
+    "rrt_on_terrain", ("is_free_path(nodes[-1]", "is_semi_free_path(nodes[-1]")
+)
+steps_touch = changed(
+    "rrt_on_terrain", ("is_free_path(nodes[near]", "is_semi_free_path(nodes[near]")
+)
 farther_than_the_spacing = changed("rrt_on_terrain", (">= spacing", "> spacing"))
 
 
@@ -387,6 +393,7 @@ last_two_digits_of_the_seed = changed(
 ignores_little_gains = changed(
     "prm_on_terrain", ("new < cost.get(v, np.inf)", "new < cost.get(v, np.inf) - 0.05")
 )
+edges_touch = changed("prm_on_terrain", ("problem.is_free_path", "problem.is_semi_free_path"))
 last_digit_of_the_seed = changed("prm_on_terrain", ("default_rng(rng)", "default_rng(rng % 10)"))
 
 

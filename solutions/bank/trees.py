@@ -59,6 +59,7 @@ new_chance_each_time = changed(
     ("rng = np.random.default_rng(rng)", "seed = rng"),
     ("nodes, rng)", "nodes, np.random.default_rng(seed))"),
 )
+touching = changed("tree_roadmap", (FREE, FREE.replace("free", "semi_free")), slip="touching")
 no_root = changed("tree_roadmap", ("return nodes, parent", "return nodes[1:], parent[1:]"))
 
 
@@ -72,6 +73,8 @@ SAMPLE = "problem.sample(rng)"
 SEED = "default_rng(rng)"
 
 last_edge_unchecked = changed("rrt", (FREE_LAST_STEP, "True"))
+last_step_touches = changed("rrt", (FREE_LAST_STEP, FREE_LAST_STEP.replace("free", "semi_free")))
+steps_touch = changed("rrt", (FREE_STEP, FREE_STEP.replace("free", "semi_free")))
 points_for_edges = changed(
     "rrt", (FREE_STEP, "problem.is_free(q_new)"), (FREE_LAST_STEP, "problem.is_free(goal)")
 )

@@ -23,7 +23,7 @@ from ..shared.planned import (
     Watched,
     watched_three_times,
 )
-from .rrt_on_terrain import SMALL, TerrainPlanner, make_terrain_problem
+from .rrt_on_terrain import GRAZED, SMALL, TerrainPlanner, make_terrain_problem
 
 # a corridor of two cells among rocks: one sample in twenty is free
 CORRIDOR = make_terrain_problem(
@@ -71,11 +71,12 @@ class PrmOnTerrain(Watched, TerrainPlanner):
     shown = staticmethod(prm)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield the cases of both planners, then a corridor among rocks, and two equal detours.
+        """Yield the cases of both planners, a grazed rock, a corridor, and two equal detours.
 
         Of these, the one that is found last is a little shorter.
         """
         yield from super().cases(rng)
+        yield self.make_case("open", GRAZED, int(rng.integers(1000)))
         yield self.make_case("open", CORRIDOR, int(rng.integers(1000)))
         seed = int(rng.integers(10**6))
         while not 1e-4 < measure_gain(ROCK, seed) < LITTLE:

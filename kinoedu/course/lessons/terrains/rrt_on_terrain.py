@@ -61,6 +61,8 @@ TERRAINS = {
 }
 EMPTY = make_terrain_problem([], (5.5, 5.5), (34.5, 33.5))
 LEVEL = make_terrain_problem([], (3.5, 8.5), (35.5, 8.5))
+# the last step of the straight way to the goal runs along a rock
+GRAZED = make_terrain_problem([(32, 16, 33, 20)], (6.5, 20.0), (34.5, 20.0))
 EXACT = {"step": 4.0, "spacing": 4.0}  # LEVEL is eight steps, all of which floats can hold
 
 
@@ -140,9 +142,9 @@ class RrtOnTerrain(TerrainPlanner):
     shown = staticmethod(grow_spaced)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield the cases of both planners, then open ground with goal bias 1.
+        """Yield the cases of both planners, then open ground and a grazed rock with goal bias 1.
 
-        The second case without a path has a smaller goal bias. In the last case every node is
+        The second case without a path has a smaller goal bias. On level ground every node is
         exactly the spacing from the one before it.
         """
         sealed = 0
@@ -153,6 +155,7 @@ class RrtOnTerrain(TerrainPlanner):
         always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
         yield Case("open", {**always.given, "problem": LEVEL, "goal_bias": 1.0, **EXACT})
+        yield Case("sealed", {**always.given, "problem": GRAZED, "goal_bias": 1.0})
 
     def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case, with fewer failures where no path exists, to end the tree's growth."""
@@ -202,7 +205,8 @@ class RrtOnTerrain(TerrainPlanner):
         )
         if fault is None and path is not None:
             fault = find_motion_off_tree(path, nodes, parent)
-        if fault is None and case.kind == "sealed" and len(nodes) < LEAST:
+        fills = case.kind == "sealed" and case.given["goal_bias"] < 1.0
+        if fault is None and fills and len(nodes) < LEAST:
             fault = Fault("gave_up", nodes[:0])
         return fault or self.fault_of_end(case, path)
 

@@ -36,6 +36,8 @@ OFTEN = 0.5  # a goal bias at which a test of its share is sharp
 BESIDE = in_room((4, 5), (4.6, 5.3))
 # less than a step apart, with a wall between
 BEHIND = in_room((7.6, 5), (8.2, 5), box(7.9, 3, 7.91, 7))
+# a corner touches the last step of the straight way to the goal
+TOUCHED = in_room((2, 3), (8, 3), [(7, 5), (7.5, 3), (8, 5)])
 ARM = make_arm([], (2.4, 0.3), (-2.0, 1.5))  # the way is short, because an angle wraps
 
 
@@ -115,6 +117,7 @@ class Rrt(Watched, TreeExercise):
         for kind, x, iterations in (("room", 3, 9), ("room", 5, 9), ("room", 3.5, 1)):
             case = self.make_case(kind, in_room((2, 3), (x, 3)), rng)
             yield aim_at_goal(case, iterations)
+        yield aim_at_goal(self.make_case("sealed", TOUCHED, rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer.
@@ -147,10 +150,10 @@ class Rrt(Watched, TreeExercise):
         """
         nodes, parent, path = answer
         problem, step, bias, iterations, _ = case.given.values()
-        if bias == 1.0 and not has_same_nodes(case, nodes):
-            return Fault("bias", nodes[:0])
         fault = None if path is None else self.fault_of_end(case, path)
         fault = fault or find_tree_fault(problem, nodes, parent, step)
+        if fault is None and bias == 1.0 and not has_same_nodes(case, nodes):
+            fault = Fault("bias", nodes[:0])
         if fault is None and len(nodes) > iterations + 1 + (path is not None):
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:

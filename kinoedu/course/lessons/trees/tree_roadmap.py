@@ -80,6 +80,11 @@ def check_ends_only(*given: Value) -> Value:
     return grow_by(*given, accepts=lambda problem, a, b: problem.is_free(b))
 
 
+def allow_contact(*given: Value) -> Value:
+    """Accept motions that touch obstacles."""
+    return grow_by(*given, accepts=lambda problem, a, b: problem.is_semi_free_path(a, b))
+
+
 def count_from_one(*given: Value) -> Value:
     """Count parents from 1."""
     nodes, parent = grow_free_tree(*given)
@@ -105,6 +110,7 @@ class TreeRoadmap(ValueExercise):
     slips = (
         Slip("unchecked", grow_unchecked),
         Slip("ends_only", check_ends_only),
+        Slip("touching", allow_contact),
         Slip("from_one", count_from_one),
         Slip("chained", chain_nodes),
     )
