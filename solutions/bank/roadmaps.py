@@ -892,6 +892,11 @@ shorter_than_a_million = changed("shortest_path", ("cost.get(v, math.inf)", "cos
 ignores_little_gains = changed(
     "shortest_path", ("d < cost.get(v, math.inf)", "d < cost.get(v, math.inf) - 1e-4")
 )
+larger_estimates = changed(
+    "shortest_path",
+    ("c, u = heappop(heap)", "c, u = heappop(heap)\n        c = cost[u]"),
+    ("heappush(heap, (d, v))", "heappush(heap, (d + 1.01 * math.dist(nodes[v], nodes[goal]), v))"),
+)
 only_nodes_with_edges = changed(
     "shortest_path", ("while heap:", "while heap and start in np.asarray(edges):")
 )

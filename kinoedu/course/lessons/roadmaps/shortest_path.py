@@ -22,6 +22,7 @@ from .rules import set_title
 Pairs = NDArray[np.int64]
 PathAndLength = tuple[list[int] | None, float]
 LITTLE_GAIN = [(0, 0), (4, 0), (1, 1.00001), (3, 1)]
+LATE_GAIN = [(0, 0), (4, 0), (1, 1), (3, 1.00001)]
 DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
@@ -151,6 +152,8 @@ class ShortestPath(ValueExercise):
             ("small", [(0, 0), (0, 0), (3, 4)], [(0, 1), (1, 2)], 0, 2),
             # the second way is shorter by 0.00001
             ("detour", LITTLE_GAIN, [(0, 2), (2, 1), (0, 3), (3, 1)], 0, 1),
+            # the first is, and an estimate that is too large takes the second node first
+            ("detour", LATE_GAIN, [(0, 2), (2, 1), (0, 3), (3, 1)], 0, 1),
         ):
             yield make_case(kind, np.array(nodes, float), np.array(edges, np.int64), s, g)
         for n in (3, 4, 5, 6, 7, 8, 10, 12, 16, 24, 40, 60):
