@@ -283,6 +283,12 @@ def vertices_only(q, polygon):
     return min(math.dist(q, vertex) for vertex in polygon)
 
 
+@wrong("point_polygon_distance", slip="vertices")
+def vertices_only_outside(q, polygon):
+    """Forgets the edges, but not that a polygon is solid."""
+    return 0.0 if point_in_polygon(q, polygon) else vertices_only.function(q, polygon)
+
+
 @wrong("point_polygon_distance", slip="centre")
 def to_the_centre(q, polygon):
     """Measures to the mean of the vertices."""

@@ -43,6 +43,12 @@ class PointPolygonDistance(DistanceExercise):
     slips = (
         Slip("vertices", lambda q, polygon: min(np.linalg.norm(polygon - q, axis=1))),
         Slip(
+            "vertices",
+            lambda q, polygon: (
+                min(np.linalg.norm(polygon - q, axis=1)) if locate_point(*q, polygon) < 0 else 0.0
+            ),
+        ),
+        Slip(
             "open",
             lambda q, polygon: (
                 min(edge_distances(q, polygon)[:-1]) if locate_point(*q, polygon) < 0 else 0.0
