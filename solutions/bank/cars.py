@@ -151,9 +151,25 @@ def stays_on_the_first_circle(pose, v, phi, t, L):
     return drive_arc(*pose, distance, tan(phi) / L)
 
 
+@wrong("move", slip="straight_if_small")
+def straight_in_a_small_turn(pose, v, phi, t, L):
+    """Goes straight where it turns by less than a thousandth, and turns at the end."""
+    x, y, theta = pose
+    turn = v * t * tan(phi) / L
+    if abs(turn) < 0.001:
+        return x + v * t * cos(theta), y + v * t * sin(theta), theta + turn
+    return by_radius(pose, v, phi, t, tan(phi) / L)
+
+
+tiny_turns_ignored = changed(
+    "move",
+    ("/ L / 2\n", "/ L / 2\n    half = 0.0 if abs(half) < 2e-6 else half\n"),
+    slip="straight_if_small",
+)
 small_turns_ignored = changed(
     "move",
     ("/ L / 2\n", "/ L / 2\n    half = 0.0 if abs(half) < 5e-5 else half\n"),
+    slip="straight_if_small",
 )
 same_side_backwards = changed(
     "move", ("half = distance *", "half = abs(distance) *"), slip="one_way"
@@ -346,7 +362,19 @@ def fixed_heading_rate(pose, v, phi, t, L, n):
     return stepped(pose, v, phi, t, L, n, bend=lambda angle: tan(angle) * np.sign(v))
 
 
+@wrong("euler", slip="one_array")
+def one_array_of_euler(pose, v, phi, t, L, n):
+    """Appends the same array again and again, and changes it in place."""
+    pose = np.array(pose, float)
+    poses = [pose]
+    for _ in range(n):
+        pose += t / n * v * np.array([cos(pose[2]), sin(pose[2]), tan(phi) / L])
+        poses.append(pose)
+    return poses
+
+
 steps_of_time = changed("euler", ("range(n)", "np.arange(0, t, h)"))
+standing_car_makes_no_step = changed("euler", ("range(n)", "range(n if v else 0)"))
 
 
 # The order of an error

@@ -93,6 +93,7 @@ class Euler(PoseExercise):
         Slip("one_short", lambda *given: euler_poses(*given)[:-1]),
         Slip("whole_time", lambda p, v, phi, t, w, n: euler_poses(p, v, phi, n * t, w, n)),
         Slip("last_only", lambda *given: euler_poses(*given)[-1:]),
+        Slip("one_array", lambda *given: [euler_poses(*given)[-1]] * len(euler_poses(*given))),
     )
     reference = staticmethod(euler_poses)
     changes = (
@@ -109,6 +110,7 @@ class Euler(PoseExercise):
             ("turns", (0, 0, 0), 1, eighth, 20 * math.pi, 20, 2),
             ("back", (0, 0, 0), -1, eighth, 20, 20, 2),
             ("turns", (0, 0, 0), 1, eighth, 0, 20, 3),
+            ("turns", (3, 4, 1), 0, eighth, 10, 20, 2),
             ("turns", (0, 0, 0), 1, eighth, 1, 20, 49),
         ):
             yield steps_case(kind, n, *numbers)

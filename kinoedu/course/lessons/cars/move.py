@@ -47,10 +47,23 @@ def steered(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Va
     return x, y, heading - phi
 
 
-def straight_if_small(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
-    """A wrong program that ignores small angles and turns that are not negligible."""
-    small = min(abs(phi), abs(v * t * math.tan(phi) / wheelbase)) < 0.03
-    return pose_after(pose, v, 0.0 if small else phi, t, wheelbase)
+def straight_if_small(below: float, kept: float) -> Mover:
+    """A wrong program that goes straight where an angle or a turn is small, but not negligible.
+
+    Parameters
+    ----------
+    below : the least angle and turn that it does not ignore.
+    kept : the fraction of a small turn that it adds to the heading all the same.
+    """
+
+    def mistaken(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Value:
+        turn = v * t * math.tan(phi) / wheelbase
+        if min(abs(phi), abs(turn)) >= below:
+            return pose_after(pose, v, phi, t, wheelbase)
+        x, y, heading = pose_after(pose, v, 0.0, t, wheelbase)
+        return x, y, heading + kept * turn
+
+    return mistaken
 
 
 def turning_one_way(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Value:
@@ -96,7 +109,11 @@ class Move(PoseExercise):
         Slip("arc_for_chord", along_heading(0.5)),
         Slip("no_turn", without_turning),
         Slip("steered", steered),
-        Slip("straight_if_small", straight_if_small),
+        Slip("straight_if_small", straight_if_small(0.03, 0.0)),
+        Slip("straight_if_small", straight_if_small(0.03, 1.0)),
+        Slip("straight_if_small", straight_if_small(1e-4, 0.0)),
+        Slip("straight_if_small", straight_if_small(1e-4, 1.0)),
+        Slip("straight_if_small", straight_if_small(1e-5, 0.0)),
         Slip("other_side", round_the_other_side),
         Slip("one_way", turning_one_way),
         Slip(
@@ -121,9 +138,12 @@ class Move(PoseExercise):
             ("left", (0, 0, 0), 1, 0.01, 30, 20),
             ("right", (0, 0, 0), 1, -0.01, 30, 20),
             ("back", (0, 0, 0), -1, 0.01, 30, 20),
-            ("left", (0, 0, 0), 1, 0.01, 0.05, 50),
-            ("right", (0, 0, 0), 1, -0.01, 0.05, 50),
-            ("back", (0, 0, 0), -1, 0.01, 0.05, 50),
+            ("left", (0, 0, 0), 1, 0.01, 0.15, 50),
+            ("right", (0, 0, 0), 1, -0.01, 0.15, 50),
+            ("back", (0, 0, 0), -1, 0.01, 0.15, 50),
+            ("left", (0, 0, 0), 1, 0.01, 0.01, 50),
+            ("right", (0, 0, 0), 1, -0.01, 0.01, 50),
+            ("back", (0, 0, 0), -1, 0.01, 0.01, 50),
             ("left", (3, 4, 1), 1, eighth, 0, 20),
             ("right", (3, 4, 1), 0, -eighth, 5, 20),
         ):
