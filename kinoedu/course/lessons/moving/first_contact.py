@@ -20,6 +20,7 @@ PLACE = Numbers((2,))
 CLEAR = 0.01
 # a contact shorter than this is missed by programs that sample; no random case is so short
 BRIEF = 0.002
+TINY_SQUARE = 1e-9  # a tolerance where there must be none
 
 
 def find_roots(x: Array, v: Array, r: float) -> tuple[float, float] | None:
@@ -107,6 +108,13 @@ def confuse_equal_velocities(x: Array, v: Array, r: float) -> float:
     return 0.0 if x @ x <= r * r else math.inf
 
 
+def round_root(x: Array, v: Array, r: float) -> float:
+    """Take a small number under the root for zero or less."""
+    s, reach = find_relative_contact(x, v, r), float(x[0] * v[1] - x[1] * v[0])
+    is_small = float(v @ v) * r * r - reach * reach < TINY_SQUARE
+    return math.inf if s > 0.0 and is_small else s
+
+
 def miss_first_moment(x: Array, v: Array, r: float) -> float:
     """Miss contact at the beginning."""
     found = find_roots(x, v, r)
@@ -152,6 +160,7 @@ class FirstContact(ValueExercise):
         Slip("not_at_once", make_program(find_relative_motion, miss_first_moment)),
         Slip("rim", make_program(find_relative_motion, miss_rim)),
         Slip("alike", make_program(find_relative_motion, confuse_equal_velocities)),
+        Slip("alike", make_program(find_relative_motion, round_root)),
         Slip("moments", make_program(find_relative_motion, miss_brief_contact)),
         Slip(
             "length", lambda p0, p1, c0, c1, r: find_contact(p0, p1, c0, c1, r) * math.dist(p0, p1)
@@ -180,6 +189,7 @@ class FirstContact(ValueExercise):
         yield make_case("meets", (0, 0), (30, 0), (23, 0), (-30, 0), 0.001)
         yield make_case("meets", (0, 0), (5, 0), (2.001, 0), (6.999, 0), 2)
         yield make_case("meets", (0, 0), (5, 0), (2.00001, 0), (6.99999, 0), 2)
+        yield make_case("meets", (0, 0), (5, 0), (0.001005, 0), (5.000995, 0), 0.001)
         yield make_case("crosses", (0, 0), (10, 0), (5, -1.5), (5, 18.5), 1)
         yield make_case("outside", (0, 0), (4, 0), (9, 0), (9, 0), 1)
         yield make_case("outside", (5, 0), (9, 0), (0, 0), (0, 0), 1)
