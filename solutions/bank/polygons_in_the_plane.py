@@ -65,6 +65,18 @@ def thirty_headings(problem, x, y):
 
 
 @wrong("free_heading")
+def steps_of_a_fifth_and_more(problem, x, y):
+    """Tries headings at steps of 0.21."""
+    return turned_until_free(problem, x, y, np.arange(0, 2 * np.pi, 0.21))
+
+
+@wrong("free_heading")
+def steps_from_minus_pi(problem, x, y):
+    """Tries headings at steps of 0.22 from -pi on."""
+    return turned_until_free(problem, x, y, np.arange(-np.pi, np.pi, 0.22))
+
+
+@wrong("free_heading")
 def a_few_at_random(problem, x, y):
     """Tries ten random headings and gives up."""
     return turned_until_free(problem, x, y, np.random.default_rng(0).uniform(-np.pi, np.pi, 10))
@@ -154,6 +166,23 @@ def a_hundred_places(problem, nodes):
             for t in np.linspace(0, 1, 100)
         ),
     )
+
+
+@wrong("adjacency_matrix")
+def every_hundredth(problem, nodes):
+    """Checks points 0.01 apart, and still misses a very thin wall."""
+
+    def is_joined(a, b):
+        far = problem.distance(a, b)
+        return all(problem.is_free(problem.steer(a, b, s)) for s in np.arange(0, far, 0.01))
+
+    return filled(nodes, is_joined)
+
+
+@wrong("adjacency_matrix", slip="one_side")
+def below_the_diagonal(problem, nodes):
+    """Writes each pair once, below the diagonal."""
+    return np.tril(filled(nodes, problem.is_free_path))
 
 
 @wrong("adjacency_matrix", slip="touching")

@@ -20,7 +20,7 @@ from .pictures import draw_matrix
 
 Matrix = NDArray[np.int64]
 
-
+THIN = 0.001  # of a wall; thousands of points of a motion miss it
 TOUCHED = PolygonWorld(SQUARE, [box(4, 2, 6, 4.5)])
 STICK = RigidPolygon([(-0.8, -0.2), (0.8, -0.2), (0.8, 0.2), (-0.8, 0.2)])
 CORRIDOR = PolygonWorld([(0, 0), (10, 0), (10, 1.4), (0, 1.4)], [box(4.9, 0, 5.1, 0.8)])
@@ -88,6 +88,7 @@ class AdjacencyMatrix(ValueExercise):
             ),
         ),
         Slip("one_side", lambda problem, nodes: np.triu(find_free_motions(problem, nodes))),
+        Slip("one_side", lambda problem, nodes: np.tril(find_free_motions(problem, nodes))),
         Slip(
             "loops", lambda problem, nodes: find_free_motions(problem, nodes) + np.eye(len(nodes))
         ),
@@ -117,10 +118,11 @@ class AdjacencyMatrix(ValueExercise):
             room = scattered(3, side=10.0, radius=1.5, rng=rng)
             yield draw_case("two", Disk(0.5), room, rng, int(rng.integers(2, 4)))
             wall = float(np.round(rng.uniform(4.0, 6.0), 2))
+            end = round(wall + THIN, 3)
             thin = PolygonWorld(
-                SQUARE, [box(wall, 0, wall + 0.01, float(np.round(rng.uniform(5.0, 8.0), 1)))]
+                SQUARE, [box(wall, 0, end, float(np.round(rng.uniform(5.0, 8.0), 1)))]
             )
-            yield draw_case("wall", Disk(0.005), thin, rng, 5)
+            yield draw_case("wall", Disk(THIN / 2), thin, rng, 5)
             # a sill is between the three nodes on the left and the two on the right
             x = np.round(np.concatenate([rng.uniform(1.0, 3.8, 3), rng.uniform(6.2, 9.0, 2)]), 2)
             poses = np.column_stack([x, np.full(5, 0.7), rng.choice([0.0, 0.2, 3.0, -3.0], 5)])
@@ -150,9 +152,12 @@ class AdjacencyMatrix(ValueExercise):
         return str(value.tolist())
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
-        """Judge the entries; a matrix of the wrong size breaks a rule of its own."""
+        """Judge the entries; a wrong size and missing ones break rules of their own."""
         verdict = super().value_verdict(case, value)
-        return verdict._replace(rule="size") if len(value) != len(case.given["nodes"]) else verdict
+        if len(value) != len(case.given["nodes"]):
+            return verdict._replace(rule="size")
+        lacks_ones_only = not verdict.is_right and not value[value != self.truth(case)].any()
+        return verdict._replace(rule="missing") if lacks_ones_only else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the configurations, the free motions, and the entries that are wrong."""

@@ -26,7 +26,9 @@ BAR = RigidPolygon([(-0.5, -0.3), (2.5, -0.3), (2.5, 0.3), (-0.5, 0.3)])
 HOOK = RigidPolygon([(-0.4, -0.4), (1.8, -0.4), (1.8, 0.0), (0.0, 0.0), (0.0, 1.2), (-0.4, 1.2)])
 HALF = 0.56  # half the width of a dead end, in which the bar has little more than LEAST
 NARROW = 0.5525  # the same, with 0.203 to 0.204 radians
-TOO_WIDE = (2.0 * np.pi / 30, 0.205)  # steps between headings that miss a narrow dead end
+# steps between headings that miss a narrow dead end, from 0 on and from -pi on
+TOO_WIDE = (2.0 * np.pi / 30, 0.205)
+OTHERS_TOO_WIDE = (0.205, 0.21, 0.22)
 SEAM = 0.115  # a dead end so far from a whole or a half turn ends just before it
 CORNER = (1.4, 1.4, 0.0)  # the robot's start, which is free in every world
 
@@ -69,6 +71,9 @@ class FreeHeading(Exercise):
         for step in TOO_WIDE:
             for k in rng.integers(0, 30, 2).tolist():
                 yield make_case(BAR, make_slot((k + 0.5) * step, NARROW), (5.0, 5.0))
+        for step in OTHERS_TOO_WIDE:
+            for first in (0.0, -np.pi):
+                yield make_case(BAR, make_slot(first + 7.5 * step, NARROW), (5.0, 5.0))
         for robot in (BAR, HOOK):
             world = scattered(12, side=10.0, radius=1.2, keep_free=[(1.4, 1.4, 2.6)], rng=rng)
             for place in np.round(rng.uniform(0.5, 9.5, (40, 2)), 2):
