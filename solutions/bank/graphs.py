@@ -441,6 +441,15 @@ adds_estimates_up = changed(
     ("(cost[v] + estimate[v], v)", "(cost[v], v)"),
     slip="summed",
 )
+larger_estimates = changed(
+    "astar",
+    ("(estimate[start], start)", "(1.5 * estimate[start], start)"),
+    ("cost[v] + estimate[v]", "cost[v] + 1.5 * estimate[v]"),
+    slip="larger",
+)
+slightly_larger_estimates = changed(
+    "astar", ("cost[v] + estimate[v]", "cost[v] + 1.1 * estimate[v]"), slip="larger"
+)
 whole_weights = changed("astar", (EDGES, "zip(neighbours[u], map(int, weights[u]))"))
 a_million_for_infinity = changed("astar", ("[inf]", "[10**6]"))
 largest_int_for_infinity = changed("astar", ("[inf]", "[2**63 - 1]"))

@@ -1,6 +1,6 @@
 """The exercise `astar`. Hart, Nilsson, Raphael (1968); LaValle, section 2.2."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -48,6 +48,11 @@ OFTEN_REOPENED = [
 REOPENED = [(0, 1, 1), (0, 2, 3), (1, 2, 1), (2, 3, 4)]
 
 
+def enlarge_estimates(factor: float) -> Callable[..., Value]:
+    """Return a program that multiplies all estimates by a factor."""
+    return lambda n, w, estimate, s, g: astar_path(n, w, [factor * h for h in estimate], s, g)
+
+
 class Astar(PathExercise):
     """Find a path of least cost with A*; any such path is right."""
 
@@ -76,6 +81,8 @@ class Astar(PathExercise):
                 n, add_estimates(n, w, estimate), [0.0] * len(n), s, g
             ),
         ),
+        Slip("larger", enlarge_estimates(1.5)),
+        Slip("larger", enlarge_estimates(1.1)),
         Slip("edges", lambda n, w, estimate, s, g: tree_path(n, s, g)),
         Slip(
             "undirected",
@@ -114,6 +121,7 @@ class Astar(PathExercise):
             ("estimate", 4, LATE_GAIN, [3, 2, 1, 0], 0, 3),
             ("estimate", 3, [(0, 1, 0.26), (1, 2, 0.26), (0, 2, 0.54)], [0.5, 0.25, 0], 0, 2),
             ("estimate", 3, [(0, 2, 2.00001), (0, 1, 1), (1, 2, 1)], [0, 0, 0], 0, 2),
+            ("estimate", 3, [(0, 1, 10), (1, 2, 10), (0, 2, 20.1)], [20, 10, 0], 0, 2),
             ("inconsistent", 4, REOPENED, [0, 5, 0, 0], 0, 3),
             ("inconsistent", 4, ONE_MORE_TURN, [0, 5, 7, 0], 0, 3),
             ("inconsistent", 6, OFTEN_REOPENED, [0, 0, 10, 11, 12, 0], 0, 5),
