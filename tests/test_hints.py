@@ -13,6 +13,7 @@ from kinoedu.course.exercise import CONTRACT, Exercise, ValueExercise
 from kinoedu.course.feedback import Feedback
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
+from kinoedu.course.lessons.polygons_in_the_plane.matrices import swap_entries
 from kinoedu.course.outcomes import Answer, Raised
 from kinoedu.geometry import point_line_distance, point_polygon_distance, polygon_tangent
 
@@ -111,6 +112,19 @@ def find_cheap_nodes(neighbours, weights, start):
     return np.where(costs < 10**6, costs, np.inf)
 
 
+def join_near_nodes(form=np.asarray):
+    """A program for `adjacency_matrix` that misses motions longer than 4."""
+
+    def program(problem, nodes):
+        pairs = [[(a, b) for b in nodes] for a in nodes]
+        near = [
+            [problem.is_free_path(*p) and problem.distance(*p) < 4 for p in row] for row in pairs
+        ]
+        return form(np.array(near, int) * (1 - np.eye(len(nodes), dtype=int)))
+
+    return program
+
+
 @pytest.mark.parametrize(
     ("name", "variant", "program", "said"),
     [
@@ -127,6 +141,19 @@ def find_cheap_nodes(neighbours, weights, start):
         ("dijkstra", "", find_cheap_nodes, "math.inf"),
         ("trapezoidation", "level", UPRIGHT_CELLS, "Your contract asks for another answer"),
         ("radius_neighbours", "long_edges", lambda *given: [], "3 r / 4 is too near"),
+        ("adjacency_matrix", "", join_near_nodes(), "Some are missing from your matrix; the ones"),
+        (
+            "adjacency_matrix",
+            "upper_half",
+            join_near_nodes(np.triu),
+            "the ones that it has are right",
+        ),
+        (
+            "adjacency_matrix",
+            "contact",
+            join_near_nodes(swap_entries),
+            "the zeros that it has are right",
+        ),
     ],
 )
 def test_a_hint_is_true_of_the_answer_to_a_variant(name, variant, program, said):
@@ -157,3 +184,23 @@ def test_a_polygon_whose_first_vertex_comes_again_is_told_so(name, answer):
     report = judge_outcomes(exercise, cases, [run_case(exercise, lambda: answer, c) for c in cases])
     assert report.failure.verdict.rule == "valid"
     assert "again at the end" in repr(Feedback(report))
+
+
+@pytest.mark.parametrize("name", ["rrt", "rrt_for_polygon"])
+def test_a_goal_exactly_one_step_away_is_joined_to_the_start(name):
+    """A planner that joins only a nearer goal is told so; rows of another length are no nodes."""
+    exercise = EXERCISES[name]
+
+    def is_one_step(case):
+        problem, step = case.given["problem"], case.given["step"]
+        return case.given["goal_bias"] == 1.0 and problem.distance(*ends(problem)) == step
+
+    def ends(problem):
+        return problem.start, problem.goal
+
+    case = next(filter(is_one_step, exercise.fixed_cases))
+    start, goal = ends(case.given["problem"])
+    nodes = np.array([start, goal, goal])
+    for rows, rule in ((nodes, "returned"), (np.pad(nodes, ((0, 0), (0, 1))), "numbers")):
+        fault = exercise.fault_of_run(case, (rows, np.array([-1, 0, 1]), rows), None)
+        assert fault.rule == rule

@@ -612,6 +612,7 @@ def never_the_goal(problem, step, goal_bias, iterations, rng):
     return grown(problem, step, 0.0, iterations, rng)
 
 
+nearer_than_a_step = changed("rrt_for_polygon", ("goal) <= step", "goal) < step"))
 twelve_iterations_too_many = changed("rrt_for_polygon", ("iterations + 1", "iterations + 13"))
 
 

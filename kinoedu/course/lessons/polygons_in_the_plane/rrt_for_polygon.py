@@ -55,7 +55,8 @@ class RrtForPolygon(Rrt):
         """Yield every task twice, then runs straight to the goal with and without a path.
 
         The second wall is a thin one, and the second closed corner has a larger bias. Of the last
-        runs one has just enough iterations, and two have goal bias 0, one of them for one step.
+        runs one has just enough iterations, two have goal bias 0, one of them for one step, and one
+        needs no iteration.
         """
         for tasks, bias in ((TASKS, BIAS), ({**TASKS, "wall": SHEET}, OFTEN)):
             for kind in tasks:
@@ -69,6 +70,8 @@ class RrtForPolygon(Rrt):
         yield straight._replace(given={**straight.given, "iterations": added})
         yield with_bias(self.make_case("sealed", TASKS["sealed"], rng), 0.0, iterations=60)
         yield with_bias(self.make_case("sealed", FAR_FROM_WALLS, rng), 0.0, iterations=1)
+        # the goal is exactly one step away
+        yield aim_at_goal(self.make_case("room", make_problem((3, 5, 0), (5, 5, 0)), rng))
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""

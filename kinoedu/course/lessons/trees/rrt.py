@@ -153,12 +153,15 @@ class Rrt(Watched, TreeExercise):
         fault = None if path is None else self.fault_of_end(case, path)
         fault = fault or find_tree_fault(problem, nodes, parent, step)
         if fault is None and bias == 1.0 and not has_same_nodes(case, nodes):
-            fault = Fault("bias", nodes[:0])
+            # nothing is random here, so a distance of exactly one step counts
+            within = step * (1.0 + 1e-9)
+            fault = find_missed_goal(problem, nodes, within, path is not None)
+            fault = fault or Fault("bias", nodes[:0])
         if fault is None and len(nodes) > iterations + 1 + (path is not None):
             fault = Fault("iterations", nodes[:0])
         if fault is None and path is not None:
             fault = find_motion_off_tree(path, nodes, parent)
-        fault = fault or find_missed_goal(problem, nodes, step, path is not None)
+        fault = fault or find_missed_goal(problem, nodes, step * (1.0 - 1e-9), path is not None)
         if fault is None and bias < 1.0 and run is not None:
             joined = len(nodes) > 1 and path is not None
             grown = Tree(nodes[:-1], parent[:-1]) if joined else Tree(nodes, parent)
@@ -198,15 +201,14 @@ def grow_straight(case: Case) -> list[Array]:
 
 
 def find_missed_goal(
-    problem: StudentProblem, nodes: Array, step: float, ended: bool
+    problem: StudentProblem, nodes: Array, less_than: float, ended: bool
 ) -> Fault | None:
     """Return the fault of a node that could have reached the goal by one free motion, or None.
 
     Where the search ended at the goal, the last two nodes are excepted.
     """
     for q in nodes[:-2] if ended else nodes:
-        if problem.distance(q, problem.goal) < step * (1.0 - 1e-9) and problem.problem.is_free_path(
-            q, problem.goal
-        ):
+        near = problem.distance(q, problem.goal) < less_than
+        if near and problem.problem.is_free_path(q, problem.goal):
             return Fault("returned", np.array([q, problem.goal]))
     return None
