@@ -612,6 +612,12 @@ def never_the_goal(problem, step, goal_bias, iterations, rng):
     return grown(problem, step, 0.0, iterations, rng)
 
 
+steps_touch = changed(
+    "rrt_for_polygon", ("is_free_path(nodes[near]", "is_semi_free_path(nodes[near]")
+)
+last_step_touches = changed(
+    "rrt_for_polygon", ("is_free_path(nodes[last]", "is_semi_free_path(nodes[last]")
+)
 nearer_than_a_step = changed("rrt_for_polygon", ("goal) <= step", "goal) < step"))
 twelve_iterations_too_many = changed("rrt_for_polygon", ("iterations + 1", "iterations + 13"))
 

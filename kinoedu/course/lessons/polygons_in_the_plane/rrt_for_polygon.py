@@ -15,6 +15,7 @@ from ..trees.rrt import Rrt, aim_at_goal, grow_tree, with_bias
 
 STICK = RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
 NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002)])
+TILE = RigidPolygon([(-0.25, -0.25), (0.25, -0.25), (0.25, 0.25), (-0.25, 0.25)])
 STEP, BIAS, OFTEN = 2.0, 0.2, 0.5
 
 
@@ -41,6 +42,8 @@ FAR_FROM_WALLS = make_problem(
 )
 # a sheet that fits between sampled points of a motion
 SHEET = make_problem((4.3, 2, 1.57), (5.9, 2, 1.57), box(5, 0, 5.002, 7.5), robot=NEEDLE)
+# in the last step straight to the goal the tile's lower side touches a box
+GRAZED = make_problem((2, 5, 0), (7, 5, 0), box(6.4, 3, 6.6, 4.75), robot=TILE)
 
 
 class RrtForPolygon(Rrt):
@@ -56,7 +59,7 @@ class RrtForPolygon(Rrt):
 
         The second wall is a thin one, and the second closed corner has a larger bias. Of the last
         runs one has just enough iterations, two have goal bias 0, one of them for one step, and one
-        needs no iteration.
+        needs no iteration; in one a motion touches a box.
         """
         for tasks, bias in ((TASKS, BIAS), ({**TASKS, "wall": SHEET}, OFTEN)):
             for kind in tasks:
@@ -70,6 +73,7 @@ class RrtForPolygon(Rrt):
         yield straight._replace(given={**straight.given, "iterations": added})
         yield with_bias(self.make_case("sealed", TASKS["sealed"], rng), 0.0, iterations=60)
         yield with_bias(self.make_case("sealed", FAR_FROM_WALLS, rng), 0.0, iterations=1)
+        yield aim_at_goal(self.make_case("sealed", GRAZED, rng))
         # the goal is exactly one step away
         yield aim_at_goal(self.make_case("room", make_problem((3, 5, 0), (5, 5, 0)), rng))
 
