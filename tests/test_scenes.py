@@ -281,6 +281,14 @@ def test_read_problem_wants_each_thing_once(tmp_path):
         ke.read_problem(tmp_path / "corner.map", query=1)
 
 
+@pytest.mark.parametrize("query", [None, 0])
+def test_a_picture_is_asked_for_a_start_and_not_for_a_scenario(tmp_path, query):
+    """Only maps have scenarios."""
+    (tmp_path / "room.pgm").write_bytes(b"P5 2 2 255\n" + b"\xff" * 4)
+    with pytest.raises(InvalidParameter, match=r"room\.pgm: it is only a world; give a start"):
+        ke.read_problem(tmp_path / "room.pgm", query=query)
+
+
 @pytest.mark.parametrize("sizes", [(30, 10, 20), (4.689, 1.942, 2.8), (0.3, 0.1, 0.07)])
 def test_a_car_in_a_scene(tmp_path, sizes):
     """A car is written and read back, with what it steers and its speeds; what is left out has

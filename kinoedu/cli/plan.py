@@ -26,11 +26,11 @@ Plan a path in a scene, a map or a picture, and draw it.
 
 SCENE is one of
   .json            a scene: robot, world, start and goal (see kinoedu/files/scenes.py); or a map
-                   of polygons; needs --start and --goal
+                   of polygons; needs --start and --goal, unless it has both without headings
   .csv             a parking case of TPCAP: a car, its start and goal (see kinoedu/files/tpcap.py)
   .map             a MovingAI map; --query K takes start and goal from the .scen beside it
   .png .bmp .pgm   a picture: bright is free, dark is blocked; needs --start and --goal
-  .yaml            a ROS map with its picture; needs --start and --goal
+  .yaml .yml       a ROS map with its picture; needs --start and --goal
   .stl .obj .dae .glb  a mesh, seen from above; needs --start and --goal
 
 PLANNER is one of

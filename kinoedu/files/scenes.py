@@ -310,7 +310,9 @@ def make_problem(
 
 def read_query(file: Path, world: Any, number: int) -> tuple[Array, Array]:
     """The start and the goal of one query of the scenario beside a map."""
-    scenario = scenario_beside(file) if file.suffix.lower() == ".map" else None
+    if file.suffix.lower() != ".map":
+        raise InvalidParameter(f"{file}: it is only a world; give a start and a goal")
+    scenario = scenario_beside(file)
     if scenario is None:
         raise InvalidParameter(
             f"{file}: there is no scenario (.scen) beside it; give a start and a goal"
