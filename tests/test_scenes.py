@@ -3,6 +3,7 @@
 import copy
 import json
 import os
+import re
 import time
 from contextlib import suppress
 from pathlib import Path
@@ -13,6 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import kinoedu as ke
+import kinoedu.files
 from kinoedu.errors import (
     InvalidGoal,
     InvalidParameter,
@@ -262,6 +264,17 @@ def test_the_documented_scene_is_a_scene(tmp_path):
         ke.read_scene(written(tmp_path, page.split("```json")[1].split("```")[0])).robot.radius
         == 0.25
     )
+
+
+def test_every_function_of_the_page_is_where_it_says():
+    """In `kinoedu.files`; those of the first paragraph are at the top level, and no others."""
+    page = (Path(__file__).parent.parent / "docs" / "files.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`(\w+)\(", page)) | {"read_mesh", "mesh_outline", "read_plan"}
+    assert named <= set(kinoedu.files.__all__)
+    top = page.split("also at the top level")[1].split(".\n")[0]
+    listed = set(re.findall(r"`(\w+)`", top))
+    assert len(listed) == 7
+    assert {name for name in kinoedu.files.__all__ if hasattr(ke, name)} == listed
 
 
 def test_read_problem_wants_each_thing_once(tmp_path):

@@ -39,7 +39,7 @@ NEXT = """\
 
   python start.py release {lesson}
   python start.py test tests/lessons/test_{name}.py tests/test_course.py \
-tests/test_bank.py -k {name}
+tests/test_bank.py -k "{name} or every_word"
 
 The first makes exercises/{lesson}.ipynb: open it, answer wrongly, and see what your students see.
 """
