@@ -208,6 +208,22 @@ def test_a_kit_may_hold_answers_back():
         hold_questions_back("15_flying", files)
 
 
+@pytest.mark.parametrize("platform", ["canvas", "moodle"])
+def test_held_back_questions_are_not_written_for_a_platform(
+    platform, tmp_path, capsys, monkeypatch
+):
+    """The command says in one line that this copy has no answers, and leaves no file."""
+    lesson = "01_geometry"
+    (tmp_path / "en").mkdir()
+    asked = (HERE / "en" / f"{lesson}.toml").read_text(encoding="utf-8")
+    (tmp_path / "en" / f"{lesson}.toml").write_text(hold_back(asked), encoding="utf-8")
+    monkeypatch.setattr("kinoedu.course.questions.question.HERE", tmp_path)
+    file = tmp_path / platform
+    assert main(["questions", lesson, "--to", platform, "--out", str(file)]) == 2
+    assert "not in this copy of the course" in capsys.readouterr().err
+    assert not file.exists()
+
+
 def test_every_answer_stands_on_a_line_of_its_own():
     """What is held back is all that says which choice is right."""
     for lesson in LESSONS:

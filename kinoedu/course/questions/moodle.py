@@ -31,7 +31,7 @@ def write_moodle(file: str | os.PathLike[str], lessons: Iterable[str]) -> int:
     root = Element("quiz")
     for lesson, questions in quizzes.items():
         root.append(category(lesson))
-        root.extend(as_moodle(lesson, question) for question in questions)
+        root.extend([as_moodle(lesson, question) for question in questions])
     with written_whole(file) as part:
         part.write_bytes(as_xml(root))
     return sum(map(len, quizzes.values()))
@@ -55,7 +55,7 @@ def as_moodle(lesson: str, question: Question) -> Element:
     for tag, value in settings.items():
         SubElement(made, tag).text = value
     right = question.right_choice
-    made.extend(as_answer(question, choice, right) for choice in question.choices)
+    made.extend([as_answer(question, choice, right) for choice in question.choices])
     return made
 
 
