@@ -12,7 +12,13 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.course import EXERCISES
 from kinoedu.course import release as release_module
-from kinoedu.course.release import assignments, release, remove_answers
+from kinoedu.course.release import (
+    assignments,
+    exercises_without_solution,
+    files_for_students,
+    release,
+    remove_answers,
+)
 from kinoedu.errors import InvalidParameter
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -125,6 +131,21 @@ def test_a_model_answer_is_left_out_as_a_whole(house):
     nbformat.write(book, file)
     with pytest.raises(InvalidParameter, match="01_geometry"):
         remove_answers(file)
+
+
+def test_a_notebook_without_solution_is_not_packed(house, monkeypatch):
+    """A copy of an exercise, in which the teacher has written answers, stays with the teacher."""
+    places = [house / "exercises" / name for name in ("01_geometry.ipynb", "README.md")]
+    copies = [house / "exercises" / name for name in ("01_geometry-Copy1.ipynb", "old/a.ipynb")]
+    (house / "exercises" / "old").mkdir()
+    for place in places + copies:
+        place.write_text("{}")
+    monkeypatch.setattr(release_module, "FOR_STUDENTS", ())
+    monkeypatch.setattr(release_module, "FOLDERS_FOR_STUDENTS", ("exercises",))
+    monkeypatch.setattr(release_module, "students_readme", lambda house: "")
+    packed = [house / name for name in files_for_students(house) if name != "README.md"]
+    assert packed == places
+    assert exercises_without_solution(house) == copies
 
 
 def test_release_refuses_what_it_cannot_make(house):

@@ -90,7 +90,7 @@ def add_release(commands: Commands) -> None:
 def run_release(arguments: argparse.Namespace) -> int:
     """Make the exercises, and print where they are."""
     from ..course.lessons import EXERCISES
-    from ..course.release import assignments, pack_course, release
+    from ..course.release import assignments, exercises_without_solution, pack_course, release
     from ..course.section import choose_for_section
 
     refuse_useless_options(arguments)
@@ -118,6 +118,8 @@ def run_release(arguments: argparse.Namespace) -> int:
                 arguments.zip, graded=arguments.graded_questions, letter=arguments.variant
             )
         print(f"packed {count} files in {arguments.zip}")
+        for file in exercises_without_solution():
+            print(f"left out {file}: no solution makes it")
     return 0
 
 

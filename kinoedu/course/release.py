@@ -219,9 +219,18 @@ def files_for_students(house: Path = HOUSE) -> dict[str, bytes]:
     for folder in FOLDERS_FOR_STUDENTS:
         inside = sorted((house / folder).rglob("*"))
         places += [file for file in inside if file.is_file() and not is_generated(file)]
+    drafts = exercises_without_solution(house)
+    places = [file for file in places if file not in drafts]
     files = {"README.md": students_readme(house).encode()}
     files |= {file.relative_to(house).as_posix(): file.read_bytes() for file in places}
     return files | without_answers(files)
+
+
+def exercises_without_solution(house: Path = HOUSE) -> list[Path]:
+    """Notebooks among the exercises that no solution makes, such as a copy with answers in it."""
+    made = [house / "exercises" / f"{name}.ipynb" for name in assignments(house)]
+    found = sorted((house / "exercises").rglob("*.ipynb"))
+    return [file for file in found if file not in made and not is_generated(file)]
 
 
 def students_readme(house: Path = HOUSE) -> str:
