@@ -16,7 +16,7 @@ HEAD = """\
 
 `python start.py release NAME --variants students.txt` gives each student one of them,
 `python start.py release --zip course_B.zip --variant B` gives a section the second of each exercise
-([how](grading_more.md#variants)). `python docs/variants.py` writes this page.
+([how](grading_more.md#variants)). `.venv/bin/python docs/variants.py` writes this page.
 """
 WITHOUT = {
     "a later exercise calls the function": (

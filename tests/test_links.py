@@ -148,3 +148,11 @@ def test_the_glossary_explains_each_word_of_a_lesson(lesson):
     words = [word.replace("$", "").lower() for word in words_of(lesson)]
     assert [word for word in words if word not in glossary] == []
     assert words or lesson.stem.startswith("00_")
+
+
+def test_scripts_run_with_the_courses_python():
+    """Another Python has no kinoedu, and stops with an error that does not say so."""
+    pages = [HOUSE / "README.md", *HOUSE.glob("docs/*.md"), *HOUSE.glob("benchmarks/*.md")]
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert not re.search(r"(?<!bin/)python (docs|benchmarks|tests)/", text), page
