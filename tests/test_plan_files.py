@@ -4,6 +4,8 @@ its field.
 
 import copy
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -245,3 +247,21 @@ def test_only_a_parent_is_none_of_the_nodes(tmp_path):
     (tmp_path / "plan.json").write_text(empty_plan(roadmap=roadmap))
     with pytest.raises(UnreadableScene, match="edges"):
         read_plan(tmp_path / "plan.json")
+
+
+def test_mended_polygons_are_a_line_of_the_command(tmp_path):
+    """As an error is, without the place in the code."""
+    ring = [[1, 1], [3, 3], [3, 1], [1, 3]]  # crosses itself
+    outline = [[0, 0], [9, 0], [9, 0.1], [0, 0.1]]
+    scene = {"polygons": [ring, outline, [[x, y + 9] for x, y in outline]]}
+    file = tmp_path / "hall.json"
+    file.write_text(json.dumps({**scene, "start": [5, 5], "goal": [8, 8]}), encoding="utf-8")
+    ran = subprocess.run(
+        [sys.executable, "-m", "kinoedu", "plan", str(file)], capture_output=True, text=True
+    )
+    assert ran.returncode == 0
+    warned = [line for line in ran.stderr.splitlines() if not line.endswith("...")]
+    assert warned == [
+        f"kinoedu: warning: {file}: polygon 0 crosses or touches itself: the region it encloses is "
+        "solid"
+    ]

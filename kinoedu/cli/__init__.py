@@ -8,11 +8,13 @@ import argparse
 import io
 import re
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any, NoReturn
 
 from .. import __version__
-from ..errors import KinoeduError
+from ..errors import KinoeduError, MendedPolygons
 from .autograde import add_autograde
 from .bench import add_bench
 from .experiment import add_experiment
@@ -44,7 +46,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         # a name with characters that the terminal cannot show is escaped, not an error
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        return int(arguments.run(arguments))
+        with one_line_warnings():
+            return int(arguments.run(arguments))
     except (KinoeduError, OSError) as error:
         print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
     except MemoryError:
@@ -56,6 +59,29 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return 130
     return 2
+
+
+@contextmanager
+def one_line_warnings() -> Iterator[None]:
+    """Print that polygons were mended as an error is printed, without a place in the code."""
+    usual = warnings.formatwarning
+
+    def format_in_one_line(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        line: str | None = None,
+    ) -> str:
+        if issubclass(category, MendedPolygons):
+            return f"kinoedu: warning: {message}\n"
+        return usual(message, category, filename, lineno, line)
+
+    warnings.formatwarning = format_in_one_line
+    try:
+        yield
+    finally:
+        warnings.formatwarning = usual
 
 
 class Parser(argparse.ArgumentParser):
