@@ -249,6 +249,13 @@ def test_only_a_parent_is_none_of_the_nodes(tmp_path):
         read_plan(tmp_path / "plan.json")
 
 
+def test_a_plan_is_not_taken_for_a_scene(tmp_path):
+    """The message says where the plan has one."""
+    ke.write_plan(PLANS["tree"](), tmp_path / "plan.json")
+    with pytest.raises(UnreadableScene, match="is a plan, for read_plan; its 'problem' is a"):
+        ke.read_problem(tmp_path / "plan.json")
+
+
 def test_mended_polygons_are_a_line_of_the_command(tmp_path):
     """As an error is, without the place in the code."""
     ring = [[1, 1], [3, 3], [3, 1], [1, 3]]  # crosses itself

@@ -101,6 +101,8 @@ def read_scene(path: str | os.PathLike[str], *, repair: bool = False) -> Problem
 def parse_problem(scene: Field) -> ProblemRecord:
     """Build the problem of a parsed scene."""
     scene.check_version(VERSION)
+    if isinstance(scene.value, dict) and "planner" in scene.value:
+        raise UnreadableScene(f"{scene.name} is a plan, for read_plan; its 'problem' is a scene")
     fields = scene.members(("version", "robot", "world", "start", "goal"), ("about", "clearance"))
     return Problem(
         fields["robot"].kind(ROBOTS),
