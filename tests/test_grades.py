@@ -718,7 +718,8 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     assert (tmp_path / "out" / "grades.csv").read_bytes() == first
     secret.write_text("22" * 32)
     assert main(command) == 2
-    assert "another secret" in capsys.readouterr().err
+    message = capsys.readouterr().err
+    assert "another secret" in message and "--secret" in message
 
 
 def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):

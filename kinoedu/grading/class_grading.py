@@ -94,8 +94,8 @@ def read_earlier(out: Path, secret: bytes) -> Class | None:
     earlier = read_class(out) if (out / FILE).exists() else None
     if earlier is not None and earlier.secret_mark != mark_secret(secret):
         raise InvalidParameter(
-            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one, "
-            "or another folder"
+            f"{out} was graded with another secret, that of {earlier.secret_file}; name that one "
+            "with --secret, or another folder"
         )
     return earlier
 
