@@ -6,6 +6,7 @@ What students are told to run is there for them. Links to other sites are not fo
 import json
 import re
 import sys
+from fnmatch import fnmatch
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -148,6 +149,18 @@ def test_the_glossary_explains_each_word_of_a_lesson(lesson):
     words = [word.replace("$", "").lower() for word in words_of(lesson)]
     assert [word for word in words if word not in glossary] == []
     assert words or lesson.stem.startswith("00_")
+
+
+def test_git_leaves_alone_what_the_pages_on_grading_have_teachers_make():
+    """Names of students, grades and secrets; the pages name the folders in their commands."""
+    ignored = [line.strip("/") for line in (HOUSE / ".gitignore").read_text().splitlines()]
+    pages = "".join(page.read_text(encoding="utf-8") for page in HOUSE.glob("docs/grading*.md"))
+    made = set(re.findall(r"--(?:out|zip|secret) ([a-z]\w+(?:\.zip)?)", pages))
+    assert {"grades", "handouts", "gradescope_secret", "course.zip"} <= made
+    named = {
+        name for name in [*made, "submissions"] if not any(fnmatch(name, one) for one in ignored)
+    }
+    assert named == set()
 
 
 def test_scripts_run_with_the_courses_python():
