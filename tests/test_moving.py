@@ -252,6 +252,36 @@ def test_the_arrival_is_the_earliest_on_the_roadmap():
     assert waited
 
 
+@pytest.mark.parametrize(
+    ("start", "goal", "leaves", "speed", "move"),
+    [
+        (
+            (1.5194218724809203, 2.919239810079656),
+            (9.601449848240483, 1.269131716496395),
+            14.665366967925877,
+            1.9236150508177428,
+            (2.4837597898144708, 1.7166264771772077),
+        ),
+        (
+            (2.399104139385451, 4.178783715805385),
+            (9.62960263852425, 5.238473253991642),
+            11.279212202255975,
+            2.6425709406303746,
+            (6.228619609903028, -5.217500754070304),
+        ),
+    ],
+)
+def test_an_arrival_the_moment_the_goal_is_free_is_not_lost(start, goal, leaves, speed, move):
+    """The goal is free from t on, and t - duration + duration is rounded to less than t."""
+    hall = PolygonWorld([(0, 0), (12, 0), (12, 8), (0, 8)])
+    square = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
+    box = Moving(square, [0, leaves, leaves + 5], [goal, goal, np.add(goal, move)])
+    world = MovingWorld(hall, [box])
+    problem = TimedProblem(Point(), world, start, goal, speed=speed, horizon=60.0)
+    [(free_from, _)] = safe_intervals(problem, goal)
+    assert plan_in_time(problem, n=0, k=1, rng=0).cost == free_from
+
+
 def test_it_waits_no_longer_than_it_must():
     """Nothing in the way: it goes at once. A gate that lifts: it leaves so as to pass the moment it
     is open.

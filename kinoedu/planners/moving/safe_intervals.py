@@ -75,8 +75,8 @@ def search_intervals(
             )
             for there in range(first[v], first[v + 1]):
                 t = first_free_time(collisions, max(arrival[here], safe[there, 0] - duration))
-                arrives = t + duration
-                on_time = t <= safe[here, 1] and safe[there, 0] <= arrives <= safe[there, 1]
+                arrives = max(t + duration, safe[there, 0])  # the sum may be rounded to just before
+                on_time = t <= safe[here, 1] and arrives <= safe[there, 1]
                 if (
                     on_time
                     and arrives < arrival[there]
