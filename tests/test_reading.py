@@ -476,6 +476,15 @@ def test_numbers_that_yaml_takes_for_text(tmp_path: Path) -> None:
     assert read_ros_map(path).resolution == 0.05
 
 
+@pytest.mark.parametrize("number", ["010", "1_0", "1:30", "0x10", "0b11", "'1_0'", "\u0661"])
+def test_numbers_that_programs_read_differently_are_refused(tmp_path: Path, number: str) -> None:
+    """YAML 1.1 reads 010 as 8, and 1:30 as 90."""
+    path = ros(tmp_path)
+    write(path, path.read_text().replace("0.05", number))
+    with pytest.raises(UnreadableScene, match=r"no decimal number|finite number"):
+        read_ros_map(path)
+
+
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from difflib import get_close_matches
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 _REQUIRED = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
 _MAX_YAML = 20_000  # bytes: a map's settings are ten lines
+_DECIMAL = re.compile(r"[-+.0-9eE]+")
+# YAML 1.1 reads 010 as 8, 1_0 as 10 and 1:30 as 90, and ROS does not
+_NO_DECIMAL = re.compile(r"[-+]?(0[xb_0-9][_0-9a-fA-F]*|[0-9][_0-9]*[_:][_:.0-9]*)")
 
 
 def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
@@ -109,7 +113,10 @@ def _load_yaml(path: Path) -> object:
 
 
 def _check_tokens(tokens: Iterator[Any]) -> None:
-    """Refuse what costs a parser minutes and no map needs: aliases, deep nesting, long values."""
+    """Refuse what costs a parser minutes and no map needs: aliases, deep nesting, long values.
+
+    Numbers that programs read differently are refused too.
+    """
     nested = 0
     for token in tokens:
         kind = type(token).__name__
@@ -118,6 +125,8 @@ def _check_tokens(tokens: Iterator[Any]) -> None:
             raise ValueError(
                 "an alias (*name), more than 100 lists, or a value longer than 1,000 characters"
             )
+        if getattr(token, "plain", False) and _NO_DECIMAL.fullmatch(token.value):
+            raise ValueError(f"{token.value}, which is no decimal number")
 
 
 def _check_twins(node: Any) -> None:
@@ -131,7 +140,8 @@ def _check_twins(node: Any) -> None:
 def _number(path: Path, key: str, value: object) -> float:
     """A finite number. `1e-2` is text in YAML 1.1 but a number in ROS, so text is tried too."""
     number = math.nan
-    if isinstance(value, int | float | str) and not isinstance(value, bool):
+    is_odd = isinstance(value, str) and not _DECIMAL.fullmatch(value)
+    if isinstance(value, int | float | str) and not isinstance(value, bool) and not is_odd:
         with suppress(ValueError, OverflowError):
             number = float(value)
     _expect(math.isfinite(number), path, f"a finite number for {key}", value)
