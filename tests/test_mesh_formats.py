@@ -1,6 +1,8 @@
 """What mesh formats allow is read as it is meant, and what would be lost is refused."""
 
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -94,6 +96,15 @@ def solid(name, x):
     places = "".join(f"vertex {x + dx} {y} 0\n" for dx, y in ((0, 0), (2, 0), (0, 1)))
     loop = f"facet normal 0 0 1\nouter loop\n{places}endloop\nendfacet\n"
     return f"solid {name}\n{loop}endsolid {name}\n"
+
+
+def test_odd_normals_of_an_stl_are_ignored_without_a_word(tmp_path):
+    """trimesh would print a traceback; some programs write such normals, and nobody needs them."""
+    file = tmp_path / "x.stl"
+    file.write_text(solid("a", 0).replace("normal 0 0 1", "normal -1.#IND -1.#IND -1.#IND"))
+    code = f"import kinoedu as ke; print(len(ke.read_mesh({str(file)!r})))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert (ran.stdout, ran.stderr) == ("1\n", "")
 
 
 def test_an_stl_may_have_several_solids_in_letters_of_any_size(tmp_path):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import codecs
 import io
+import logging
 import os
 import re
 import warnings
@@ -30,6 +31,7 @@ from .outlines import Solid, project_triangles, rectangle, slice_triangles
 ENDINGS = (".dae", ".glb", ".obj", ".stl")
 MAX_TRIANGLES = 500_000
 MAX_BYTES = 200_000_000
+logging.getLogger("trimesh").addHandler(logging.NullHandler())  # else it prints tracebacks
 UPRIGHT = {  # by the axis that is up: the coordinates, with signs, that become x, y and z
     "z": ((0, 1), (1, 1), (2, 1)),
     "y": ((0, 1), (2, -1), (1, 1)),
