@@ -8,13 +8,18 @@ import numpy as np
 import pytest
 
 import kinoedu as ke
+from kinoedu.c_space import translating_obstacles
 from kinoedu.errors import KinoeduError
+from kinoedu.files import poses_along
+from kinoedu.robots import why_unreachable
+from kinoedu.worlds import inflated, landscape, movers_at, scenario_world, scenarios
 
 ROOM = [(0, 0), (10, 0), (10, 10), (0, 10)]
 SQUARE = [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = ke.PolygonWorld(ROOM, [SQUARE])
 TASK = ke.Problem(ke.Point(), WORLD, (5, 5), (9, 9))
 ARM = ke.TwoLinkArm(1, 1, 0.1)
+PARKING = ke.Problem(ke.Car(3, 1, 2), WORLD, (5, 5, 0), (7, 7, 0))
 NAN = math.nan
 NONSENSE = {
     "nothing": None,
@@ -81,6 +86,15 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "a planner that hurries": lambda x: ke.best_within(0.1, x, rng=0),
     "a plan made in a hurry": lambda x: ke.best_within(0.1, lambda rng: x, rng=0),
     "a plan in a sensor's map": lambda x: ke.receding_horizon(TASK, planner=lambda *_: x, rng=0),
+    "an arm that does not reach": lambda x: why_unreachable(x, (9, 9)),
+    "a world to inflate": lambda x: inflated(x, 0.1),
+    "a world of scenarios": lambda x: scenarios(x, 3, rng=0),
+    "a world of one scenario": lambda x: scenario_world(x, []),
+    "movers at a time": lambda x: movers_at(x, 1.0),
+    "a landscape": lambda x: landscape(x, 0),
+    "how far ahead": lambda x: ke.Car(3, 1, 2).ahead((0, 0, 0), [] if x == 5 else x),
+    "obstacles to grow": lambda x: translating_obstacles(SQUARE, x or None),
+    "a world of a clearance": lambda x: ke.clearance_of(TASK.robot, x, (5, 5)),
     "a scene to write": lambda x: ke.write_scene(x, "never.json"),
     "a plan to write": lambda x: ke.write_plan(x, "never.json"),
     "a board": ke.board,
@@ -88,6 +102,12 @@ NOBODY_IN = {  # functions of one thing that is none of these
 }
 REFUSED = {
     "no obstacles": lambda: ke.PolygonWorld(ROOM, None),
+    "a car that turns on a pin": lambda: ke.dubins_path((0, 0, 0), (1, 1, 0), 5e-324),
+    "a car that backs on a pin": lambda: ke.reeds_shepp_path((0, 0, 0), (1, 1, 0), 5e-324),
+    "cells of no size": lambda: ke.hybrid_astar(PARKING, spacing=5e-324),
+    "steps of no size": lambda: ke.hybrid_astar(PARKING, step_size=5e-324),
+    "poses without number": lambda: poses_along(ke.rrt(TASK, rng=0), 1e-200),
+    "a cost without end": lambda: ke.Terrain([[1]], cost=[[10**400]]),
     "rooms that are none": lambda: ke.PolygonWorld(ROOM, [(SQUARE, None)]),
     "a size that is true": lambda: ke.TwoLinkArm(True, 1, 0.1),
     "a radius that is true": lambda: ke.Disk(True),

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidWorld
-from ..geometry.checks import Array
+from ..geometry.checks import Array, as_list
 from ..geometry.convex import convex_hull, convex_parts
 from ..geometry.displacements import as_number
 from ..geometry.minkowski import erosion, minkowski_difference
@@ -40,6 +40,8 @@ def translating_obstacles(robot_vertices: ArrayLike, obstacles: Sequence[ArrayLi
     ------
     InvalidPolygon, InvalidPoint
         Where a polygon is not valid.
+    InvalidWorld
+        Where the obstacles are no list.
 
     Examples
     --------
@@ -50,7 +52,10 @@ def translating_obstacles(robot_vertices: ArrayLike, obstacles: Sequence[ArrayLi
            [4., 3.],
            [1., 3.]])]
     """
-    rings = [as_ring(obstacle, f"obstacle {number}") for number, obstacle in enumerate(obstacles)]
+    rings = [
+        as_ring(obstacle, f"obstacle {number}")
+        for number, obstacle in enumerate(as_list(obstacles, "obstacles"))
+    ]
     return pairwise_differences(
         [part for ring in rings for part in convex_parts(ring)],
         convex_parts(as_ring(robot_vertices, "robot")),

@@ -14,7 +14,7 @@ from ..geometry.separation import pieces_distance
 from ..robots.kinds import Robot
 from ..robots.moving import place_body
 from ..support.text import shortened
-from ..worlds.checks import World
+from ..worlds.checks import World, check_world
 from ..worlds.nearby import obstacles_near, rim
 from .interface import coordinates
 
@@ -33,6 +33,8 @@ def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
     ------
     InvalidPoint
         Where q is not a configuration of this robot.
+    InvalidWorld
+        Where `world` is not a world.
 
     Examples
     --------
@@ -41,6 +43,7 @@ def clearance_of(robot: Robot, world: World, q: ArrayLike) -> float:
     >>> clearance_of(RigidPolygon([(-1, -1), (1, -1), (1, 1), (-1, 1)]), world, (3, 5, 0))
     2.0
     """
+    check_world(world)
     at, count = as_row(q, "q"), coordinates(robot)
     if at.shape != (count,):
         raise InvalidPoint(f"q must be {count} numbers for this robot, got {shortened(q)}")

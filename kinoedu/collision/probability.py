@@ -21,7 +21,7 @@ from ..robots.polygon import TranslatingPolygonRobot
 from ..robots.round import RoundRobot
 from ..support.constructors import with_type_names
 from ..support.text import shortened
-from ..worlds.uncertain import UncertainWorldRecord, scenarios
+from ..worlds.uncertain import UncertainWorldRecord, check_uncertain, scenarios
 from .interface import is_free_path
 from .passing import gap, touches
 
@@ -193,12 +193,6 @@ def stays_inside(robot: Any, world: UncertainWorldRecord, path: Array) -> bool:
     """Whether a path does not touch the boundary."""
     segments = zip(path, [*path[1:], path[-1]])
     return all(is_free_path(robot, world.empty, a, b, 0.0) for a, b in segments)
-
-
-def check_uncertain(world: object) -> None:
-    """Raise InvalidParameter for another world."""
-    if not isinstance(world, UncertainWorldRecord):
-        raise InvalidParameter(f"the world must be an UncertainWorld, got {shortened(world)}")
 
 
 def as_mover(robot: Robot) -> Any:

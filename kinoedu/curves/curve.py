@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidParameter, InvalidPoint
-from ..geometry.checks import Array, as_array, as_row
+from ..geometry.checks import LIMIT, Array, as_array, as_row
 from ..spaces.angles import wrap_angle
 from ..support.constructors import with_type_names
 from ..support.text import shortened
@@ -114,6 +114,23 @@ def as_radius(value: ArrayLike) -> float:
             f"the turning radius must be one positive length, got {shortened(value)}"
         )
     return float(radius)
+
+
+def as_relative_pose(q0: Array, q1: Array, radius: float) -> tuple[float, float, float]:
+    """The `relative_pose` of two poses whose distance can be counted in turning radii.
+
+    Raises
+    ------
+    InvalidParameter
+        Where they are too far apart for that.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        x, y, theta = relative_pose(q0, q1, radius)
+    if not max(abs(x), abs(y)) <= LIMIT:
+        raise InvalidParameter(
+            f"the poses are too far apart for a turning radius of {radius:g}; give a larger one"
+        )
+    return x, y, theta
 
 
 @compiled

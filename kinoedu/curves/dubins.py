@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..spaces.angles import FULL_TURN
-from .curve import Curve, as_pose, as_radius, relative_pose
+from .curve import Curve, as_pose, as_radius, as_relative_pose
 from .tangents import lrl, lsl, lsr
 
 WORDS = np.array([(1, 0, 1), (1, 0, -1), (1, -1, 1)])
@@ -41,7 +41,7 @@ def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     InvalidPoint
         Where a pose is not three finite numbers.
     InvalidParameter
-        Where the radius is not positive.
+        Where the radius is not positive, or the poses are more than 1e150 radii apart.
 
     Examples
     --------
@@ -50,7 +50,7 @@ def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     ('LSL', 2.0, array([0., 4.]))
     """
     start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)
-    turns, lengths = shortest_forward(*relative_pose(start, end, rho))
+    turns, lengths = shortest_forward(*as_relative_pose(start, end, rho))
     return Curve(start, rho, turns, rho * lengths)
 
 
@@ -66,7 +66,7 @@ def all_dubins_curves(q0: ArrayLike, q1: ArrayLike, radius: float) -> list[Curve
     ['LSL', 'RSR', 'LSR', 'RSL']
     """
     start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)
-    x, y, phi = relative_pose(start, end, rho)
+    x, y, phi = as_relative_pose(start, end, rho)
     found = [
         (mirror * turns, solve_word(word, x, mirror * y, mirror * phi))
         for word, turns in enumerate(WORDS)

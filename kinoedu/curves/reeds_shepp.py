@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..compiled import compiled
 from ..geometry.checks import Array
 from ..spaces.angles import wrap_angle
-from .curve import Curve, as_pose, as_radius, relative_pose
+from .curve import Curve, as_pose, as_radius, as_relative_pose
 from .tangents import left_centre, lrl, lsl, lsr, right_centre
 
 QUARTER = 0.5 * math.pi
@@ -55,7 +55,7 @@ def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     InvalidPoint
         Where a pose is not three finite numbers.
     InvalidParameter
-        Where the radius is not positive.
+        Where the radius is not positive, or the poses are more than 1e150 radii apart.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def reeds_shepp_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     ('S', 3.0, array([-3.]))
     """
     start, end, rho = as_pose(q0, "q0"), as_pose(q1, "q1"), as_radius(radius)
-    turns, lengths = shortest(*relative_pose(start, end, rho))
+    turns, lengths = shortest(*as_relative_pose(start, end, rho))
     is_driven = np.abs(lengths) > ROUNDING
     return Curve(start, rho, turns[is_driven], rho * lengths[is_driven])
 

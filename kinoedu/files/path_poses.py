@@ -14,6 +14,8 @@ from ..problems.recorder import unwrap_recorder
 from ..spaces import RealSpace, WrappingSpace
 from ..support.text import shortened
 
+MOST_STEPS = 1e6  # on a motion
+
 
 def poses_along(plan: Plan, spacing: float | None = None) -> Array:
     """The poses along a path, from the start to the goal.
@@ -33,7 +35,7 @@ def poses_along(plan: Plan, spacing: float | None = None) -> Array:
     Raises
     ------
     InvalidParameter
-        Where there is no path, or the robot is an arm.
+        Where there is no path, the robot is an arm, or the spacing is much too small.
 
     Examples
     --------
@@ -68,9 +70,16 @@ def even_times(drive: Any, step: float) -> Array:
     begins = np.concatenate([[0.0], np.cumsum(drive.durations)])
     times = [begins[:1]]
     for k, (v, _) in enumerate(drive.controls):
-        n = max(1, math.ceil(abs(v) * drive.durations[k] / step))
+        n = count_steps(abs(v) * drive.durations[k], step)
         times.append(np.linspace(begins[k], begins[k + 1], n + 1)[1:])
     return np.concatenate(times)
+
+
+def count_steps(length: float, step: float) -> int:
+    """How many steps a length has, at least one; raises InvalidParameter for too many."""
+    if length > MOST_STEPS * step:
+        raise InvalidParameter(f"a spacing of {step:g} makes too many poses; choose a larger one")
+    return max(1, math.ceil(length / step))
 
 
 def spread(problem: Any, points: Array, step: float) -> Array:
@@ -78,7 +87,7 @@ def spread(problem: Any, points: Array, step: float) -> Array:
     spread_points = [points[0]]
     for a, b in zip(points[:-1], points[1:], strict=True):
         length = problem.distance(a, b)
-        n = max(1, math.ceil(length / step))
+        n = count_steps(length, step)
         spread_points += [problem.steer(a, b, k * length / n) for k in range(1, n)] + [b]
     return np.array(spread_points)
 

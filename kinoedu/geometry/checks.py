@@ -170,7 +170,7 @@ def integer(value: object, name: str, *, least: int) -> int:
         or not least <= value <= 10_000_000
     ):
         raise InvalidParameter(
-            f"{name} must be a whole number from {least} to 10,000,000, got {value!r}"
+            f"{name} must be a whole number from {least} to 10,000,000, got {shortened(value)}"
         )
     return int(value)
 
@@ -197,6 +197,6 @@ def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
         return rng
     if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
         raise InvalidParameter(
-            f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {rng!r}"
+            f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {shortened(rng)}"
         )
     return np.random.default_rng(int(rng))

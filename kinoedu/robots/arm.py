@@ -214,7 +214,7 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     InvalidPoint
         Where p is not a point.
     InvalidRobot
-        Where the arm does not have two links.
+        Where it is no arm of two links.
 
     Examples
     --------
@@ -236,6 +236,8 @@ def compare_reach(l1: float, l2: float, far: float) -> int:
 
 def two_links(arm: ArmRobot, p: ArrayLike) -> tuple[float, float, float, float, float]:
     """The lengths of both links, and a target relative to the base: x, y and its distance."""
+    if not isinstance(arm, ArmRobot):
+        raise InvalidRobot(f"expected an arm of two links, got {shortened(arm)}")
     if len(arm.lengths) != 2:
         raise InvalidRobot(
             f"inverse kinematics is for an arm of two links, this one has {len(arm.lengths)}"

@@ -93,16 +93,16 @@ class CarRobot(NamedTuple):
 
         Raises
         ------
-        InvalidPoint
-            Where the pose is not three finite numbers.
+        InvalidPoint, InvalidParameter
+            Where the pose is not three finite numbers, or the distance not one.
 
         Examples
         --------
         >>> Car(30, 10, 20).ahead((1, 2, 0), 10)
         array([11.,  2.,  0.])
         """
-        x, y, theta = as_pose(pose, "pose")
-        return np.array([x + distance * math.cos(theta), y + distance * math.sin(theta), theta])
+        (x, y, theta), far = as_pose(pose, "pose"), as_number(distance, "distance")
+        return np.array([x + far * math.cos(theta), y + far * math.sin(theta), theta])
 
     def curvature(self, phi: float) -> float:
         """The curvature tan(phi) / L of the path of the rear axle's middle.

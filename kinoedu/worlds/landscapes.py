@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_generator
+from ..support.text import shortened
 from .terrain import Terrain, TerrainRecord
 
 SIDE = 256
@@ -109,8 +110,10 @@ def landscape(kind: str, rng: int | np.random.Generator = 0, **terrain: Any) -> 
     >>> landscape("rocks", 0).free.shape
     (256, 256)
     """
-    if kind not in LANDSCAPES:
-        raise InvalidParameter(f"kind must be one of {', '.join(LANDSCAPES)}, got {kind!r}")
+    if not isinstance(kind, str) or kind not in LANDSCAPES:
+        raise InvalidParameter(
+            f"kind must be one of {', '.join(LANDSCAPES)}, got {shortened(kind)}"
+        )
     generator = as_generator(rng)
     while True:
         free = LANDSCAPES[kind](generator)

@@ -166,8 +166,11 @@ class MovingWorld(MovingWorldRecord, metaclass=Constructor):
 def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
     """The outline (n, 2) and the radius of each moving obstacle at time t.
 
-    The outline of a disc is its centre (1, 2); the radius of a polygon is 0.
+    The outline of a disc is its centre (1, 2); the radius of a polygon is 0. Raises InvalidWorld
+    for a world of another type.
     """
+    if not isinstance(world, MovingWorldRecord):
+        raise InvalidWorld(f"expected a MovingWorld, got {shortened(world)}")
     shown, parts = [], world.outlines
     for k in range(len(parts.radius)):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]

@@ -116,7 +116,7 @@ def cell_costs(cost: ArrayLike | None, free: NDArray[np.bool_]) -> Array:
         return np.empty((0, 0))
     try:
         costs = np.array(cost, np.float64)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise InvalidWorld(
             f"a terrain's cost must be one number for each of its cells, shape {free.shape}"
         ) from error

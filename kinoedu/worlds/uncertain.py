@@ -16,6 +16,7 @@ from ..geometry.grown import grow_piece
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
 from ..support.constructors import Constructor, with_type_names
+from ..support.text import shortened
 from .polygon_world import PolygonWorld, PolygonWorldRecord, as_disc, is_pair_with_radius
 
 
@@ -87,6 +88,12 @@ class UncertainWorld(UncertainWorldRecord, metaclass=Constructor):
         return UncertainWorldRecord(expected, empty, parts, owner, each)
 
 
+def check_uncertain(world: object) -> None:
+    """Raise InvalidParameter for another world."""
+    if not isinstance(world, UncertainWorldRecord):
+        raise InvalidParameter(f"the world must be an UncertainWorld, got {shortened(world)}")
+
+
 def convex_pieces(obstacle: Any, name: str) -> tuple[list[Array], float]:
     """The convex pieces of an obstacle and their radius."""
     if is_pair_with_radius(obstacle):
@@ -142,7 +149,7 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
     Raises
     ------
     InvalidParameter
-        Where delta is not between 0 and 1.
+        Where `world` is no UncertainWorld, or delta is not between 0 and 1.
 
     Examples
     --------
@@ -150,6 +157,7 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
     >>> inflated(world, 0.05).obstacles.radius.round(4)
     array([1.4895])
     """
+    check_uncertain(world)
     margin, parts = chance_margins(world.sigma, delta)[world.owner], world.parts
     solids: list[Any] = []
     for k, (radius, m) in enumerate(zip(parts.radius, margin)):
@@ -171,8 +179,9 @@ def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Gener
     Raises
     ------
     InvalidParameter
-        Where n or rng is not valid.
+        Where `world` is no UncertainWorld, or n or rng is not valid.
     """
+    check_uncertain(world)
     count = integer(n, "n", least=0)
     return as_generator(rng).standard_normal((count, len(world.sigma), 2)) * world.sigma[:, None]
 
@@ -192,7 +201,10 @@ def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWo
     ------
     InvalidPoint
         Where offsets are not a point for each obstacle.
+    InvalidParameter
+        Where `world` is no UncertainWorld.
     """
+    check_uncertain(world)
     moves, count = as_array(offsets, "offsets"), len(world.sigma)
     if moves.shape != (count, 2) and (count or moves.size):
         raise InvalidPoint(f"offsets must have shape ({count}, 2), got {moves.shape}")

@@ -81,7 +81,9 @@ def lattice_for(problem: ProblemRecord, side: float, step_size: float, angles: i
     gears = [fastest, float(car.speeds.min())] if car.both_ways else [fastest]
     steering = np.linspace(-car.max_steering, car.max_steering, angles)
     moves = [(v, phi) for v in gears for phi in steering]
-    columns, rows = (math.ceil(cells) for cells in (hi - lo)[:2] / side + 1.0)
-    headings = math.ceil(max(1.0, 2.0 * math.pi * car.radius / step_size))
+    with np.errstate(over="ignore"):  # what is infinite is refused
+        cells = (hi - lo)[:2] / side + 1.0
+    sizes = np.append(cells, max(1.0, 2.0 * math.pi * car.radius / step_size))
+    columns, rows, headings = (math.ceil(size) for size in np.minimum(sizes, 2.0 * MOST_CELLS))
     x, y = float(lo[0]), float(lo[1])
     return Lattice(x, y, side, rows, columns, headings, np.array(moves), step_size)
