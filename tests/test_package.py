@@ -183,7 +183,7 @@ def test_lessons_are_copied_and_work_is_kept(clean):
     link or a folder is in its place.
     """
     ended = clean.run("lessons", "copies")
-    assert f"copied {len(LESSONS)} files to copies" in ended.stdout, ended.stderr
+    assert f"files copied to copies: {len(LESSONS)};" in ended.stdout, ended.stderr
     copies = clean.home / "copies"
     assert all((copies / name).read_bytes() == data for name, data in LESSONS.items())
     tour, first = copies / TOUR, copies / "exercises" / "01_geometry.ipynb"
@@ -191,7 +191,7 @@ def test_lessons_are_copied_and_work_is_kept(clean):
     first.unlink()
     first.mkdir()
     (copies / "notebooks" / "maps" / "README.md").unlink()
-    assert "copied 1 files" in clean.run("lessons", "copies").stdout
+    assert "files copied to copies: 1;" in clean.run("lessons", "copies").stdout
     assert tour.read_text(encoding="utf-8") == "mine" and first.is_dir()
     assert not list(copies.rglob("*.part"))
 

@@ -65,5 +65,5 @@ def run_lessons(arguments: argparse.Namespace) -> int:
     from ..lab import copy_lessons
 
     copies = copy_lessons(arguments.folder)
-    print(f"copied {len(copies)} files to {arguments.folder}; the files there are unchanged")
+    print(f"files copied to {arguments.folder}: {len(copies)}; the files there are unchanged")
     return 0

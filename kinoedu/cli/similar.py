@@ -77,5 +77,5 @@ def run_similar(arguments: argparse.Namespace) -> int:
         count = write_similar(found, arguments.out)
     left_out = len(submissions) - sum(len(one.programs) for one in found)
     unread = f"; {left_out} submissions could not be read" if left_out else ""
-    print(f"{count} pairs; look at {arguments.out / 'similar.html'}{unread}")
+    print(f"pairs found: {count}; look at {arguments.out / 'similar.html'}{unread}")
     return 0
