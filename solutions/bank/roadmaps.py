@@ -136,6 +136,17 @@ def last_vertex_forgotten(problem, obstacles):
     return seen(corners(problem, obstacles, kept), problem.is_semi_free_path)
 
 
+@wrong("visibility_roadmap")
+def next_convex_vertex_unchecked(problem, obstacles):
+    """Joins each convex vertex to the next one of its obstacle without asking."""
+    nodes, edges = seen(corners(problem, obstacles), problem.is_semi_free_path)
+    first, sides = 2, set(edges)
+    for n in (int((turns(ring) > 0).sum()) for ring in obstacles):
+        sides |= {tuple(sorted((first + i, first + (i + 1) % n))) for i in range(n)}
+        first += n
+    return nodes, sorted(sides)
+
+
 # Motions that are asked about otherwise
 
 
@@ -292,6 +303,16 @@ def close_through_walls(problem, nodes, k):
 def itself_among_the_closest(problem, nodes, k):
     """Counts the node itself as its closest node."""
     return joined(problem, nodes, [(i, j) for i, j in rows(problem, nodes, k, skip=0) if i != j])
+
+
+@wrong("k_closest")
+def first_of_the_sorted_left_out(problem, nodes, k):
+    """Leaves out the first of the sorted nodes, which is another one where two coincide."""
+    pairs = []
+    for i in range(len(nodes)):
+        near = sorted(range(len(nodes)), key=lambda j: problem.distance(nodes[i], nodes[j]))
+        pairs += [(i, j) for j in near[1 : k + 1] if j != i]
+    return joined(problem, nodes, pairs)
 
 
 @wrong("k_closest", slip="replaced")

@@ -79,6 +79,7 @@ class KClosestNeighbours(RuleExercise):
             nearly = ((5, 5), (3, 5), (x, 5), (2, 5), (8, 5))
             yield make_case("one_sided", make_hall(), nearly, 1)
         yield make_case("ties", make_hall(), ((1, 1), (1, 1), (3, 1)), 1)
+        yield make_case("ties", make_hall(), ((1, 1), (1, 1), (1, 1)), 1)
         yield make_case("wall", make_hall(WALL), ((6, 3), (10, 3), (1, 3), (1, 4)), 1)
         yield from make_pairs(1)
         for i in range(ROUND):

@@ -33,6 +33,7 @@ CROWN = np.array([(5, 2), (11, 2), (11, 8), (9.5, 4), (8, 6), (6.5, 4), (5, 8)],
 # its vertex on top is convex, by a millionth
 FLAT = np.array([(6, 3), (10, 3), (10, 7), (8, 7.000001), (6, 7)])
 # two of its angles are straight
+TUB = np.array([(4, 2), (12, 2), (12, 7), (11, 7), (11, 3), (5, 3), (5, 7), (4, 7)], float)
 BENT_BOX = np.array([(6, 3), (8, 3), (10, 3), (10, 5), (10, 7), (6, 7)], float)
 
 
@@ -147,6 +148,8 @@ class VisibleCorners(ValueExercise):
         yield make_case("bay", [CROWN])
         yield make_case("straight", [BENT_BOX])
         yield make_case("several", [WALL, TENT * 0.4 + (8, 5.5)])
+        # in the mouth, between two convex vertices that follow each other
+        yield make_case("several", [TUB, np.array([(7, 5), (9, 5), (8, 9)], float)])
         for i in range(12):
             shift, turned = rng.integers(-2, 3, 2), int(rng.integers(6))
             yield make_case("one", draw_obstacles_apart(rng, 1))
