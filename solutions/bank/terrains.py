@@ -521,6 +521,9 @@ def across_columns(table):
 no_zeros = changed("repeated_rows", ("if table[i, c] ==", "if table[i, c] and table[i, c] =="))
 
 
+three_columns = changed("repeated_rows", ("in range(m)", "in range(min(m, 3))"))
+
+
 # Comparing planners
 
 
@@ -820,6 +823,32 @@ short_pieces_left_out = changed(
     ),
 )
 whole_costs = changed("cost_along", ("cost[int(y), int(x)]", "int(cost[int(y), int(x)])"))
+nearly_in_place = changed(
+    "cost_along",
+    (
+        "    shares = [0.0, 1.0]",
+        "    if hypot(*(b - a)) < 1e-3:\n        return 0.0\n    shares = [0.0, 1.0]",
+    ),
+)
+flat_is_level = changed(
+    "cost_along", ("cost[int(y),", "cost[int(y if abs(b[1] - a[1]) > 0.001 else a[1]),")
+)
+
+
+@wrong("cost_along")
+def rows_and_columns_exchanged_in_cuts(cost, a, b):
+    """Cuts at as many whole x as there are rows, and at as many whole y as there are columns."""
+    shares = {0.0, 1.0}
+    for p, q, lines in zip(a, b, cost.shape):
+        shares |= {(line - p) / (q - p) for line in range(lines + 1) if p != q}
+    shares = sorted(t for t in shares if 0 <= t <= 1)
+    total = 0.0
+    for t, s in zip(shares, shares[1:]):
+        x, y = a + (b - a) * (t + s) / 2
+        total += (s - t) * hypot(*(b - a)) * cost[int(y), int(x)]
+    return total
+
+
 steep_is_upright = changed("cost_along", ("int(x)]", "int(x if abs(b[0] - a[0]) > 0.1 else a[0])]"))
 
 

@@ -75,8 +75,12 @@ class CostAlong(ValueExercise):
             ("slanted", PEAK, (0.5, 1.5), (1.505, 0.5)),
             ("slanted", square, (0.98, 0.5), (1.02, 1.75)),
             ("slanted", square, (0.999998, 0.5), (1.000002, 1.75)),  # not quite upright
+            ("slanted", square, (0.25, 0.9997), (1.75, 1.0001)),  # not quite level
             ("backwards", two, (1.75, 0.5), (0.5, 0.5)),
             ("corners", square, (0.5, 0.5), (1.5, 1.5)),
+            ("row", np.array([[1.0, 2.0, 3.0, 4.0]]), (0.5, 0.5), (3.5, 0.5)),
+            ("column", np.array([[1.0], [2.0], [3.0], [4.0]]), (0.5, 0.5), (0.5, 3.5)),
+            ("one_cell", 1000.0 * two, (0.25, 0.5), (0.2503, 0.5004)),
         ):
             yield Case(kind, {"cost": cost, "a": np.array(a), "b": np.array(b)})
         for number in range(10):
