@@ -230,6 +230,15 @@ nearly_parallel = changed(
     ("whole != 0", "abs(whole) > 0.02 * math.dist(p1, p2) * math.dist(p3, p4)"),
 )
 small_product = changed("segment_intersection", ("whole != 0", "abs(whole) > 0.1"))
+the_same_one_backwards_is_none = changed(
+    "segment_intersection",
+    ("[] if low > high", "[] if low > high or ((p1 == p4) & (p2 == p3)).all()"),
+    slip="parallel",
+)
+tiny_angle = changed(
+    "segment_intersection",
+    ("whole != 0", "abs(whole) > 1e-6 * math.dist(p1, p2) * math.dist(p3, p4)"),
+)
 nearly_one_line = changed("segment_intersection", ("cross(u, w) != 0", "abs(cross(u, w)) > 0.5"))
 ends_with_tolerance = changed(
     "segment_intersection",
@@ -469,6 +478,17 @@ def links_are_lines(q, lengths, width, discs):
 def width_for_half_width(q, lengths, width, discs):
     """Uses W to each side."""
     return touched_link(q, lengths, 2 * width, discs)
+
+
+@wrong("link_in_contact", slip="squares")
+def squared_distance_and_squared_radii(q, lengths, width, discs):
+    """Compares the squared distance with r^2 + (W/2)^2."""
+    joints = ends_of_links(q, lengths)
+    for link, (a, b) in enumerate(zip(joints, joints[1:]), 1):
+        for *centre, r in discs:
+            if point_segment_distance(centre, a, b) ** 2 <= r**2 + (width / 2) ** 2:
+                return link
+    return 0
 
 
 @wrong("link_in_contact", slip="centres")

@@ -63,6 +63,7 @@ class LinkInContact(ValueExercise):
         Slip("from_x", lambda q, *others: touched_link(q - (0, q[0]), *others)),
         Slip("degrees", lambda q, *others: touched_link(np.radians(q), *others)),
         Slip("thin", lambda q, links, w, discs: touched_link(q, links, 0.0, discs)),
+        Slip("squares", lambda *arm: by_squares(*arm)),
         Slip("whole_width", lambda q, links, w, discs: touched_link(q, links, 2 * w, discs)),
         Slip("centres", lambda q, links, w, discs: touched_link(q, links, w, discs * (1, 1, 0))),
         Slip(
@@ -180,6 +181,12 @@ def by_distances(q: Array, lengths: Array, width: float, discs: Array, distance:
         if any(distance(disc[:2], a, b) <= width / 2 + disc[2] for disc in discs):
             return link
     return 0
+
+
+def by_squares(q: Array, lengths: Array, width: float, discs: Array) -> int:
+    """The answer of a program that compares squares, with a wrong sum of two of them."""
+    radii = np.sqrt(discs[:, 2:] ** 2 + (width / 2) ** 2)
+    return touched_link(q, lengths, 0.0, np.column_stack([discs[:, :2], radii]))
 
 
 def beside(p: Array, a: Array, b: Array) -> float:

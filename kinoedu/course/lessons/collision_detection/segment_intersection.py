@@ -95,8 +95,10 @@ class SegmentIntersection(ValueExercise):
             ("apart", (0, 0), (20000, 0), (10000, 1), (10001, 20000)),
             # nearly parallel, parallel and short, and a short overlap of long ones
             ("crossing", (0, 0), (20000, 0), (0, -0.05), (20000, 0.05)),
+            ("crossing", (0, 0), (20000, 2), (1, 0), (19999, 2)),
             ("parallel", (0, 0), (0.01, 0), (0, 0.01), (0.02, 0.01)),
             ("overlap", (0, 0), (20000.125, 0), (20000, 0), (24000, 0)),
+            ("overlap", (0, 0), (2, 1), (2, 1), (0, 0)),  # the same segment, the other way round
         ):
             yield case_of(kind, ends)
         for size in sizes(4):
