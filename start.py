@@ -40,11 +40,12 @@ MEGABYTES = {COURSE: 700, TEACHING: 100, TESTS: 500, SITE: 100}
 TEACHING_COMMANDS = ["release", "export"]
 PIP_OPTIONS = ["--no-deps", "--only-binary", ":all:", "-r"]
 
-# Variables that would lead .venv to the packages of the environment this file was called from, and
-# one, common in containers, that makes every process translate all it imports: three times slower.
+# Variables that would lead .venv to the packages of the environment this file was called from;
+# one, common in containers, that makes every process translate all it imports: three times slower;
+# and one, common on servers, with which a lesson shows no figures.
 FOREIGN = re.compile(
     "CONDA|VIRTUAL_ENV|PYTHON(PATH|HOME|STARTUP|DONTWRITEBYTECODE)$|__PYVENV_LAUNCHER__"
-    "|PIP_(TARGET|PREFIX|ROOT)$"
+    "|PIP_(TARGET|PREFIX|ROOT)$|MPLBACKEND$"
 )
 
 # Patterns in the messages of pip, uv, venv and the operating systems, each with its advice.

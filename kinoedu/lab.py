@@ -45,7 +45,10 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
     if importlib.util.find_spec("jupyterlab") is None:
         raise InvalidParameter("the lab needs JupyterLab: python -m pip install jupyterlab")
     place = lessons(folder)
-    server = subprocess.Popen(lab_command(browser=browser and has_display()), cwd=place)
+    # with the caller's choice of a backend, lessons would show no figures
+    kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
+    command = lab_command(browser=browser and has_display())
+    server = subprocess.Popen(command, cwd=place, env=kept)
     silent = subprocess.DEVNULL
     warm = [sys.executable, "-m", "kinoedu", "warm", "--behind"]
     warming = subprocess.Popen(warm, cwd=PACKAGE.parent, stdin=silent, stdout=silent, stderr=silent)

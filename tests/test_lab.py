@@ -212,6 +212,14 @@ def test_what_is_compiled_meanwhile_ends_with_the_lab(monkeypatch):
     assert started[1].args[1:] == ["-m", "kinoedu", "warm", "--behind"]
 
 
+def test_figures_are_shown_where_the_caller_shows_none(monkeypatch):
+    """MPLBACKEND, which servers and editors set, would lead a lesson's figures elsewhere."""
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    code = "import os; raise SystemExit(3 if 'MPLBACKEND' in os.environ else 4)"
+    monkeypatch.setattr(kinoedu.lab, "lab_command", lambda browser: [sys.executable, "-c", code])
+    assert kinoedu.lab.open_lab(browser=False) == 4
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a process without asking it")
 def test_a_terminated_lab_leaves_no_server_behind():
     """As where a container or a service manager stops it."""

@@ -278,11 +278,12 @@ def test_an_instructors_command_brings_its_tools(course):
 
 
 def test_the_callers_environment_does_not_leak_in(course, tmp_path):
-    """Called from within conda or another .venv, by a user who has set PYTHONPATH."""
+    """Called from within conda or another .venv, by a user who has set PYTHONPATH, or by an editor
+    that draws figures itself.
+    """
     foreign = str(tmp_path / "foreign")
-    ended = course.run(
-        "plan", PYTHONPATH=foreign, VIRTUAL_ENV=foreign, CONDA_PREFIX=foreign, PIP_TARGET=foreign
-    )
+    names = ("PYTHONPATH", "VIRTUAL_ENV", "CONDA_PREFIX", "PIP_TARGET", "MPLBACKEND")
+    ended = course.run("plan", **dict.fromkeys(names, foreign))
     assert ended.status == 0 and foreign not in ended.seen[0]["path"] + list(
         ended.seen[0]["variables"].values()
     )
