@@ -204,3 +204,24 @@ def test_a_goal_exactly_one_step_away_is_joined_to_the_start(name):
     for rows, rule in ((nodes, "returned"), (np.pad(nodes, ((0, 0), (0, 1))), "numbers")):
         fault = exercise.fault_of_run(case, (rows, np.array([-1, 0, 1]), rows), None)
         assert fault.rule == rule
+
+
+def nearly_level(x, edges):
+    """The crossed edges in the order of heights that are rounded."""
+    heights = edges[:, 1] + (x - edges[:, 0]) / (edges[:, 2] - edges[:, 0]) * (
+        edges[:, 3] - edges[:, 1]
+    )
+    crossed = np.flatnonzero((edges[:, 0] < x) != (edges[:, 2] < x))
+    return crossed[np.argsort(np.round(heights[crossed], 3), kind="stable")]
+
+
+@pytest.mark.parametrize(
+    ("name", "program", "said"),
+    [("crossings", nearly_level, "Order the edges by their heights at x")],
+)
+def test_the_rule_is_the_one_that_the_answer_breaks(name, program, said):
+    """It follows from the answer, not only from the kind of input."""
+    exercise = EXERCISES[name]
+    cases = list(exercise.fixed_cases)
+    report = judge_outcomes(exercise, cases, [run_case(exercise, program, c) for c in cases])
+    assert said in repr(Feedback(report))

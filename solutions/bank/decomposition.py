@@ -114,6 +114,12 @@ steep_edges_left_out = changed(
 rounded_heights = changed("crossings", ("height(edges[i], x)", "round(height(edges[i], x), 6)"))
 
 
+@wrong("crossings")
+def by_rounded_heights(x, edges):
+    """Rounds the heights before it compares them."""
+    return sorted(crossed(x, edges), key=lambda i: round(height(x, edges[i]), 3))
+
+
 # The free stretches
 
 
@@ -513,6 +519,16 @@ def middle_of_the_left_cells_wall(start, goal, trapezoids, pairs):
 def middle_of_the_shorter_wall(start, goal, trapezoids, pairs):
     """Uses the middle of the shorter wall: right where one wall contains the other."""
     return plan(start, goal, trapezoids, pairs, wall=shorter_wall)
+
+
+@wrong("plan_by_decomposition")
+def centre_of_the_left_wall_heights(start, goal, trapezoids, pairs):
+    """Takes the mean of the heights at the left wall for the height of the centre."""
+    path = plan(start, goal, trapezoids, pairs)
+    means = {
+        tuple(centre(cell)): ((cell[0] + cell[1]) / 2, cell[2:4].mean()) for cell in trapezoids
+    }
+    return path if path is None else np.array([means.get(tuple(q), q) for q in path])
 
 
 @wrong("plan_by_decomposition")

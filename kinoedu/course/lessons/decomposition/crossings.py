@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Slip, ValueExercise
+from ...exercise import Axes, Case, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Numbers, Record
+from ...shapes import Number, Numbers, Record, Value
 from ...whole_shapes import Integers
 from ..shared.random_shapes import sizes
 from ..shared.random_worlds import beside_vertex, between_vertices, edges_round, general_world
@@ -72,6 +72,14 @@ class Crossings(ValueExercise):
             yield Case(
                 "many", {"x": x, "edges": np.vstack([edges, edges + np.array([0, 3, 0, 3]) * size])}
             )
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Compare with the right indices; the right ones in a wrong order break a rule for that."""
+        verdict = super().value_verdict(case, value)
+        is_disordered = sorted(value) == sorted(self.truth(case))
+        return (
+            verdict._replace(rule="slanted") if verdict.rule == "two" and is_disordered else verdict
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the line and the edges; the crossed ones with their places in both orders."""

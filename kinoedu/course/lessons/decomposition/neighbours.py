@@ -110,6 +110,8 @@ class Neighbours(ValueExercise):
         yield Case("side", {"trapezoids": np.array([one, next_to], float)})
         yield Case("side", {"trapezoids": np.array([next_to, one], float)})
         yield Case("side", {"trapezoids": np.array([one, [2, 5, 3, 7, 3, 7]], float)})
+        two_beside = [one, [2, 5, 0, 1, 0, 1], [2, 5, 3, 4, 3, 4]]
+        yield Case("side", {"trapezoids": np.array(two_beside, float)})
         yield Case("apart", {"trapezoids": np.array([one, [2, 5, 6, 8, 6, 7]], float)})
         three = [[0, 2, 0, 4, 0, 2], [2, 5, 3, 6, 3, 6], [2, 4, 0, 2, 1, 2]]
         yield Case("apart", {"trapezoids": np.array(three, float)})

@@ -20,6 +20,7 @@ from ..shared.random_worlds import general_world, round_polygon
 from .cells import CELLS
 from .pictures import draw_cell_path, set_title
 
+TRIANGLE = np.array([(0, 0), (4, -2), (8, 4)], float)  # with two slanted cells
 HALL = np.array([(0, 0), (16, 0), (16, 10), (0, 10)], float)
 # a bar from the left wall: the only way is round its right end
 BAR = np.array([(0, 4), (14, 4), (14, 6), (0, 6)], float)
@@ -139,6 +140,7 @@ class PlanByDecomposition(Exercise):
         """
         for boundary, obstacles, start, goal in (
             (HALL, [], (1, 1), (15, 9)),
+            (TRIANGLE, [], (2, 0.25), (6, 2.5)),
             (HALL, [BAR], (15, 2), (3, 2)),
             (STEP, [], (2, 2), (7, 6)),
             (HALL, [BAR], (3, 2), (3, 8)),
