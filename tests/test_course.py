@@ -32,6 +32,7 @@ from kinoedu.course.outcomes import (
 )
 from kinoedu.course.tasks import scene_of
 from kinoedu.errors import InvalidParameter
+from kinoedu.sampling import dispersion
 
 HOUSE = Path(__file__).resolve().parent.parent
 
@@ -217,6 +218,7 @@ ALSO_RIGHT = {
     "dispersion_bounds": [
         lambda points: bounds_by_probes(points, 36),
         lambda points: np.array(bounds_by_probes(points, 100)),
+        lambda points: (np.nextafter(dispersion(points), 2.0), dispersion(points)),
     ],
     "exposing_corridor": [lambda: [0, 1 / 32, 1, 1 / 16], lambda: np.array([31 / 32, 0, 1, 1])],
     "segment_intersection": [

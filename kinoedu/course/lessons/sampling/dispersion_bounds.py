@@ -85,7 +85,7 @@ class DispersionBounds(Exercise):
         (low, high), points = value, case.given["points"]
         truth, sup = dispersion(points), dispersion(points, math.inf)
         rule = ""
-        if not np.isfinite([low, high]).all() or low > high:
+        if not np.isfinite([low, high]).all() or low > high + SLACK:
             rule = "bounds"
         elif low > truth + SLACK:
             rule = "low"
