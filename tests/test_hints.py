@@ -215,9 +215,20 @@ def nearly_level(x, edges):
     return crossed[np.argsort(np.round(heights[crossed], 3), kind="stable")]
 
 
+def by_pythagoras(q, p1, p2):
+    """The distance to a line by a difference of squares."""
+    if (p1 == p2).all():
+        raise ValueError("one point")
+    along = np.dot(q - p1, p2 - p1) / np.linalg.norm(p2 - p1)
+    return np.sqrt(max(0.0, ((q - p1) ** 2).sum() - along**2))
+
+
 @pytest.mark.parametrize(
     ("name", "program", "said"),
-    [("crossings", nearly_level, "Order the edges by their heights at x")],
+    [
+        ("crossings", nearly_level, "Order the edges by their heights at x"),
+        ("point_line_distance", by_pythagoras, "Each loses digits"),
+    ],
 )
 def test_the_rule_is_the_one_that_the_answer_breaks(name, program, said):
     """It follows from the answer, not only from the kind of input."""

@@ -166,6 +166,15 @@ def rounds_its_answer(q, p1, p2):
 
 
 @wrong("point_line_distance")
+def by_pythagoras(q, p1, p2):
+    """Subtracts squares that are nearly equal."""
+    if (p1 == p2).all():
+        raise ValueError("one point")
+    along = np.dot(q - p1, p2 - p1) / math.dist(p1, p2)
+    return math.sqrt(max(0.0, math.dist(q, p1) ** 2 - along**2))
+
+
+@wrong("point_line_distance")
 def small_is_zero(q, p1, p2):
     """Uses a tolerance that was not asked for."""
     d = point_line_distance(q, p1, p2)
@@ -287,6 +296,12 @@ def vertices_only(q, polygon):
 def vertices_only_outside(q, polygon):
     """Forgets the edges, but not that a polygon is solid."""
     return 0.0 if point_in_polygon(q, polygon) else vertices_only.function(q, polygon)
+
+
+@wrong("point_polygon_distance", slip="square")
+def square_of_the_distance(q, polygon):
+    """Forgets the root."""
+    return point_polygon_distance(q, polygon) ** 2
 
 
 @wrong("point_polygon_distance", slip="centre")

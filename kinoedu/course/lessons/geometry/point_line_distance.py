@@ -7,12 +7,14 @@ from numpy.typing import ArrayLike
 
 from ....geometry import point_line_distance, point_segment_distance
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Change, Slip
+from ...exercise import Axes, Case, Change, Slip, Verdict
 from ...outcomes import Answer, Outcome
-from ...shapes import Number, Record
+from ...shapes import Number, Record, Value
 from ..shared.pictures import draw_distance
 from ..shared.random_shapes import points, sizes
 from .lines import NEXT, POINT, UPRIGHT, DistanceExercise, LineExercise
+
+NEARLY = 1e-4  # how near the true distance an answer is that lost digits
 
 
 class PointLineDistance(LineExercise, DistanceExercise):
@@ -100,6 +102,16 @@ class PointLineDistance(LineExercise, DistanceExercise):
             step = rng.integers(1, 10, 2) * np.array((0.01, 1.0)) * rng.choice([-1.0, 1.0], 2)
             for way in (step, step[::-1]):
                 yield Case("beside", arguments(p1 + way / 2 + turn_left(way), p1, p1 + way))
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Compare a distance with the true one; a nearly right one breaks a rule of its own."""
+        verdict, truth = super().value_verdict(case, value), self.truth(case)
+        is_near = 0 < abs(value - truth) <= NEARLY * (1.0 + truth)
+        return (
+            verdict._replace(rule="digits")
+            if not verdict.is_right and value and is_near
+            else verdict
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the line, the point, and a circle around it for each of the two distances."""

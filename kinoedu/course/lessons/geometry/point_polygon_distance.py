@@ -94,6 +94,7 @@ class PointPolygonDistance(DistanceExercise):
                 -min(edge_distances(q, polygon)) if locate_point(*q, polygon) > 0 else np.nan
             ),
         ),
+        Slip("square", lambda q, polygon: point_polygon_distance(q, polygon) ** 2),
         Slip("rounded", lambda q, polygon: round(float(point_polygon_distance(q, polygon)), 2)),
     )
     reference = staticmethod(point_polygon_distance)
