@@ -634,7 +634,7 @@ def circle_rounded(a, b):
     return round(float(circle_distance(a, b)), 2)
 
 
-@wrong("circle_distance")
+@wrong("circle_distance", slip="short_pi")
 def turns_by_pi_written_short(a, b):
     """Uses 3.14 for pi."""
     apart = abs(a - b) % 6.28

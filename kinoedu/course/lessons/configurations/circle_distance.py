@@ -35,6 +35,9 @@ class CircleDistance(BetweenAngles):
         Slip("degrees", lambda a, b: np.degrees(circle_distance(a, b))),
         Slip("degrees", lambda a, b: min(abs(a - b) % 360.0, 360.0 - abs(a - b) % 360.0)),
         Slip("rounded", lambda a, b: round(float(circle_distance(a, b)), 2)),
+        Slip("short_pi", lambda a, b: with_half_turn(3.14, a, b)),
+        Slip("short_pi", lambda a, b: with_half_turn(3.1416, a, b)),
+        Slip("short_pi", lambda a, b: with_half_turn(3.14159, a, b)),
     )
     reference = staticmethod(circle_distance)
 
@@ -99,3 +102,9 @@ def kind_of(a: float, b: float) -> str:
 def wrapped_above(turn: float) -> float:
     """Size of a turn, wrapped only above pi; a turn below -pi is not wrapped."""
     return abs(turn - TURN * np.ceil((turn - pi) / TURN)) if turn > pi else abs(turn)
+
+
+def with_half_turn(half: float, a: float, b: float) -> float:
+    """The distance where half a turn is written as a number of few digits."""
+    turn = abs(a - b) % (2.0 * half)
+    return min(turn, 2.0 * half - turn)
