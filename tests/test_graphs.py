@@ -241,6 +241,31 @@ def test_parents_in_a_circle_are_refused():
         extract_path([1, 0], 0)
 
 
+@pytest.mark.parametrize(
+    ("parent", "said"),
+    [
+        ([1, 0], "from node 1 to a root.*form a cycle"),
+        ([0, 0], "form a cycle"),
+        ([-1, 7], "lead to 7, no node"),
+        ([-2, 0], "lead to -2, no node"),
+        ([None, 0], r"-1 where there is none, got \[None, 0\]"),
+        ([np.nan, 0], "whole numbers"),
+        ([np.inf, 0], "whole numbers"),
+        ([-1, 0.5], "whole numbers"),
+        (["a", "b"], "whole numbers"),
+    ],
+)
+def test_parents_without_a_root_are_refused_with_the_reason(parent, said):
+    """The message says what parents must be: a program may use None, or the root itself, for -1."""
+    with pytest.raises(InvalidGraph, match=said):
+        extract_path(parent, 1)
+
+
+def test_parents_may_be_whole_floats():
+    """An array that numpy has made of floats gives the same path, as numbers."""
+    assert extract_path(np.array([-1.0, 0.0, 1.0]), 2).tolist() == [0, 1, 2]
+
+
 @pytest.mark.parametrize("goal", [-1, 2, True, 0.0])
 def test_a_path_to_no_node_is_refused(goal):
     """extract_path does not accept negative indices."""

@@ -77,10 +77,7 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
     given = as_regular_array(edges, "edges must be pairs of nodes, shape (m, 2)")
     if given.size == 0 and given.ndim <= 2:
         return np.empty((0, 2), np.int64)
-    integral = given.dtype.kind in "iu" or (
-        given.dtype.kind == "f" and (np.abs(given) < 2.0**53).all() and (given % 1 == 0).all()
-    )
-    if given.ndim != 2 or given.shape[1] != 2 or not integral:
+    if given.ndim != 2 or given.shape[1] != 2 or not holds_integers(given):
         raise InvalidGraph(
             f"edges must be pairs of whole numbers, shape (m, 2), got shape {given.shape} of "
             f"{given.dtype}"
@@ -91,6 +88,13 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
         wrong = given[((given < 0) | (given >= size)).any(axis=1)][0].tolist()
         raise InvalidGraph(f"edges must name nodes 0 to {size - 1}, got {tuple(wrong)}")
     return given.astype(np.int64, order="C")
+
+
+def holds_integers(array: NDArray[Any]) -> bool:
+    """Whether all numbers of an array are integers, as such or as floats below 2^53."""
+    return array.dtype.kind in "iu" or (
+        array.dtype.kind == "f" and (np.abs(array) < 2.0**53).all() and (array % 1 == 0).all()
+    )
 
 
 def as_weights(weights: ArrayLike, count: int) -> Array:

@@ -12,6 +12,7 @@ from ..errors import InvalidGraph
 from ..geometry.checks import Array
 from ..support.constructors import with_type_names
 from ..support.text import shortened
+from .checks import holds_integers
 from .flat import Searchable, as_searchable, check_node
 
 
@@ -105,7 +106,8 @@ def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
     Raises
     ------
     InvalidGraph
-        Where `goal` is not a node, or the parents form a cycle or leave the graph.
+        Where `goal` is not a node, or the parents are not whole numbers, form a cycle or leave the
+        graph.
 
     Examples
     --------
@@ -123,11 +125,18 @@ def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
             f"goal must be a node with a parent in an array of shape (n,), got {shortened(goal)} "
             f"of {parents.shape}"
         )
+    if not holds_integers(parents):
+        raise InvalidGraph(
+            f"parents must be whole numbers, -1 where there is none, got {shortened(parent)}"
+        )
     path = [int(goal)]
     while 0 <= (above := int(parents[path[-1]])) < len(parents) and len(path) <= len(parents):
         path.append(above)
     if above != -1:
-        raise InvalidGraph("these parents lead to no root")
+        where = "form a cycle" if 0 <= above < len(parents) else f"lead to {above}, no node"
+        raise InvalidGraph(
+            f"the parents must lead from node {goal} to a root, whose parent is -1, but {where}"
+        )
     return np.array(path[::-1], np.int64)
 
 
