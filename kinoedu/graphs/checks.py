@@ -145,7 +145,7 @@ def as_node_places(nodes: ArrayLike, space: Any) -> Array:
     return np.ascontiguousarray(places)
 
 
-def as_node_place(q: ArrayLike | None, nodes: Array, space: Space | None) -> Array:
+def as_node_place(q: ArrayLike | None, nodes: Array) -> Array:
     """The position of one new node, shape (d,), beside nodes (n, d).
 
     Raises

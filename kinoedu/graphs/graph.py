@@ -155,7 +155,7 @@ class Graph:
             Where the graph is embedded, and q is missing or not a point of its space.
         """
         if self._places is not None:
-            self._places.append(as_node_place(q, self._places.rows, self.space))
+            self._places.append(as_node_place(q, self._places.rows))
         elif q is not None:
             raise InvalidGraph(
                 f"a node of this graph has no position, got {shortened(q)}; give Graph its nodes "
@@ -286,7 +286,7 @@ class Graph:
             Where q is not a point of its space.
         """
         nodes = self._embedding().rows
-        apart = compute_distances(self.space, nodes, as_node_place(q, nodes, self.space))
+        apart = compute_distances(self.space, nodes, as_node_place(q, nodes))
         return np.where(self._there, apart, np.inf)
 
     def closest(self, q: ArrayLike) -> tuple[int, float]:

@@ -66,7 +66,7 @@ def hide(
     for i in range(len(points)):
         begin, end = (i, after[i]) if sides[i] > 0 else (after[i], i)
         if sides[i] != 0 and group[begin] > group[end]:
-            insert(points, after, sides, v, i, status)
+            insert(points, after, sides, i, status)
     first = 0
     while first < len(order):
         stop = first + 1
@@ -87,9 +87,9 @@ def hide(
         for p in order[first:stop]:
             if after[p] >= 0:
                 if sides[before[p]] < 0:
-                    insert(points, after, sides, v, before[p], status)
+                    insert(points, after, sides, before[p], status)
                 if sides[p] > 0:
-                    insert(points, after, sides, v, p, status)
+                    insert(points, after, sides, p, status)
         first = stop
 
 
@@ -136,10 +136,11 @@ def side(points: Array, edge: int, after: Numbers, p: int) -> int:
 
 
 @compiled
-def insert(
-    points: Array, after: Numbers, sides: Numbers, v: int, edge: int, status: Numbers
-) -> None:
-    """Insert an edge among those that the ray crosses, ordered from v outwards."""
+def insert(points: Array, after: Numbers, sides: Numbers, edge: int, status: Numbers) -> None:
+    """Insert an edge among those that the ray crosses, ordered from its origin v outwards.
+
+    `sides` says how each edge turns round v.
+    """
     below, here = NOBODY, status[NOBODY, HIGH]
     while here != NOBODY:
         if is_nearer(points, after, sides, here - 1, edge):
