@@ -192,8 +192,7 @@ class Graph:
         InvalidGraph
             Where there is no such edge.
         """
-        between = self._between(u, v)
-        self._keep_edges(np.setdiff1d(np.arange(self._edges.count), between))
+        self._keep_edges(np.delete(np.arange(self._edges.count), self._between(u, v)))
 
     def delete_node(self, u: int) -> None:
         """Delete a node and its edges; its number is never given again. O(n + m).
