@@ -37,7 +37,8 @@ class Planner(NamedTuple):
     ----------
     name : the name on boards and on the command line (there with dashes).
     function : takes a problem and keywords, returns a Plan.
-    about : one line of help; * marks a planner for polygonal obstacles only.
+    about : one line of help; * marks a planner for polygonal obstacles only, ** one for polygonal
+        and round obstacles only.
     options : the function's keyword for each setting that it takes. The names of settings are
         `step_size`, `nodes`, `neighbours`, `spacing` and `iterations`.
     robots : the robots for which the planner is compiled ahead of time.
@@ -200,7 +201,7 @@ ROWS = (
     Planner(
         "cells_with_headings",
         plan_by_cells_with_headings,
-        "cells of the free space for each of many headings; for a turning polygon *",
+        "a roadmap of free headings in the cells of a point; for a turning polygon *",
         {},
         (),
         {},
