@@ -92,7 +92,7 @@ def edges_of(ring: list[int]) -> list[tuple[int, int]]:
 @compiled
 def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]:
     """Pairs of an edge and a point strictly inside it, as one flat array."""
-    found = [0 for _ in range(0)]
+    found = [0 for _ in range(0)]  # empty, but a compiler sees that its items are integers
     for edge in range(len(ends)):
         a, b = points[ends[edge, 0]], points[ends[edge, 1]]
         for i in range(len(points)):

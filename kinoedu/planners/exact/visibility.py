@@ -25,7 +25,7 @@ from .rotating_sweep import visible_from
 
 @algorithm
 def pairs_in_sight(corners: Any) -> NDArray[np.int64]:
-    """The pairs of nodes (m, 2) that see each other, by a sweep round each node. O(n^2 log n)."""
+    """The pairs of nodes (m, 2) that see each other, by a sweep round each node."""
     status = np.zeros((len(corners.points) + 1, 6), np.int64)
     pairs, size = np.empty((16, 2), np.int64), 0
     for i in range(len(corners.nodes)):
@@ -47,8 +47,8 @@ def visibility_roadmap(world: PolygonWorldRecord | ProblemRecord | Recorder) -> 
     of the boundary and of rooms. Corners where obstacles touch are nodes too, because a semi-free
     motion passes between two obstacles that meet in a single point. Edges may run along obstacles
     and pass through corners, but not between two obstacles that touch along a stretch. Every
-    decision is exact. O(n^2 log n) for n corners, times the largest number of obstacles that lie
-    over each other.
+    decision is exact. O(n^2 log n) for n corners where no obstacles meet, and otherwise times the
+    number of families into which they are divided (corners.py).
 
     Parameters
     ----------
@@ -76,9 +76,9 @@ def visibility_roadmap(world: PolygonWorldRecord | ProblemRecord | Recorder) -> 
     """
     if isinstance(world, PolygonWorldRecord):
         corners, _ = corners_of(world)
-        return roadmap_of(corners, pairs_in_sight(corners))
-    check_exact(world, "a visibility roadmap")
-    corners, _ = corners_of(world.world, world.start, world.goal)
+    else:
+        check_exact(world, "a visibility roadmap")
+        corners, _ = corners_of(world.world, world.start, world.goal)
     return roadmap_of(corners, pairs_in_sight(corners))
 
 
@@ -88,7 +88,7 @@ def plan_by_visibility(problem: ProblemRecord | Recorder) -> Plan:
     The path touches the corners at which it turns. No path that keeps off them is as short, but
     some come as close as you like, except where it passes between obstacles that touch in a single
     point: there no free path passes, and `plan_by_decomposition` goes round or finds none.
-    Complete: where no path is found there is none. O(n^2 log n) for n corners.
+    Complete: where no path is found there is none. The time is that of `visibility_roadmap`.
 
     Parameters
     ----------
