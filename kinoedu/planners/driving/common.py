@@ -36,14 +36,16 @@ class DrivenGrowth(NamedTuple):
 
 
 @callable_from_compiled
-def next_target(problem: Any, bias: GoalBiasRecord, turn: int, rng: np.random.Generator) -> Array:
-    """The target of iteration `turn`, counted from 1."""
-    if bias.region_every > 0 and turn % bias.region_every == 0:
+def next_target(
+    problem: Any, bias: GoalBiasRecord, iteration: int, rng: np.random.Generator
+) -> Array:
+    """The target of an iteration, counted from 1."""
+    if bias.region_every > 0 and iteration % bias.region_every == 0:
         off, towards = bias.region * rng.random(), 2.0 * math.pi * rng.random()
         heading = wrap_angle(problem.goal[2] + bias.region_turn * (2.0 * rng.random() - 1.0))
         x, y = problem.goal[0] + off * math.cos(towards), problem.goal[1] + off * math.sin(towards)
         return np.array([x, y, heading])
-    if bias.goal_every > 0 and turn % bias.goal_every == 0:
+    if bias.goal_every > 0 and iteration % bias.goal_every == 0:
         return problem.goal.copy()
     return problem.sample(rng)
 

@@ -63,8 +63,8 @@ def drive_from_nearest(
     The k nodes are chosen when the target is drawn, so nodes made for it do not count.
     """
     tree = growth.tree
-    for turn in range(1, n + 1):
-        q_rand = next_target(problem, bias, turn, rng)
+    for iteration in range(1, n + 1):
+        q_rand = next_target(problem, bias, iteration, rng)
         apart = np.empty(tree.size[0])
         for node in range(len(apart)):
             apart[node] = problem.distance(tree.nodes[node], q_rand)

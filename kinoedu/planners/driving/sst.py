@@ -75,8 +75,8 @@ def grow_sparsely(
     tree, there, cost = growth.tree, np.empty(3), sparse.cost
     add_witness(sparse, problem.start, 0)
     at_goal = 0 if is_near(problem.start, problem.goal, near) else -1
-    for turn in range(1, max_iterations + 1):
-        q_rand = next_target(problem, bias, turn, rng)
+    for iteration in range(1, max_iterations + 1):
+        q_rand = next_target(problem, bias, iteration, rng)
         q_near = cheapest_near(problem, growth, sparse, q_rand)
         (v, phi), t = problem.control(rng), duration * rng.random()
         problem.drive(tree.nodes[q_near], v, phi, t, there)
