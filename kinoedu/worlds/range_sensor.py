@@ -89,7 +89,7 @@ def scan(world: World, q: ArrayLike, *, rays: int = 180, reach: float = math.inf
         raise InvalidPoint(f"q must lie inside the world's boundary, got {tuple(place.tolist())}")
     angles = 2.0 * math.pi * np.arange(rays) / rays
     within = min(float(most), farthest)
-    distances = distances_along(world.edges, discs_of(world), place, angles, within)
+    distances = cast_rays(world.edges, discs_of(world), place, angles, within)
     hit = distances < np.inf
     distances = np.where(hit, distances, float(most))
     directions = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -97,7 +97,7 @@ def scan(world: World, q: ArrayLike, *, rays: int = 180, reach: float = math.inf
 
 
 @compiled
-def distances_along(edges: Array, discs: Array, q: Array, angles: Array, reach: float) -> Array:
+def cast_rays(edges: Array, discs: Array, q: Array, angles: Array, reach: float) -> Array:
     """The distance from q to the first wall in each direction, (n,); infinite beyond reach."""
     distances, points = np.empty(len(angles)), np.empty((2, 2))
     for i in range(len(angles)):
