@@ -180,6 +180,20 @@ def test_landscapes_are_reproducible_and_have_a_way(kind):
         )
 
 
+@pytest.mark.parametrize("kind", ["mountains", ["rocks"], None])
+def test_an_unknown_landscape_is_refused(kind):
+    """The message names the landscapes that there are, whatever the kind is."""
+    with pytest.raises(InvalidParameter, match="kind must be one of rocks, craters"):
+        landscape(kind)
+
+
+@pytest.mark.parametrize("highest", [-1, np.nan, "high", None])
+def test_hills_of_no_height_are_refused(highest):
+    """The highest hill must be a number of zero or more."""
+    with pytest.raises(InvalidParameter, match="highest must be a number, zero or more"):
+        hills(highest=highest)
+
+
 def test_slope_and_roughness_of_known_ground():
     """A plane has its slope and no roughness; noise has its standard deviation."""
     y, x = np.indices((30, 40)) * 0.5

@@ -111,6 +111,7 @@ def test_scattered_obstacles_keep_their_distance(seed):
         {"n": 3, "gap": -1},
         {"n": 500, "gap": 1.0},
         {"n": 1, "keep_free": [(1, 1, -1)]},
+        {"n": 1, "keep_free": 5},
         {"n": 1, "side": 0},
     ],
 )

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, as_generator
+from ..geometry.checks import Array, as_generator, nonnegative
 from ..support.text import shortened
 from .terrain import Terrain, TerrainRecord
 
@@ -128,6 +128,12 @@ def hills(rng: int | np.random.Generator = 0, *, highest: float = 40.0) -> Array
 
     R. F. Voss, "Random fractal forgeries" (1985).
 
+    Parameters
+    ----------
+    rng : a seed or a numpy Generator.
+    highest : the height of the highest cell, zero or more, in the unit of a cell's side; the lowest
+        cell is at 0.
+
     Returns
     -------
     (256, 256) array with values from 0 to `highest`.
@@ -135,20 +141,22 @@ def hills(rng: int | np.random.Generator = 0, *, highest: float = 40.0) -> Array
     Raises
     ------
     InvalidParameter
-        Where `rng` is not a seed or a Generator.
+        Where `rng` is not a seed or a Generator, or `highest` is negative or not a number.
 
     Examples
     --------
     >>> hills(1).shape
     (256, 256)
     """
-    generator = as_generator(rng)
+    generator, top = as_generator(rng), nonnegative(highest, "highest")
     v, u = np.meshgrid(np.fft.fftfreq(SIDE), np.fft.rfftfreq(SIDE), indexing="ij")
     waves = np.sqrt(u * u + v * v)
     waves[0, 0] = np.inf
     noise = generator.normal(size=(*waves.shape, 2)) @ np.array([1.0, 1.0j])
+    # amplitudes fall with the cube of the frequency, a fractal's at most with its square, so the
+    # ground is smooth
     ground = np.fft.irfft2(noise / waves**3.0, s=(SIDE, SIDE))
-    return highest * (ground - ground.min()) / (ground.max() - ground.min())
+    return top * (ground - ground.min()) / (ground.max() - ground.min())
 
 
 def centres() -> tuple[Array, Array]:

@@ -109,7 +109,9 @@ def draw_corners(rng: np.random.Generator) -> Array:
 
 def as_discs(discs: Sequence[Sequence[float]]) -> Array:
     """Check discs; rows x, y, r, shape (k, 3)."""
-    rows = as_array(discs, "keep_free") if len(discs) else np.empty((0, 3))
+    rows = as_array(discs, "keep_free")
+    if rows.shape == (0,):
+        return rows.reshape(0, 3)
     if rows.ndim != 2 or rows.shape[1] != 3 or (rows[:, 2] < 0.0).any():
         raise InvalidParameter(
             f"keep_free takes discs (x, y, r) whose radius is not negative, got {rows.tolist()}"
