@@ -106,6 +106,12 @@ class TestArm:
             TwoLinkArm(1, 1, 0).inverse((0, 0))
         assert len(TwoLinkArm(1, 1, 0).inverse((1e-12, 0))) == 2
 
+    @pytest.mark.parametrize("other", [Disk(1), [1.0, 1.0], None])
+    def test_reach_of_no_arm(self, other: Any) -> None:
+        """Another robot, or only the lengths, are refused with an arm as the example."""
+        with pytest.raises(InvalidRobot, match=r"such as TwoLinkArm\(1.5, 1.2, 0.2\), got"):
+            why_unreachable(other, (1, 1))
+
     @pytest.mark.parametrize("case", cases("clear"))
     def test_clearance(self, case: Any) -> None:
         """The distance to 1e-12, and contact exactly where it is 0."""

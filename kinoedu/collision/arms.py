@@ -15,7 +15,7 @@ from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
 from ..geometry.checks import Array, as_array
 from ..geometry.parts import Parts
 from ..geometry.separation import line_towards, nearest_corner
-from ..robots.arm import ArmRobot
+from ..robots.arm import ArmRobot, check_arm
 from ..robots.moving import X, Y, place_piece
 from ..robots.round import RoundRobot
 from ..spaces.angles import FULL_TURN, wrap_angle
@@ -69,14 +69,6 @@ def link_in_contact(arm: ArmRobot, q: ArrayLike, world: World) -> int:
             f"q must be {len(arm.lengths)} angles, one for each link, got {shortened(q)}"
         )
     return int(first_link_in_contact(arm, world, angles, contact_size(world.lo, world.hi)))
-
-
-def check_arm(arm: object) -> None:
-    """Raise InvalidRobot where the argument is not an arm."""
-    if not isinstance(arm, ArmRobot):
-        raise InvalidRobot(
-            f"expected an arm such as TwoLinkArm(1.5, 1.2, 0.2), got {shortened(arm)}"
-        )
 
 
 @compiled

@@ -214,7 +214,7 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     InvalidPoint
         Where p is not a point.
     InvalidRobot
-        Where it is no arm of two links.
+        Where `arm` is not an arm of two links.
 
     Examples
     --------
@@ -234,10 +234,17 @@ def compare_reach(l1: float, l2: float, far: float) -> int:
     return TOO_NEAR if far < abs(l1 - l2) - RIM * (l1 + l2) else IN_REACH
 
 
+def check_arm(arm: object) -> None:
+    """Raise InvalidRobot where the argument is not an arm."""
+    if not isinstance(arm, ArmRobot):
+        raise InvalidRobot(
+            f"expected an arm such as TwoLinkArm(1.5, 1.2, 0.2), got {shortened(arm)}"
+        )
+
+
 def two_links(arm: ArmRobot, p: ArrayLike) -> tuple[float, float, float, float, float]:
     """The lengths of both links, and a target relative to the base: x, y and its distance."""
-    if not isinstance(arm, ArmRobot):
-        raise InvalidRobot(f"expected an arm of two links, got {shortened(arm)}")
+    check_arm(arm)
     if len(arm.lengths) != 2:
         raise InvalidRobot(
             f"inverse kinematics is for an arm of two links, this one has {len(arm.lengths)}"

@@ -17,14 +17,13 @@ from ...browser.arms import ShownArm, pose_arm
 from ...browser.bodies import ARM
 from ...browser.regions import name_regions
 from ...collision import paint_configuration_space
-from ...collision.arms import check_arm
 from ...geometry.checks import Array
 from ...messages import get_message
 from ...planners import rrt
 from ...planners.tuning import integer
 from ...problems import Plan
 from ...problems.configurations import as_configuration, space_of
-from ...robots.arm import ArmRobot
+from ...robots.arm import ArmRobot, check_arm
 from ...robots.pulling import pull_arm
 from ...support.json_fields import JsonObject
 from ...worlds.checks import World
