@@ -165,3 +165,29 @@ def test_what_makes_no_sense_is_refused(name):
     """One wrong argument among right ones."""
     with pytest.raises(KinoeduError):
         REFUSED[name]()
+
+
+LONG = list(range(9999))
+FOR_NUMBERS = {
+    "a count": lambda: ke.halton(LONG),
+    "a seed": lambda: ke.rrt(TASK, rng=LONG),
+    "a fraction": lambda: ke.rrt(TASK, goal_bias=LONG, rng=0),
+    "a norm": lambda: ke.dispersion([(0.5, 0.5)], norm=LONG),
+    "a radius": lambda: ke.Disk(LONG),
+    "a width": lambda: ke.TwoLinkArm(1, 1, LONG),
+    "a weight": lambda: ke.RigidPolygon(SQUARE, turn_weight=LONG),
+    "an image's side": lambda: ke.collision.paint_configuration_space(ARM, WORLD, LONG),
+    "a radius that grows": lambda: ke.c_space.grown_obstacles(LONG, WORLD),
+    "a tolerance": lambda: ke.c_space.free_regions(1.0, WORLD, tolerance=LONG),
+    "a deviation": lambda: ke.UncertainWorld(ROOM, [SQUARE], LONG),
+    "a probability": lambda: ke.worlds.chance_margins([0.1], LONG),
+    "a part of a way": lambda: ke.c_space.slide([(0, 0), (1, 0)], SQUARE).at(LONG),
+}
+
+
+@pytest.mark.parametrize("name", FOR_NUMBERS)
+def test_a_message_about_a_long_value_stays_short(name):
+    """An array in place of a number is shown by its first items, on one line."""
+    with pytest.raises(KinoeduError) as refused:
+        FOR_NUMBERS[name]()
+    assert len(str(refused.value)) < 300 and "\n" not in str(refused.value)

@@ -19,6 +19,7 @@ from ..geometry.convex import convex_hull
 from ..geometry.exact import length
 from ..geometry.minkowski import clip_to_shifted_edges
 from ..geometry.rings import leftmost_corner
+from ..support.text import shortened
 from ..worlds.checks import World
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .rounded import Rounded
@@ -121,7 +122,8 @@ def free_regions(
     fine = as_array(FINE * size if tolerance is None else tolerance, "tolerance")
     if fine.ndim or fine < FINEST * size or fine <= 0.0:
         raise InvalidParameter(
-            f"tolerance must be one length of at least {FINEST:g} of the radius, got {tolerance!r}"
+            f"tolerance must be one length of at least {FINEST:g} of the radius, got "
+            f"{shortened(tolerance)}"
         )
     solids = [
         shapely.Polygon(shape.polyline(float(fine))) for shape in grown_obstacles(size, world)
@@ -152,7 +154,7 @@ def as_radius(radius: float) -> float:
     """Check a radius; raise InvalidRobot otherwise."""
     size = as_array(radius, "radius")
     if size.ndim or size <= 0.0:
-        raise InvalidRobot(f"a disk's radius must be one positive length, got {radius!r}")
+        raise InvalidRobot(f"a disk's radius must be one positive length, got {shortened(radius)}")
     return float(size)
 
 

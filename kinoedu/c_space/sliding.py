@@ -14,6 +14,7 @@ from ..errors import InvalidParameter
 from ..geometry.checks import Array, as_array
 from ..geometry.minkowski import as_convex_corners, corner_pairs
 from ..support.constructors import with_type_names
+from ..support.text import shortened
 
 
 @with_type_names
@@ -61,7 +62,9 @@ class Slide(NamedTuple):
         """
         value = as_array(fraction, "fraction")
         if value.ndim or not 0.0 <= value <= 1.0:
-            raise InvalidParameter(f"fraction must be one number from 0 to 1, got {fraction!r}")
+            raise InvalidParameter(
+                f"fraction must be one number from 0 to 1, got {shortened(fraction)}"
+            )
         ends = np.cumsum(self.lengths)
         i = min(int(np.searchsorted(ends, value * ends[-1], side="right")), len(ends) - 1)
         rest = (ends[i] - value * ends[-1]) / (self.lengths[i] or 1.0)

@@ -118,7 +118,7 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
             f"{len(arm.lengths)}"
         )
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
-        raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {n!r}")
+        raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {shortened(n)}")
     return paint_image(arm, world, int(n), contact_size(world.lo, world.hi))
 
 

@@ -49,5 +49,5 @@ def fraction(value: object, name: str) -> float:
         Where the value is not such a number.
     """
     if not is_real(value) or not 0.0 <= value <= 1.0:
-        raise InvalidParameter(f"{name} must be a number from 0 to 1, got {value!r}")
+        raise InvalidParameter(f"{name} must be a number from 0 to 1, got {shortened(value)}")
     return float(value)

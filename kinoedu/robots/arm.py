@@ -134,7 +134,10 @@ class TwoLinkArm(ArmRobot, metaclass=Constructor):
         cls, l1: float, l2: float, width: float, *, base: ArrayLike = (0.0, 0.0)
     ) -> ArmRobot:
         if any(isinstance(size, bool | np.bool_) for size in (l1, l2, width)):
-            raise InvalidRobot(f"an arm's sizes must be numbers, got {l1!r}, {l2!r} and {width!r}")
+            raise InvalidRobot(
+                f"an arm's sizes must be numbers, got {shortened(l1)}, {shortened(l2)} and "
+                f"{shortened(width)}"
+            )
         return ArmChain([l1, l2], width, base=base)
 
 
@@ -163,7 +166,9 @@ class ArmChain(ArmRobot, metaclass=Constructor):
                 f"an arm's links must have positive lengths, got {shortened(lengths)}"
             )
         if across.ndim or across < 0.0:
-            raise InvalidRobot(f"an arm's width must be one length, zero or more, got {width!r}")
+            raise InvalidRobot(
+                f"an arm's width must be one length, zero or more, got {shortened(width)}"
+            )
         links = make_parts(
             [np.array([(0.0, 0.0), (size, 0.0)]) for size in sizes],
             [float(across) / 2.0] * len(sizes),

@@ -16,6 +16,7 @@ from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
 from ..support.constructors import Constructor, with_type_names
+from ..support.text import shortened
 
 
 @with_type_names
@@ -107,7 +108,8 @@ class RigidPolygon(RigidPolygonRobot, metaclass=Constructor):
             weight = as_array(turn_weight, "turn_weight")
             if weight.ndim or weight <= 0.0:
                 raise InvalidRobot(
-                    f"turn_weight must be one positive length for each radian, got {turn_weight!r}"
+                    "turn_weight must be one positive length for each radian, got "
+                    f"{shortened(turn_weight)}"
                 )
         return RigidPolygonRobot(outline, shape_of(outline), float(weight))
 

@@ -8,6 +8,7 @@ from ..errors import InvalidRobot
 from ..geometry.checks import as_array
 from ..geometry.parts import Parts, make_parts
 from ..support.constructors import Constructor
+from ..support.text import shortened
 
 
 class RoundRobot(NamedTuple):
@@ -68,7 +69,7 @@ class Disk(RoundRobot, metaclass=Constructor):
         size = as_array(radius, "radius")
         if size.ndim or size <= 0.0:
             raise InvalidRobot(
-                f"a disk's radius must be one positive length, got {radius!r}; a robot without "
-                "size is Point()"
+                f"a disk's radius must be one positive length, got {shortened(radius)}; a robot "
+                "without size is Point()"
             )
         return RoundRobot(float(size))

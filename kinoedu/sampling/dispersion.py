@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from ..errors import InvalidParameter, InvalidPoint
 from ..geometry.checks import Array, as_array, is_real
 from ..support.constructors import with_type_names
+from ..support.text import shortened
 from .empty_square import largest_empty_square
 from .grids import sukharev_grid
 
@@ -79,7 +80,7 @@ def largest_empty_ball(points: ArrayLike, norm: float = 2) -> EmptyBall:
     cloud = as_cube_points(points)
     d = cloud.shape[1]
     if not is_real(norm) or norm not in (2, math.inf):
-        raise InvalidParameter(f"norm must be 2 or math.inf, got {norm!r}")
+        raise InvalidParameter(f"norm must be 2 or math.inf, got {shortened(norm)}")
     if d == 1:
         return largest_gap(cloud)
     if norm == 2 and d <= 3:

@@ -78,7 +78,7 @@ class UncertainWorld(UncertainWorldRecord, metaclass=Constructor):
         if (spread.ndim and spread.shape != (len(given),)) or (spread < 0.0).any():
             raise InvalidWorld(
                 "sigma must be zero or more, one number or one for each of "
-                f"{len(given)} obstacles, got {sigma!r}"
+                f"{len(given)} obstacles, got {shortened(sigma)}"
             )
         owner = np.repeat(np.arange(len(given)), [len(own) for own, _ in pieces])
         radii = [radius for own, radius in pieces for _ in own]
@@ -127,10 +127,12 @@ def chance_margins(sigma: ArrayLike, delta: float) -> Array:
     spread = as_array(sigma, "sigma")
     if not is_real(delta) or not 0.0 < delta < 1.0:
         raise InvalidParameter(
-            f"delta must be a probability between 0 and 1, both excluded, got {delta!r}"
+            f"delta must be a probability between 0 and 1, both excluded, got {shortened(delta)}"
         )
     if spread.ndim != 1 or (spread < 0.0).any():
-        raise InvalidParameter(f"sigma must be numbers of zero or more, shape (m,), got {sigma!r}")
+        raise InvalidParameter(
+            f"sigma must be numbers of zero or more, shape (m,), got {shortened(sigma)}"
+        )
     uncertain = max(int(np.count_nonzero(spread)), 1)
     return spread * math.sqrt(-2.0 * math.log(delta / uncertain))
 
