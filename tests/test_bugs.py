@@ -16,14 +16,23 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 import kinoedu as ke
-from kinoedu.errors import InvalidGoal, InvalidParameter, InvalidPoint, InvalidPolygon, InvalidStart
+from kinoedu.errors import (
+    InvalidGoal,
+    InvalidParameter,
+    InvalidPoint,
+    InvalidPolygon,
+    InvalidStart,
+    InvalidWorld,
+)
 from kinoedu.planners.bugs.bug0 import bug0_walk
 from kinoedu.planners.bugs.bug1 import bug1_walk
 from kinoedu.planners.bugs.bug2 import bug2_walk
 from kinoedu.planners.bugs.bug2_prelim import bug2_prelim_walk
 from kinoedu.planners.bugs.bug_base import bug_base_walk
 from kinoedu.planners.bugs.place import CROSSING, FOOT, GIVEN, Place, compare_distances
+from kinoedu.planners.bugs.places import add_place, empty_places
 from kinoedu.planners.bugs.robot import corners_of, new_robot
+from kinoedu.planners.bugs.trail import append, new_trail
 from kinoedu.planners.bugs.walls import check_obstacles, contact, make_walls
 
 matplotlib.use("Agg")
@@ -616,6 +625,17 @@ def test_walls_far_from_the_origin_are_as_exact_as_their_floats(offset):
         assert np.abs(walls.points - corner).max(axis=1).min() <= digit + 2.0**-42
     above = np.array([offset + 1.5, first[2, 1] + 64 * digit])
     assert ke.bug1(above, (offset + 8, offset + 2.5), [first, other], 100.0).path is not None
+
+
+def test_a_record_that_is_full_is_refused_with_what_to_change():
+    """Places run out where rounding has changed their order, a trail where obstacles are huge."""
+    full, at = empty_places(0, 0), np.zeros(2)
+    with pytest.raises(InvalidWorld, match=r"closer together than floats.*move them apart"):
+        add_place(full, at, (True, True), (-1, 0.0), GIVEN, (at, at, at, at))
+    trail = new_trail(0, 1)
+    append(trail, full, 0, False)
+    with pytest.raises(InvalidWorld, match="ten million corners; give obstacles with fewer"):
+        append(trail, full, 0, False)
 
 
 def test_obstacles_that_share_a_hit_point():

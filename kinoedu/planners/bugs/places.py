@@ -109,7 +109,9 @@ def add_place(
     """
     k = places.size[0]
     if k == len(places.at):
-        raise InvalidWorld("a robot hits these walls at more points than a bug can")
+        raise InvalidWorld(
+            "the walls lie closer together than floats of their size can represent; move them apart"
+        )
     places.size[0] = k + 1
     goal = points[0]
     places.at[k] = at

@@ -56,7 +56,9 @@ def append(trail: Trail, places: Places, place: int, following: bool) -> None:
     if not counts[KEPT]:
         counts[SIZE] -= 1
     if counts[SIZE] == len(trail.places):
-        raise InvalidWorld("the walk of the bug has more than ten million corners")
+        raise InvalidWorld(
+            "the walk of the bug has more than ten million corners; give obstacles with fewer"
+        )
     trail.places[counts[SIZE]], trail.following[counts[SIZE]] = place, following
     counts[SIZE] += 1
     is_kept = not following or places.along[place] == 0.0 or was_hit(trail, place)
