@@ -369,4 +369,7 @@ def test_what_makes_no_sense_is_refused_by_name():
     ):
         with pytest.raises(error):
             call()
+    for error, start, goal in ((InvalidStart, (1, 1.5), (9, 4)), (InvalidGoal, (4, 4), (6, 1))):
+        with pytest.raises(error, match="move it into the free space"):
+            TimedProblem(Point(), hall, start, goal)
     assert len(safe_intervals(TimedProblem(Point(), hall, (4, 4), (9, 4)), (6, 1))) == 0

@@ -125,11 +125,11 @@ class TimedProblem(TimedProblemRecord, metaclass=Constructor):
         if not problem.is_free(np.append(begin, 0.0)):
             raise InvalidStart(
                 f"the start {tuple(begin.tolist())} is not free at time 0: the robot touches an "
-                "obstacle or the boundary there"
+                "obstacle or the boundary there; move it into the free space"
             )
         if not is_free(robot, world.still, end, margin):
             raise InvalidGoal(
                 f"the goal {tuple(end.tolist())} is not free: the robot touches a fixed obstacle "
-                "or the boundary there"
+                "or the boundary there; move it into the free space"
             )
         return problem
