@@ -685,6 +685,10 @@ def test_a_graph_in_no_space_knows_no_distances():
         with pytest.raises(InvalidGraph, match="position"):
             ask(Graph(2))
     embedded = Graph(nodes=[(0, 0)])
+    with pytest.raises(InvalidPoint, match="needs its position q"):
+        embedded.add_node()
+    with pytest.raises(InvalidGraph, match="give positions as nodes="):
+        Graph([(0, 0), (1, 1)])
     for ask in (
         embedded.add_node,
         lambda: embedded.add_node((1,)),
@@ -695,7 +699,7 @@ def test_a_graph_in_no_space_knows_no_distances():
             ask()
     with pytest.raises(InvalidGraph, match="closest"):
         Graph(nodes=[]).closest((0, 0))
-    with pytest.raises(InvalidGraph, match="as many places"):
+    with pytest.raises(InvalidGraph, match="as many positions"):
         Graph(3, nodes=[(0, 0)])
     assert len(embedded) == 1
 

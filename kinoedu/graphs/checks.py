@@ -47,22 +47,24 @@ class Rows:
 
 
 def as_size(size: object, places: int | None) -> int:
-    """The number of nodes, from `size` and from the number of given places.
+    """The number of nodes, from `size` and from the number of given positions.
 
     Raises
     ------
     InvalidGraph
-        Where `size` is not 0, 1, 2, ..., or differs from the number of places.
+        Where `size` is not 0, 1, 2, ..., or differs from the number of positions.
     """
     if size is None:
         return places or 0
     if isinstance(size, bool) or not isinstance(size, int | np.integer) or size < 0:
         raise InvalidGraph(
-            f"size must be how many nodes there are, 0, 1, 2, ..., got {shortened(size)}; places "
-            "go in as nodes="
+            f"size must be how many nodes there are, 0, 1, 2, ..., got {shortened(size)}; give "
+            "positions as nodes="
         )
     if places is not None and size != places:
-        raise InvalidGraph(f"{size} nodes need as many places, got {places}; size may be left out")
+        raise InvalidGraph(
+            f"{size} nodes need as many positions, got {places}; size may be left out"
+        )
     return int(size)
 
 
@@ -154,7 +156,7 @@ def as_node_place(q: ArrayLike | None, nodes: Array) -> Array:
         Where it is missing, or is not a point of that dimension.
     """
     if q is None:
-        raise InvalidPoint("a node of an embedded graph needs its place q")
+        raise InvalidPoint("a node of an embedded graph needs its position q")
     place = as_array(q, "q")
     if place.shape != nodes.shape[1:]:
         raise InvalidPoint(
