@@ -15,7 +15,7 @@ Bullo & Smith, chapter 5.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -102,15 +102,16 @@ def receding_horizon(
     >>> bool(17.2 < plan.cost < 40)
     True
     """
-    given: Any = {
-        "reach": reach,
-        "horizon": horizon,
-        "rays": rays,
-        "planner": planner,
-        "max_moves": max_moves,
-        "rng": rng,
-    }
-    return plan_from_looks(problem, list(receding_horizon_looks(problem, **given)))
+    looks = receding_horizon_looks(
+        problem,
+        reach=reach,
+        horizon=horizon,
+        rays=rays,
+        planner=planner,
+        max_moves=max_moves,
+        rng=rng,
+    )
+    return plan_from_looks(problem, list(looks))
 
 
 def receding_horizon_looks(
