@@ -159,13 +159,13 @@ def corner_pairs(P: Array, Q: Array) -> NDArray[np.int64]:
     one along its edge, or both do where the two edges are parallel.
     """
     n, m = len(P), len(Q)
-    ends = n - (n == 1), m - (m == 1)  # numbers of edges: a point has none, a segment has two
-    pairs = np.zeros((ends[0] + ends[1] + 1, 2), np.int64)
+    p_edges, q_edges = n - (n == 1), m - (m == 1)  # a point has no edge, a segment has two
+    pairs = np.zeros((p_edges + q_edges + 1, 2), np.int64)
     i, j, size = 0, 0, 1
-    while i < ends[0] or j < ends[1]:
-        if j == ends[1]:
+    while i < p_edges or j < q_edges:
+        if j == q_edges:
             order = 1
-        elif i == ends[0]:
+        elif i == p_edges:
             order = -1
         else:
             order = compare_edges(P[i], P[(i + 1) % n], Q[j], Q[(j + 1) % m])
