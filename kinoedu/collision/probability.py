@@ -82,15 +82,15 @@ def collision_probability(
     >>> bool(chance.low < 0.0228 < chance.high)
     True
     """
-    mover, points = as_mover(robot), as_path(path)
+    robot, points = as_translating_robot(robot), as_path(path)
     check_uncertain(world)
     offsets = scenarios(world, n, rng=rng)
     if len(offsets) == 0:
         raise InvalidParameter("a probability is estimated from at least one scenario, n >= 1")
-    if not stays_inside(mover, world, points):
+    if not stays_inside(robot, world, points):
         return Chance(1.0, 1.0, 1.0, len(offsets), len(offsets))
-    gaps = part_gaps(mover, world.parts, points)
-    hits = int(hit_scenarios(mover, world.parts, world.owner, gaps, points, offsets).sum())
+    gaps = part_gaps(robot, world.parts, points)
+    hits = int(hit_scenarios(robot, world.parts, world.owner, gaps, points, offsets).sum())
     low, high = wilson_interval(hits, len(offsets))
     return Chance(hits / len(offsets), float(low), float(high), hits, len(offsets))
 
@@ -115,7 +115,7 @@ def path_clearances(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
     array([1.])
     """
     check_uncertain(world)
-    gaps = part_gaps(as_mover(robot), world.parts, as_path(path))
+    gaps = part_gaps(as_translating_robot(robot), world.parts, as_path(path))
     nearest = np.full(len(world.sigma), np.inf)
     np.minimum.at(nearest, world.owner, gaps)
     return np.maximum(nearest, 0.0)
@@ -145,7 +145,7 @@ def collision_bound(robot: Robot, world: UncertainWorldRecord, path: ArrayLike) 
     0.1353
     """
     d, sigma = path_clearances(robot, world, path), world.sigma
-    if not stays_inside(as_mover(robot), world, as_path(path)):
+    if not stays_inside(as_translating_robot(robot), world, as_path(path)):
         return 1.0
     certain = sigma == 0.0
     if (certain & (d == 0.0)).any():
@@ -195,7 +195,7 @@ def stays_inside(robot: Any, world: UncertainWorldRecord, path: Array) -> bool:
     return all(is_free_path(robot, world.empty, a, b, 0.0) for a, b in segments)
 
 
-def as_mover(robot: Robot) -> Any:
+def as_translating_robot(robot: Robot) -> Any:
     """Check that a robot does not rotate; raise InvalidParameter otherwise."""
     if not isinstance(robot, RoundRobot | TranslatingPolygonRobot):
         raise InvalidParameter(

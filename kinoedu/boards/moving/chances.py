@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...chances import wilson_interval
 from ...collision import collision_bound
-from ...collision.probability import as_mover, hit_scenarios, part_gaps
+from ...collision.probability import as_translating_robot, hit_scenarios, part_gaps
 from ...errors import InvalidParameter, KinoeduError
 from ...figures.uncertain import expected_outlines, margin_rings
 from ...geometry.checks import Array
@@ -89,7 +89,7 @@ class ChanceBoard(Framed):
     ) -> None:
         if not isinstance(world, UncertainWorldRecord):
             raise InvalidParameter(get_message("chance_board.needs", given=shortened(world)))
-        self._robot, self._world = as_mover(robot), world
+        self._robot, self._world = as_translating_robot(robot), world
         inflated(world, delta)
         choices = sorted({*CHANCES, float(delta)}, reverse=True)
         options = [(f"{chance:.6g}", chance) for chance in choices]
