@@ -32,7 +32,8 @@ class Ellipsoid(NamedTuple):
     centre : (d,), a configuration. axis : (d,), the direction from a to b, of length 1.
     long, short : half the length along the axis, and across it.
     half : (d,), half the extent in each coordinate, not multiplied by its weight.
-    is_one : whether no other q comes into it by another way around an angle.
+    holds_all : whether every such q is in it; not where the longer way around an angle may be short
+        enough too.
     """
 
     centre: Array
@@ -40,7 +41,7 @@ class Ellipsoid(NamedTuple):
     long: float
     short: float
     half: Array
-    is_one: bool
+    holds_all: bool
 
 
 @generic(1)
@@ -76,14 +77,14 @@ def sample_between(
 def sample_ellipsoid(
     space: Space, a: Array, b: Array, length: float, rng: np.random.Generator
 ) -> Array:
-    """Draw from the ellipsoid, or from the box round it if that part of the space is smaller.
+    """Draw from the ellipsoid or, where it is smaller, from the box around it in the space.
 
-    Only what lies outside the other one is rejected. In a large space with a and b in a corner that
-    is all but 2^-d of the ellipsoid, so few draws are made in any case.
+    A draw that does not lie in the other one too is rejected. Few draws are made in any case: even
+    where a and b lie in a corner of a large space, about 2^-d of the ellipsoid is in the space.
     """
     ellipsoid = ellipsoid_between(space, a, b, length)
-    lo, hi = box_round(space, ellipsoid)
-    is_smaller = ellipsoid.is_one and is_less_than_box(space, ellipsoid, lo, hi)
+    lo, hi = box_around(space, ellipsoid)
+    is_smaller = ellipsoid.holds_all and is_less_than_box(space, ellipsoid, lo, hi)
     for _ in range(TRIES):
         q = draw_in_ellipsoid(space, ellipsoid, rng) if is_smaller else draw_in_box(lo, hi, rng)
         inside = distance(space, a, q) + distance(space, q, b) < length
@@ -98,7 +99,7 @@ def sample_ellipsoid(
 def ellipsoid_between(space: Space, a: Array, b: Array, length: float) -> Ellipsoid:
     """The ellipsoid with the foci a and b; angles take the shorter way around."""
     d, apart = len(a), distance(space, a, b)
-    axis, half, is_one = np.zeros(d), np.empty(d), True
+    axis, half, holds_all = np.zeros(d), np.empty(d), True
     across = (length - apart) * (length + apart)
     for i in range(d):
         weight = coordinate_weight(space, i)
@@ -108,16 +109,16 @@ def ellipsoid_between(space: Space, a: Array, b: Array, length: float) -> Ellips
         half[i] = 0.5 * math.sqrt(across + gap * gap) / weight
         around = weight * FULL_TURN - abs(gap)  # the other way around
         if wraps(space, i) and across + gap * gap >= around * around:
-            is_one = False
+            holds_all = False
     if apart == 0.0:
         axis[0] = 1.0
     centre = interpolate(space, a, b, 0.5)
-    return Ellipsoid(centre, axis, 0.5 * length, 0.5 * math.sqrt(across), half, is_one)
+    return Ellipsoid(centre, axis, 0.5 * length, 0.5 * math.sqrt(across), half, holds_all)
 
 
 @inlined
-def box_round(space: Space, ellipsoid: Ellipsoid) -> tuple[Array, Array]:
-    """The box round an ellipsoid in the space; angles may take all values."""
+def box_around(space: Space, ellipsoid: Ellipsoid) -> tuple[Array, Array]:
+    """The box around an ellipsoid in the space; angles may take all values."""
     lo, hi = space.lo.copy(), space.hi.copy()
     for i in range(len(lo)):
         if not wraps(space, i):
