@@ -53,7 +53,8 @@ def collision_probability(
 ) -> Chance:
     """Estimate the probability that the robot touches an obstacle along a path, by n scenarios.
 
-    A path that touches the boundary, which is certain, collides in all scenarios. O(n m k).
+    A path that touches the boundary, which is certain, collides in all scenarios. O(n m k) for m
+    convex pieces of obstacles and k points of the path.
 
     Parameters
     ----------

@@ -86,7 +86,7 @@ def interpolate_curve(space: CurveSpace, a: Array, b: Array, t: float) -> Array:
 
 @diameter.register(CurveSpace)
 def curve_space_diameter(space: CurveSpace) -> float:
-    """The diagonal of the box plus the length of a full circle."""
+    """The diagonal of the box plus the length of a full circle: about the largest distance."""
     dx, dy = space.hi[0] - space.lo[0], space.hi[1] - space.lo[1]
     return np.sqrt(dx * dx + dy * dy) + 2.0 * np.pi * space.radius
 

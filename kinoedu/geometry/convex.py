@@ -200,8 +200,8 @@ def convex_parts(ring: Array, holes: Sequence[Array] = ()) -> list[Array]:
 
     The parts use the vertices of the ring and the holes only. A triangulation, by ears or, where
     there are holes, a constrained Delaunay triangulation, is merged pairwise as long as the union
-    stays convex (after Hertel and Mehlhorn, 1983: at most four times as many parts as needed). The
-    ring and each hole are as `as_ring` returns them.
+    stays convex (after Hertel and Mehlhorn, 1983: for a ring without holes, at most four times as
+    many parts as needed). The ring and each hole are as `as_ring` returns them.
     """
     if holes:
         return merge_convex_parts(triangulate_ring(ring, holes))

@@ -87,8 +87,8 @@ def erosion(P: ArrayLike, Q: ArrayLike) -> Array:
     """The positions of Q's reference point, the origin, at which Q lies in the convex polygon P.
 
     These are all p with p + Q in P, contact included. Each edge of P is moved inward until Q's
-    outermost corner is inside. Which corners remain is decided exactly on the rounded
-    ones. O(n (n + m)).
+    outermost corner is inside. New corners are rounded; whether a corner lies inside the next edge
+    is then decided exactly. O(n (n + m)), after a check that both polygons are simple.
 
     Parameters
     ----------

@@ -5,8 +5,8 @@ convex polygon, counter-clockwise. A polygon that is not convex is several parts
 routine serves them all.
 
 `Parts` is a record, as is every object that compiled code reads: a NamedTuple of arrays, numbers
-and records. Records hold few arrays, because compiled code counts references to each of them
-wherever a record is passed on. These are the records; their fields are listed in their files.
+and records. Records that are passed on often hold few arrays, because compiled code counts
+references to each of them then. These are the main records; their fields are listed in their files.
 
 | records | meaning | file |
 |---|---|---|

@@ -116,8 +116,10 @@ def chance_margins(sigma: ArrayLike, delta: float) -> Array:
 
     Raises
     ------
+    InvalidPoint
+        Where sigma is not finite numbers.
     InvalidParameter
-        Where sigma or delta is not valid.
+        Where sigma is negative or not a row of numbers, or delta is not between 0 and 1.
 
     Examples
     --------
