@@ -96,7 +96,7 @@ def shortest_forward(x: float, y: float, phi: float) -> tuple[NDArray[np.int64],
 
 @inlined
 def solve_word(word: int, x: float, y: float, phi: float) -> tuple[bool, float, float, float]:
-    """The lengths of one word's pieces, none of them negative, after whether the word exists."""
+    """Whether a word exists, and the lengths of its three pieces, none of them negative."""
     if word == 2:  # an arc driven back is replaced by the rest of its circle
         found, t, u, v = lrl(x, y, phi)
         return found, positive_angle(t), u + FULL_TURN, positive_angle(v)

@@ -61,8 +61,9 @@ def add_nodes(tree: GrowingTree, nodes: Array) -> None:
 
 @algorithm
 def list_by_bucket(tree: GrowingTree) -> NDArray[np.int64]:
-    """The nodes of a tree, bucket by bucket, (n,): in strips so narrow that a cache holds a few
-    rows of one.
+    """The nodes of a tree, (n,), bucket by bucket, in strips of `STRIP` columns.
+
+    Strips are so narrow that a processor's cache holds a few rows of one.
     """
     order, size = np.empty(tree.size[0], np.int64), 0
     for left in range(0, tree.columns, STRIP):

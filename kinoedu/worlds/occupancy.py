@@ -239,9 +239,10 @@ def measure_reach(reach: NDArray[np.int8]) -> None:
 
 
 def least_within(values: NDArray[np.int8], steps: int, stride: int) -> NDArray[np.int8]:
-    """The least value at most `steps` strides away, a power of two, where the array goes on so far.
+    """The least of the values up to `steps` strides before and behind each value.
 
-    The result begins and ends `steps` strides further inside.
+    `steps` is a power of two. The first and the last `steps` strides of the array have no result,
+    because values are missing there.
     """
     least, covered = values, stride
     while covered < 2 * steps * stride:

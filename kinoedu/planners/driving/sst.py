@@ -133,7 +133,10 @@ def nearest_witness(problem: CarProblem, sparse: Sparse, q: Array) -> int:
 
 
 def expected_witnesses(problem: CarProblem, radius: float, limit: int) -> int:
-    """For how many witnesses there are buckets: one in each square of a radius, at most `limit`."""
+    """How many witnesses the buckets are made for: one in each square of a side `radius`.
+
+    They are at most `limit`, and at least one.
+    """
     width, height, _ = map(float, problem.space.hi - problem.space.lo)
     return max(int(min(width / radius * (height / radius), limit)), 1)
 

@@ -120,6 +120,5 @@ def explain_no_path(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
         )
     return (
         f"there is no path: the start lies in a part of {from_start[:n].sum():,} cells that does "
-        "not touch the goal's part of"
-        f" {from_goal[:n].sum():,}"
+        f"not touch the goal's part of {from_goal[:n].sum():,}"
     )

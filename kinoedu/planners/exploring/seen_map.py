@@ -80,12 +80,11 @@ def measure_steps(points: Array) -> tuple[Array, Array]:
 
 
 def are_joined(measured: Scan, apart: Array, turn: Array) -> NDArray[np.bool_]:
-    """Whether each hit of a scan and the next one are on one wall, shape (n,); `measure_steps` says
-    how far they are apart.
+    """Whether each hit of a scan and the next one are on one wall, shape (n,).
 
     They are if they are near each other, for their distance from the sensor. Hits on a wall that
     the rays only graze are farther apart, but in line with their neighbours. Else there may be a
-    passage between them.
+    passage between them. `apart` and `turn` are those of `measure_steps`.
     """
     hit = measured.hit
     both = hit & next_of(hit)

@@ -278,8 +278,9 @@ def centres(grid: Grid, nodes: NDArray[np.int64]) -> Array:
 def tree_of_search(
     grid: Raster, expanded: NDArray[np.int64], parent: NDArray[np.int64], order: NDArray[np.int32]
 ) -> tuple[Array, NDArray[np.int64]]:
-    """The expanded nodes, (k,), as a tree: their positions, (k, 2), and each one's parent among
-    them, -1 for the start.
+    """The expanded nodes, (k,), as a tree.
+
+    Returns their positions, (k, 2), and the parent of each among them, (k,), -1 for the start.
 
     order : (nodes,), to be filled in for expanded nodes; parents are expanded. Its numbers are
         short, because new memory costs more than the work on it.

@@ -237,7 +237,10 @@ def grow_rrt_star(
 
 @callable_from_compiled
 def neighbour_radii(gamma: float, d: int, size: int, most: float) -> Array:
-    """For each n below `size` gamma (log n / n)^(1/d), at most `most`: a tree's radius."""
+    """How far a tree of n nodes looks for neighbours, for each n below `size`, shape (size,).
+
+    gamma (log n / n)^(1/d), but at most `most`.
+    """
     radii = np.full(size, most)
     for n in range(2, size):
         radii[n] = min(gamma * (math.log(n) / n) ** (1.0 / d), most)
