@@ -6,7 +6,7 @@ from ..compiled import compiled, inlined
 from ..geometry.checks import Array
 from ..geometry.convex import half_hull
 from ..geometry.exact import height, orientation_sign
-from ..geometry.parts import Parts
+from ..geometry.parts import TOUCHING, Parts
 from ..geometry.separation import insides_meet, pieces_distance, pieces_meet
 from ..robots.polygon import TranslatingPolygonRobot
 from ..worlds.checks import World
@@ -125,7 +125,7 @@ def hull_touches(hull: Array, parts: Parts, j: int, margin: float) -> bool:
     begin, end, reach = parts.first[j], parts.first[j + 1], margin + parts.radius[j]
     if reach == 0.0:
         return pieces_meet(hull, 0, len(hull), parts.points, begin, end)
-    return pieces_distance(hull, 0, len(hull), parts.points, begin, end) <= reach * (1.0 + 1e-15)
+    return pieces_distance(hull, 0, len(hull), parts.points, begin, end) <= reach * TOUCHING
 
 
 @inlined

@@ -217,6 +217,7 @@ def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> 
     """
     left, right = (ax - px) * (by - py), (ay - py) * (bx - px)
     det, base = left - right, length(bx - ax, by - ay)
+    # where the terms cancel so little, the relative error of det is below 1000 ROUNDING = 4e-13
     if abs(det) > 1e-3 * (abs(left) + abs(right)) and abs(det) > SAFE:
         return det / base
     m, e = exact_cross(ax, ay, bx, by, px, py)

@@ -43,6 +43,8 @@ from .checks import Array
 from .exact import orientation_sign
 from .segments import is_between, segment_distance
 
+TOUCHING = 1.0 + 1e-15  # times a reach: touching up to a few roundings is contact
+
 
 class Parts(NamedTuple):
     """Convex pieces, each grown by a radius, in one flat array; see the table above."""
@@ -156,4 +158,4 @@ def motion_touches_part(
     reach = radius + parts.radius[i]
     if reach == 0.0:
         return segment_meets_part(ax, ay, bx, by, parts, i)
-    return segment_part_distance(ax, ay, bx, by, parts, i) <= reach * (1.0 + 1e-15)
+    return segment_part_distance(ax, ay, bx, by, parts, i) <= reach * TOUCHING
