@@ -377,7 +377,7 @@ class Graph:
     def _is_number(self, u: object) -> TypeGuard[int]:
         """Whether u is the number of a node, which may have been deleted."""
         is_integer = isinstance(u, int | np.integer) and not isinstance(u, bool)
-        return is_integer and bool(0 <= u < self.size)  # type: ignore[operator]
+        return is_integer and bool(0 <= u < self.size)  # type: ignore[operator]  # an integer
 
     def _keep_edges(self, rows: NDArray[np.int64]) -> None:
         self._edges, self._weights = Rows(self._edges.rows[rows]), Rows(self._weights.rows[rows])

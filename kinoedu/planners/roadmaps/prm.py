@@ -164,7 +164,8 @@ def free_configurations(
     """
     samples = integer(n, "n", least=0)
     if sampler is None:
-        return sample_free(problem, samples, 100 * samples, as_generator(rng))  # type: ignore[arg-type]
+        generator = as_generator(rng)  # type: ignore[arg-type]  # None is refused by name
+        return sample_free(problem, samples, 100 * samples, generator)
     if not callable(sampler):
         raise InvalidParameter(
             f"the sampler must be a function such as halton, got {shortened(sampler)}"
