@@ -19,7 +19,9 @@ SQUARE = [(1, 1), (2, 1), (2, 2), (1, 2)]
 WORLD = ke.PolygonWorld(ROOM, [SQUARE])
 TASK = ke.Problem(ke.Point(), WORLD, (5, 5), (9, 9))
 ARM = ke.TwoLinkArm(1, 1, 0.1)
-PARKING = ke.Problem(ke.Car(3, 1, 2), WORLD, (5, 5, 0), (7, 7, 0))
+CAR = ke.Car(3, 1, 2)
+PARKING = ke.Problem(CAR, WORLD, (5, 5, 0), (7, 7, 0))
+DRIVE = ke.Trajectory(CAR, (5, 5, 0), [(1, 0)], [1])
 NAN = math.nan
 NONSENSE = {
     "nothing": None,
@@ -67,6 +69,14 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "a world of a problem": lambda x: ke.Problem(ke.Point(), x, (5, 5), (9, 9)),
     "a robot of a problem": lambda x: ke.Problem(x, WORLD, (5, 5), (9, 9)),
     "a start": lambda x: ke.Problem(ke.Point(), WORLD, x, (9, 9)),
+    "a world of configurations": lambda x: ke.collision.free_configurations(
+        TASK.robot, x, [(5, 5)]
+    ),
+    "a world of motions": lambda x: ke.collision.free_motions(TASK.robot, x, [(5, 5)], [(6, 6)]),
+    "a world of a clearance": lambda x: ke.clearance_of(TASK.robot, x, (5, 5)),
+    "a world of headings": lambda x: ke.collision.free_headings(ke.RigidPolygon(SQUARE), x, (5, 5)),
+    "a drive": lambda x: ke.collision.is_free_trajectory(CAR, WORLD, x),
+    "a world of a drive": lambda x: ke.collision.is_free_trajectory(CAR, x, DRIVE),
     "a world of an arm": lambda x: ke.link_in_contact(ARM, (0, 0), x),
     "angles of an arm": lambda x: ke.link_in_contact(ARM, x, WORLD),
     "an arm": lambda x: ke.link_in_contact(x, (0, 0), WORLD),

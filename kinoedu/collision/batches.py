@@ -13,7 +13,7 @@ from ..robots.car import CarRobot
 from ..robots.kinds import Robot
 from ..robots.polygon import RigidPolygonRobot, TranslatingPolygonRobot
 from ..robots.round import RoundRobot
-from ..worlds.checks import World
+from ..worlds.checks import World, check_world
 from .interface import coordinates, is_free, is_free_path
 
 
@@ -37,6 +37,8 @@ def free_configurations(
     ------
     InvalidPoint
         Where qs does not have that shape.
+    InvalidWorld
+        Where `world` is not a world.
     InvalidParameter
         Where the robot or the clearance is not valid.
 
@@ -48,6 +50,7 @@ def free_configurations(
     >>> free_configurations(Point(), world, [(1, 1), (5, 5), (6, 5), (11, 5)])
     array([ True, False, False, False])
     """
+    check_world(world)
     return judge_configurations(
         robot, world, as_configurations(qs, robot, "qs"), nonnegative(clearance, "clearance")
     )
@@ -70,6 +73,8 @@ def free_motions(
     ------
     InvalidPoint
         Where a and b do not have the same shape (n, d).
+    InvalidWorld
+        Where `world` is not a world.
     InvalidParameter
         Where the robot or the clearance is not valid.
 
@@ -81,6 +86,7 @@ def free_motions(
     >>> free_motions(Point(), world, [(1, 1), (1, 9)], [(9, 1), (9, 9)])
     array([False,  True])
     """
+    check_world(world)
     starts, ends = as_configurations(a, robot, "a"), as_configurations(b, robot, "b")
     if len(starts) != len(ends):
         raise InvalidPoint(

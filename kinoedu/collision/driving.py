@@ -6,10 +6,12 @@ import numpy as np
 
 from ..curves.arcs import drive_arc
 from ..curves.space import pieces_between
+from ..errors import InvalidParameter
 from ..geometry.checks import Array
 from ..robots.car import CarRobot
 from ..robots.trajectory import TrajectoryRecord
-from ..worlds.checks import World
+from ..support.text import shortened
+from ..worlds.checks import World, check_world
 from ..worlds.polygon_world import PolygonWorldRecord
 from ..worlds.terrain import TerrainRecord
 from .interface import is_free, is_free_drive, is_free_path
@@ -61,6 +63,13 @@ def is_free_trajectory(
     -------
     bool
 
+    Raises
+    ------
+    InvalidWorld
+        Where `world` is not a world.
+    InvalidParameter
+        Where `trajectory` is not a trajectory.
+
     Examples
     --------
     >>> from kinoedu import Car, PolygonWorld
@@ -70,6 +79,11 @@ def is_free_trajectory(
     >>> is_free_trajectory(car, world, around), is_free_trajectory(car, world, around, 8)
     (True, False)
     """
+    check_world(world)
+    if not isinstance(trajectory, TrajectoryRecord):
+        raise InvalidParameter(
+            f"expected a Trajectory(car, start, controls, durations), got {shortened(trajectory)}"
+        )
     begins, drives = trajectory.poses, zip(trajectory.controls, trajectory.durations)
     return is_free(robot, world, trajectory.start, clearance) and all(
         is_free_drive(robot, world, pose, v * t, math.tan(phi) / trajectory.wheelbase, clearance)

@@ -22,7 +22,7 @@ from ..geometry.parts import Parts
 from ..robots.kinds import Robot
 from ..robots.polygon import RigidPolygonRobot
 from ..spaces.angles import wrap_angle
-from ..worlds.checks import World
+from ..worlds.checks import World, check_world
 from ..worlds.nearby import obstacles_near, rim
 from .batches import free_configurations
 
@@ -53,6 +53,8 @@ def free_headings(robot: Robot, world: World, point: ArrayLike) -> Array:
     ------
     InvalidPoint
         Where `point` is not a point.
+    InvalidWorld
+        Where `world` is not a world.
     InvalidParameter
         Where the robot is not a RigidPolygon.
 
@@ -70,6 +72,7 @@ def free_headings(robot: Robot, world: World, point: ArrayLike) -> Array:
             "expected a RigidPolygon; the other robots do not rotate, or rotation does not change "
             "their collisions"
         )
+    check_world(world)
     place = as_point(point)
     stops = np.unique(
         [wrap_angle(float(theta)) for theta in critical_headings(robot, world, place)]
