@@ -91,6 +91,10 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "where clearance is measured": lambda x: ke.clearance_of(TASK.robot, WORLD, x),
     "unsure obstacles": lambda x: ke.UncertainWorld(ROOM, x or None, 0.1),  # an empty list is right
     "an uncertain world": lambda x: ke.collision_probability(TASK.robot, x, [(5, 5)], rng=0),
+    "a world to grow": lambda x: ke.worlds.inflated(x, 0.1),
+    "a world of scenarios": lambda x: ke.worlds.scenarios(x, 3, rng=0),
+    "a world of one scenario": lambda x: ke.worlds.scenario_world(x, [(0, 0)]),
+    "a roadmap to search": lambda x: ke.plan_on_roadmap(TASK, x),
     "a bound of risk": lambda x: ke.collision_bound(TASK.robot, x, [(5, 5)]),
     "a norm": lambda x: ke.dispersion([(0.5, 0.5)], norm=x),
     "a planner that hurries": lambda x: ke.best_within(0.1, x, rng=0),

@@ -153,7 +153,7 @@ def inflated(world: UncertainWorldRecord, delta: float) -> PolygonWorldRecord:
     Raises
     ------
     InvalidParameter
-        Where `world` is no UncertainWorld, or delta is not between 0 and 1.
+        Where `world` is not an UncertainWorld, or delta is not between 0 and 1.
 
     Examples
     --------
@@ -183,7 +183,7 @@ def scenarios(world: UncertainWorldRecord, n: int, *, rng: int | np.random.Gener
     Raises
     ------
     InvalidParameter
-        Where `world` is no UncertainWorld, or n or rng is not valid.
+        Where `world` is not an UncertainWorld, or n or rng is not valid.
     """
     check_uncertain(world)
     count = integer(n, "n", least=0)
@@ -206,7 +206,7 @@ def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWo
     InvalidPoint
         Where offsets are not a point for each obstacle.
     InvalidParameter
-        Where `world` is no UncertainWorld.
+        Where `world` is not an UncertainWorld.
     """
     check_uncertain(world)
     moves, count = as_array(offsets, "offsets"), len(world.sigma)
@@ -218,6 +218,12 @@ def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWo
         piece = parts.points[parts.first[k] : parts.first[k + 1]] + move
         solids.append((piece[0], own) if own > 0.0 else piece)
     return PolygonWorld(ring_of(world.empty), solids)
+
+
+def check_uncertain(world: object) -> None:
+    """Raise InvalidParameter for another world."""
+    if not isinstance(world, UncertainWorldRecord):
+        raise InvalidParameter(f"the world must be an UncertainWorld, got {shortened(world)}")
 
 
 def ring_of(world: PolygonWorldRecord) -> Array:

@@ -11,6 +11,7 @@ from ...errors import InvalidParameter
 from ...graphs import Graph, astar
 from ...problems import Plan
 from ...problems.protocols import ProblemLike, RoadmapLike
+from ...support.text import shortened
 from ..answers import plan_along
 from ..problem_input import as_problem, count_checks
 from .multi_query import motion_costs
@@ -54,7 +55,8 @@ def plan_on_roadmap(
     Raises
     ------
     InvalidParameter
-        Where nodes 0 and 1 are not the problem's start and goal.
+        Where `roadmap` has no nodes and edges, or nodes 0 and 1 are not the problem's start and
+        goal.
 
     Examples
     --------
@@ -68,6 +70,10 @@ def plan_on_roadmap(
     (True, True)
     """
     problem = as_problem(problem)
+    if not (hasattr(roadmap, "nodes") and hasattr(roadmap, "edges")):
+        raise InvalidParameter(
+            f"expected a roadmap with nodes and edges, such as prm's, got {shortened(roadmap)}"
+        )
     if not np.array_equal(roadmap.nodes[:2], [problem.start, problem.goal]):
         raise InvalidParameter(
             "nodes 0 and 1 of the roadmap must be the problem's start and goal; `query` joins them "
