@@ -87,7 +87,8 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
     Link 1 depends on theta1 alone; for each theta1, link 2 rotates about the elbow. The directions
     in which a link meets a convex obstacle are one interval around the direction of the obstacle's
     nearest point, and the ends of the interval have a closed form; only cells near an end are
-    tested for collision. O(n (n + k)) for k corners within reach, instead of O(n^2 k).
+    tested for collision. O(n (m + k)) for k corners within reach and m cells in the intervals of
+    all obstacles, instead of O(n^2 k).
 
     Returns
     -------

@@ -260,9 +260,10 @@ class Graph:
         return self._edge_data[between[self._weights.rows[between].argmin()]]
 
     def components(self) -> list[NDArray[np.int64]]:
-        """The connected components, each sorted, in the order of their least nodes. O(n + m).
+        """The connected components, each sorted, in the order of their least nodes.
 
         For a directed graph the weakly connected components, as if its edges led both ways.
+        O(m + n log n).
         """
         both_ways = flat_graph(self.size, self._edges.rows, self._weights.rows)
         labels = np.where(self._there, label_components(both_ways, self.size), -1)
