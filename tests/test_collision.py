@@ -27,7 +27,7 @@ from test_geometry import (
     simple_polygons,
 )
 
-from kinoedu import Disk, Point, PolygonWorld, Problem, Recorder, Terrain
+from kinoedu import Disk, Point, PolygonWorld, Problem, Recorder, Terrain, UncertainWorld
 from kinoedu.collision import is_free, is_free_path, is_semi_free_path
 from kinoedu.errors import (
     InvalidGoal,
@@ -816,6 +816,16 @@ def test_a_bad_obstacle_is_refused_by_its_number(obstacle: Any, error: Any) -> N
     with pytest.raises(error, match="obstacle 1") as caught:
         PolygonWorld(BOX, [good, obstacle])
     assert type(caught.value) in (error, InvalidWorld)
+
+
+@pytest.mark.parametrize("make", [list, np.array])
+def test_one_polygon_without_a_list_is_refused(make: Any) -> None:
+    """Its first vertex is no round obstacle; the message says to put the polygon into a list."""
+    square = [(0, 0), (9, 0), (9, 9), (0, 9)]
+    alone = make([(1, 2), (3, 2), (2, 4)])
+    for world in (PolygonWorld, lambda boundary, given: UncertainWorld(boundary, given, 0.1)):
+        with pytest.raises(InvalidWorld, match=r"obstacle 0 .* two numbers; put .* a list"):
+            world(square, alone)
 
 
 def test_an_obstacle_may_have_no_rooms() -> None:

@@ -226,6 +226,11 @@ def is_pair_with_radius(obstacle: object) -> bool:
 
 def as_disc(centre: ArrayLike, radius: float, name: str) -> Array:
     """Check a round obstacle (x, y, radius); raise InvalidWorld otherwise."""
+    if np.isscalar(centre):
+        raise InvalidWorld(
+            f"{name} must be a polygon or (centre, radius), got two numbers; put a single polygon "
+            "into a list"
+        )
     size = as_array(radius, f"{name}: its radius")
     if size <= 0.0:
         raise InvalidWorld(
