@@ -10,11 +10,13 @@ from kinoedu import (
     MovingWorld,
     Point,
     PolygonWorld,
+    Problem,
     RigidPolygon,
     TimedProblem,
     TranslatingPolygon,
     plan_in_time,
 )
+from kinoedu.collision import clearance_of, free_configurations, free_motions
 from kinoedu.collision import collision_intervals as departures
 from kinoedu.errors import (
     InvalidGoal,
@@ -369,6 +371,14 @@ def test_what_makes_no_sense_is_refused_by_name():
     ):
         with pytest.raises(error):
             call()
+    for timeless in (
+        lambda: Problem(Point(), hall, (4, 4), (9, 4)),
+        lambda: free_configurations(Point(), hall, [(4, 4)]),
+        lambda: free_motions(Point(), hall, [(4, 4)], [(9, 4)]),
+        lambda: clearance_of(Point(), hall, (4, 4)),
+    ):
+        with pytest.raises(InvalidWorld, match="give the world to TimedProblem"):
+            timeless()
     for error, start, goal in ((InvalidStart, (1, 1.5), (9, 4)), (InvalidGoal, (4, 4), (6, 1))):
         with pytest.raises(error, match="move it into the free space"):
             TimedProblem(Point(), hall, start, goal)

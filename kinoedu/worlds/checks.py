@@ -5,6 +5,7 @@ from typing import Protocol
 from ..errors import InvalidWorld
 from ..geometry.checks import Array
 from ..support.text import shortened
+from .moving import MovingWorldRecord
 
 
 class World(Protocol):
@@ -20,8 +21,16 @@ class World(Protocol):
 
 
 def check_world(world: object) -> None:
-    """Raise InvalidWorld for an argument without `lo` and `hi`, such as a list of vertices."""
+    """Raise InvalidWorld for what is no world, such as a list of vertices, or has moving obstacles.
+
+    A world of a reader's own is known by its `lo` and `hi`.
+    """
     if not (hasattr(world, "lo") and hasattr(world, "hi")):
         raise InvalidWorld(
             f"expected a world such as PolygonWorld(boundary, obstacles), got {shortened(world)}"
+        )
+    if isinstance(world, MovingWorldRecord):
+        raise InvalidWorld(
+            "in a MovingWorld a configuration is free at some times only; give the world to "
+            "TimedProblem, or its `still` here"
         )
