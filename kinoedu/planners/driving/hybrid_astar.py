@@ -73,7 +73,7 @@ def drive_by_cells(problem: CarProblem, growth: DrivenGrowth, lattice: Lattice) 
     return -1, expanded
 
 
-class Search(NamedTuple):
+class LatticeSearch(NamedTuple):
     """A search of one lattice, from the start or, where `backward`, from the goal.
 
     tree : the drives from that end. last : the node where the curve to the other end begins, or -1.
@@ -157,7 +157,7 @@ def hybrid_astar(
 
 def search_by_turns(
     problem: ProblemRecord | Recorder, lattices: list[Lattice], max_nodes: int
-) -> tuple[list[Search], TrajectoryRecord | None]:
+) -> tuple[list[LatticeSearch], TrajectoryRecord | None]:
     """Search from the start and from the goal, ever finer, until a free drive is found.
 
     It is the turn of the end whose last search had the fewest nodes: there it is tight, and a finer
@@ -167,7 +167,7 @@ def search_by_turns(
     -------
     The searches in order, and the drive from the start to the goal, or None.
     """
-    searches, drive = list[Search](), None
+    searches, drive = list[LatticeSearch](), None
     both_ways = unwrap_recorder(problem).robot.both_ways
     turns = [(0, 0, False), (0, 0, True)] if both_ways else [(0, 0, False)]
     while drive is None and turns:
@@ -182,7 +182,7 @@ def search_by_turns(
 
 def search_lattice(
     problem: ProblemRecord | Recorder, lattice: Lattice, backward: bool, max_nodes: int
-) -> Search:
+) -> LatticeSearch:
     """Search one lattice; `backward` from the goal."""
     inner = unwrap_recorder(problem)
     if backward:
@@ -191,10 +191,10 @@ def search_lattice(
     last, expanded = drive_by_cells(record_as(problem, inner), growth, lattice)
     tree = copy_tree(growth)
     full = len(tree.nodes) > max_nodes
-    return Search(backward, lattice, tree, int(last), int(expanded), full)
+    return LatticeSearch(backward, lattice, tree, int(last), int(expanded), full)
 
 
-def drive_along(problem: ProblemRecord, search: Search) -> TrajectoryRecord | None:
+def drive_along(problem: ProblemRecord, search: LatticeSearch) -> TrajectoryRecord | None:
     """The drive that a search found, from the start to the goal; None where there is none.
 
     It is checked as it is driven, since a drive turned round is rounded otherwise.

@@ -23,7 +23,7 @@ from ...support.constructors import with_type_names
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..problem_input import count_checks
 from ..roadmaps.connecting import KClosest, Rule, connect_nodes
-from ..roadmaps.search import Search, dijkstra_path, plan_on_roadmap
+from ..roadmaps.search import GraphSearch, dijkstra_path, plan_on_roadmap
 from ..tuning import integer
 
 
@@ -100,7 +100,7 @@ def plan_by_cells_with_headings(
     *,
     headings: int = 1,
     neighbours: Rule | None = None,
-    search: Search = dijkstra_path,
+    search: GraphSearch = dijkstra_path,
 ) -> Plan:
     """The path that a graph search finds in the roadmap of `cells_with_headings`.
 

@@ -17,7 +17,7 @@ from ..problem_input import as_problem, count_checks
 from .multi_query import motion_costs
 from .prm import explain_no_path
 
-Search = Callable[[Graph, int, int], NDArray[np.int64] | None]
+GraphSearch = Callable[[Graph, int, int], NDArray[np.int64] | None]
 
 
 def dijkstra_path(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | None:
@@ -32,7 +32,7 @@ def dijkstra_path(graph: Graph, start: int, goal: int) -> NDArray[np.int64] | No
 
 
 def plan_on_roadmap(
-    problem: ProblemLike, roadmap: RoadmapLike, search: Search = dijkstra_path
+    problem: ProblemLike, roadmap: RoadmapLike, search: GraphSearch = dijkstra_path
 ) -> Plan:
     """The path that a graph search finds in a roadmap whose nodes 0 and 1 are start and goal.
 

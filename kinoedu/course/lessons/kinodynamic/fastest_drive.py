@@ -10,7 +10,7 @@ from .... import graphs
 from ....geometry.checks import Array
 from ....planners import dijkstra_path
 from ....planners.driving.kinodynamic_prm import find_shortest_drive
-from ....planners.roadmaps.search import Search
+from ....planners.roadmaps.search import GraphSearch
 from ...exercise import RIGHT, Axes, Case, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Maybe, Numbers, Record, Value
@@ -37,7 +37,7 @@ def make_search(
     weights: Callable[[Array, Array], Array],
     *,
     directed: bool = True,
-    search: Search = dijkstra_path,
+    search: GraphSearch = dijkstra_path,
 ) -> Callable[..., NodePath]:
     """Return a program like `find_fastest` that differs from it in one part.
 
