@@ -12,7 +12,7 @@ from kinoedu.c_space import translating_obstacles
 from kinoedu.errors import KinoeduError
 from kinoedu.files import poses_along
 from kinoedu.robots import why_unreachable
-from kinoedu.worlds import inflated, landscape, movers_at, scenario_world, scenarios
+from kinoedu.worlds import inflated, landscape, movers_at
 
 ROOM = [(0, 0), (10, 0), (10, 10), (0, 10)]
 SQUARE = [(1, 1), (2, 1), (2, 2), (1, 2)]
@@ -102,13 +102,10 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "a plan in a sensor's map": lambda x: ke.receding_horizon(TASK, planner=lambda *_: x, rng=0),
     "an arm that does not reach": lambda x: why_unreachable(x, (9, 9)),
     "a world to inflate": lambda x: inflated(x, 0.1),
-    "a world of scenarios": lambda x: scenarios(x, 3, rng=0),
-    "a world of one scenario": lambda x: scenario_world(x, []),
     "movers at a time": lambda x: movers_at(x, 1.0),
     "a landscape": lambda x: landscape(x, 0),
     "how far ahead": lambda x: ke.Car(3, 1, 2).ahead((0, 0, 0), [] if x == 5 else x),
     "obstacles to grow": lambda x: translating_obstacles(SQUARE, x or None),
-    "a world of a clearance": lambda x: ke.clearance_of(TASK.robot, x, (5, 5)),
     "a scene to write": lambda x: ke.write_scene(x, "never.json"),
     "a plan to write": lambda x: ke.write_plan(x, "never.json"),
     "a board": ke.board,

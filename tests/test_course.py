@@ -9,6 +9,7 @@ import shutil
 import sys
 import threading
 import tomllib
+from fractions import Fraction
 from html import escape
 from pathlib import Path
 
@@ -799,6 +800,25 @@ def test_what_is_no_number_is_named(value, came):
     with pytest.raises(WrongShape) as caught:
         Numbers((2,)).encode(value)
     assert str(caught.value) == f"expected an array of numbers of shape (2,), {came}"
+
+
+def test_exact_numbers_are_numbers():
+    """A fraction, and an integer that no array of integers holds, become the nearest float."""
+    from kinoedu.course.plain import WrongShape
+    from kinoedu.course.shapes import Number, Numbers
+
+    assert Number().encode(Fraction(1, 3)) == 1 / 3 and Number().encode(10**20) == 1e20
+    assert Numbers(("n", 2)).encode([(Fraction(1, 4), 1), (0.5, 10**20)]) == [
+        [0.25, 1],
+        [0.5, 1e20],
+    ]
+
+    class Own(Fraction):
+        """Would run code of its own where it is converted."""
+
+    for value in (Own(1, 3), Fraction(10**400)):
+        with pytest.raises(WrongShape):
+            Number().encode(value)
 
 
 def test_outcomes_that_are_none_are_refused():

@@ -1,6 +1,7 @@
 """Copies untrusted values into plain numbers, or rejects them with a message."""
 
 import math
+from fractions import Fraction
 from typing import Any, Protocol
 
 import numpy as np
@@ -8,6 +9,8 @@ import numpy as np
 from ..messages import get_message
 from ..support.json_fields import Json
 from .exceptions import class_name
+
+EXACT = (int, float, Fraction)  # of Python's numbers, those that an array of objects may hold
 
 
 class WrongShape(Exception):
@@ -22,7 +25,7 @@ class Describable(Protocol):
 
 
 def as_array(value: object, dimensions: tuple[int | str, ...], wanted: Describable) -> np.ndarray:
-    """Copy a value into a float64 array of the wanted dimensions.
+    """Copy a value into a float64 array of the wanted dimensions; fractions are rounded.
 
     Raises
     ------
@@ -42,9 +45,12 @@ def as_array(value: object, dimensions: tuple[int | str, ...], wanted: Describab
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if not fits(array.shape, dimensions):
         raise wrong_shape(wanted.description, value)
-    if array.dtype.kind not in "iuf":
+    if array.dtype.kind not in "iuf" and not all(type(item) in EXACT for item in array.flat):
         raise no_numbers(wanted.description, value, array)
-    return array.astype(float)
+    try:
+        return array.astype(float)
+    except Exception:  # too large
+        raise wrong_shape(wanted.description, value) from None
 
 
 def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:

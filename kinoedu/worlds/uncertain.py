@@ -220,12 +220,6 @@ def scenario_world(world: UncertainWorldRecord, offsets: ArrayLike) -> PolygonWo
     return PolygonWorld(ring_of(world.empty), solids)
 
 
-def check_uncertain(world: object) -> None:
-    """Raise InvalidParameter for another world."""
-    if not isinstance(world, UncertainWorldRecord):
-        raise InvalidParameter(f"the world must be an UncertainWorld, got {shortened(world)}")
-
-
 def ring_of(world: PolygonWorldRecord) -> Array:
     """The boundary of a world without obstacles, as it was given."""
     return world.edges[::-1, :2].copy()
