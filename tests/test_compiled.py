@@ -925,6 +925,28 @@ def test_what_cannot_be_compiled_stays_interpreted(tmp_path: Path, monkeypatch) 
         assert not list(taken.iterdir())
 
 
+@needs_compiler
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), MemoryError, SystemExit])
+def test_what_stops_a_worker_from_outside_refuses_no_request(tmp_path, monkeypatch, error) -> None:
+    """After a full disk, little memory or Ctrl-C, however often, a function is still compiled."""
+    from kinoedu.compiled import compiler, worker
+
+    def stop(function, kinds):
+        raise error
+
+    monkeypatch.setattr(store, "user_cache", lambda: tmp_path)
+    monkeypatch.setattr(compiler, "compile_entry", stop)
+    place = store.folder.__wrapped__()
+    queue, taken = place / store.AWAITED, place / "taken-7"
+    request = Request("kinoedu.geometry.exact", "orientation_sign", ("f8",) * 6)
+    store.write_request(queue, request)
+    for _ in range(2 * worker.ATTEMPTS):
+        worker.retry_unfinished(queue, taken)
+        with pytest.raises((OSError, MemoryError, SystemExit)):
+            worker.compile_request(queue, worker.take_request(queue, taken))
+        assert requests.is_pending(place, request)
+
+
 def test_only_known_modes_are_accepted() -> None:
     """Other modes are refused; a block restores the mode, also when it fails."""
     before = modes.mode

@@ -135,8 +135,9 @@ def compile_request(queue: Path, file: Path) -> None:
         result = compile_entry(find_function(request.module, request.function), request.kinds)
         with written_whole(queue.parent / f"{request.name}.code") as part:
             part.write_bytes(to_bytes(result))
-    except (OSError, SystemExit):
-        write_request(queue, request)
+    except (OSError, MemoryError, SystemExit):  # a full disk, say: it was not the request's fault
+        file.touch()  # the others come first
+        file.replace(queue / file.name)
         raise
     except Exception as error:
         write_refusal(queue.parent, request, f"{type(error).__name__}: {error}")
