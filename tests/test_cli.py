@@ -13,6 +13,7 @@ from PIL import Image
 
 import kinoedu as ke
 from kinoedu.cli import main
+from kinoedu.compiled import store
 from kinoedu.support.whole_files import written_whole
 
 GRID = Path(__file__).parent / "data" / "grid"
@@ -335,6 +336,18 @@ def test_warm_names_what_could_not_be_compiled(monkeypatch, capsys):
     monkeypatch.setattr("kinoedu.warm.warm_up", lambda: ["kinoedu.planners.trees.rrt.grow"])
     assert main(["warm"]) == 1
     assert "rrt.grow could not be compiled" in capsys.readouterr().err
+
+
+def test_warm_says_that_nothing_can_be_stored(monkeypatch, capsys, tmp_path):
+    """As where an administrator misspells the folder, or the disk is read-only."""
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("KINOEDU_CACHE", str(tmp_path / "file" / "cache"))
+    store.folder.cache_clear()
+    try:
+        assert main(["warm"]) == 1
+    finally:
+        store.folder.cache_clear()
+    assert "KINOEDU_CACHE" in capsys.readouterr().err
 
 
 def test_a_planner_that_ends_python_is_an_error(tmp_path, capsys):

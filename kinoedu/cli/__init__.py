@@ -135,12 +135,19 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def run_warm(arguments: argparse.Namespace) -> int:
-    """Compile ahead of use; an error is what numba cannot compile, which stays interpreted."""
+    """Compile ahead of use; an error is what could not be compiled, which stays interpreted."""
     from ..compiled.store import folder
     from ..warm import warm_all, warm_behind, warm_up
 
+    if folder() is None:
+        print(
+            "kinoedu: nothing was compiled: no folder for machine code can be written "
+            "(KINOEDU_CACHE names another), or files of kinoedu have a date in the future",
+            file=sys.stderr,
+        )
+        return 1
     warm = warm_behind if arguments.behind else warm_all if arguments.all else warm_up
     interpreted = warm()
     for name in interpreted:
-        print(f"{name} could not be compiled: see *.refused in {folder()}", file=sys.stderr)
+        print(f"{name} could not be compiled: see log and *.refused in {folder()}", file=sys.stderr)
     return 1 if interpreted else 0
