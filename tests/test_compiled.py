@@ -674,11 +674,13 @@ def test_machine_code_of_one_process_is_used_by_the_next(
 ) -> None:
     """Compiled once in a separate process, then loaded by others, also by a copy of the sources.
 
-    A process with little to do does not load it.
+    The copy was unpacked in another time zone, so that its dates are in the future. A process with
+    little to do does not load it.
     """
     cache = compiled_once
     copy = tmp_path / "elsewhere" / "kinoedu"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    os.utime(copy / "geometry" / "exact.py", (time.time() + 5 * 3600.0,) * 2)
     for place in (PACKAGE.parent, copy.parent):
         assert orient(cache=cache, code=PATIENT, path=str(place))[:3] == [1, True, False]
     assert orient(cache=cache)[:3] == [1, False, False]

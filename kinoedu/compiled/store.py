@@ -49,6 +49,7 @@ UPPER_ROOMS = (
 AWAITED, WANTED = "awaited", "wanted"  # the queues of requests; those of the second give way
 VERSION = re.compile(r"[0-9a-f]{16}(-[0-9a-f]{8})?")  # the name of a folder of machine code
 STALE = 30 * 24 * 3600.0  # seconds after which the machine code of other versions is removed
+SKEW = 60.0  # seconds by which a disk's clock may be ahead of this computer's
 IMPORTED = time.time()  # sources changed later than this do not run in this process
 
 
@@ -114,8 +115,12 @@ def source_digest(package: Path, without: Collection[str] = ()) -> str:
 
 
 def changed_since(when: float) -> bool:
-    """Whether a source file was changed later, so that it differs from what this process runs."""
-    return any(file.stat().st_mtime > when for file in sources(PACKAGE, UPPER_ROOMS))
+    """Whether a source file was changed later, so that it differs from what this process runs.
+
+    A date in the future, as of files that were unpacked in another time zone, tells of no change.
+    """
+    now = time.time() + SKEW
+    return any(when < file.stat().st_mtime < now for file in sources(PACKAGE, UPPER_ROOMS))
 
 
 def machine_digest() -> str:
