@@ -142,7 +142,7 @@ def run_warm(arguments: argparse.Namespace) -> int:
     if folder() is None:
         print(
             "kinoedu: nothing was compiled: no folder for machine code can be written "
-            "(KINOEDU_CACHE names another), or files of kinoedu have a date in the future",
+            "(KINOEDU_CACHE names another)",
             file=sys.stderr,
         )
         return 1
