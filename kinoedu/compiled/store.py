@@ -119,8 +119,8 @@ def changed_since(when: float) -> bool:
 
     A date in the future, as of files that were unpacked in another time zone, tells of no change.
     """
-    now = time.time() + SKEW
-    return any(when < file.stat().st_mtime < now for file in sources(PACKAGE, UPPER_ROOMS))
+    latest = time.time() + SKEW
+    return any(when < file.stat().st_mtime < latest for file in sources(PACKAGE, UPPER_ROOMS))
 
 
 def machine_digest() -> str:

@@ -39,7 +39,7 @@ def revisit(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) ->
 
 
 def walk(problem: PlanningProblem, nodes: Array, rng: np.random.Generator) -> tuple[int, Array]:
-    """Expand a random node by one unit along an axis, up to walls of whole coordinates."""
+    """Expand a random node by one unit along an axis: it may touch a wall at a whole number."""
     node = int(rng.integers(len(nodes)))
     q = nodes[node].copy()
     q[int(rng.integers(len(q)))] += rng.choice((-1.0, 1.0))

@@ -106,12 +106,8 @@ class PointLineDistance(LineExercise, DistanceExercise):
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Compare a distance with the true one; a nearly right one breaks a rule of its own."""
         verdict, truth = super().value_verdict(case, value), self.truth(case)
-        is_near = 0 < abs(value - truth) <= NEARLY * (1.0 + truth)
-        return (
-            verdict._replace(rule="digits")
-            if not verdict.is_right and value and is_near
-            else verdict
-        )
+        is_near = value != 0.0 and abs(value - truth) <= NEARLY * (1.0 + truth)
+        return verdict if verdict.is_right or not is_near else verdict._replace(rule="digits")
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the line, the point, and a circle around it for each of the two distances."""
