@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageColor
 from test_board import WALL, Page, walled
 from test_planning_boards import shown
 
@@ -16,11 +16,13 @@ import kinoedu as ke
 from kinoedu.boards import board, code_board
 from kinoedu.boards.code.searches import draw_search_state
 from kinoedu.boards.core.drawing import dots, encode_drawing
+from kinoedu.boards.core.scene import move_parts
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.lit import CODE
 from kinoedu.boards.tracing.moments import rows_over_time
 from kinoedu.boards.tracing.variables import Variable, format_short, note_variables
 from kinoedu.errors import InvalidParameter
+from kinoedu.figures import palette
 from kinoedu.geometry.segments import closest_on_segment
 from kinoedu.support.line_trace import RAISED, RETURNED, LineTrace
 
@@ -191,6 +193,21 @@ def test_polygons_lists_of_them_and_other_arguments():
     assert names == ["polygon", "obstacles 0", "obstacles 1"] and not made.scene["handles"]
     made.refresh()
     assert made.drawing.text == "work returns (4, [2])"
+
+
+@pytest.mark.parametrize(("areas", "colour"), [([], palette.OBSTACLE), (["ring"], palette.SHAPE)])
+def test_a_polygon_that_is_no_obstacle_is_pale(areas, colour):
+    """In the picture, and for the page that draws it; it stays so where it is dragged."""
+
+    def count_corners(ring):
+        return len(ring)
+
+    made = code_board(count_corners, np.array([(0, 0), (9, 0), (9, 9), (0, 9.0)]), areas=areas)
+    (ring,) = made.scene["polygons"]
+    (moved,) = move_parts(made.scene, [("polygon", 0, ring["rings"])])["polygons"]
+    assert palette.NAMED[moved.get("colour", "obstacle")] == colour
+    picture = Image.open(io.BytesIO(made.picture())).convert("RGB")
+    assert picture.getpixel((picture.width // 4, picture.height // 2)) == ImageColor.getrgb(colour)
 
 
 def extend(problem, nodes, q_rand, step):

@@ -5,12 +5,19 @@ import pytest
 import shapely
 from matplotlib import pyplot as plt
 
-from kinoedu import Disk, Point, PolygonWorld, Problem, Terrain
+from kinoedu import Disk, Graph, Point, PolygonWorld, Problem, Terrain
+from kinoedu.boards import search_board
 from kinoedu.boards.core.drawing import Drawing, arrows, edges, path_edges
-from kinoedu.boards.core.printed import print_layer
+from kinoedu.boards.core.printed import draw_board, print_layer
 from kinoedu.figures import draw_moment, draw_plan, draw_problem
 from kinoedu.figures.arms import name_region
-from kinoedu.figures.names import move_names_off, move_names_off_points, spread, write_name
+from kinoedu.figures.names import (
+    move_names_off,
+    move_names_off_points,
+    spread,
+    write_beside_names,
+    write_name,
+)
 from kinoedu.figures.plane import inward
 from kinoedu.problems import Plan
 from kinoedu.problems.in_time import TimedProblem
@@ -132,6 +139,24 @@ def test_names_on_boards_keep_off_arrows(ax):
     layer = arrows([(10, 6), (10, 6)], [(4, 3), (-4, 3)], "tree")
     move_names_off_points(print_layer(layer, ax, Drawing([])), ax)
     assert sides(ax)["p"] == (1, -1)
+
+
+def test_a_second_name_of_a_place_is_on_another_side(ax):
+    """The first is not moved for it."""
+    for write, name in ((write_name, "p"), (write_beside_names, "3.5"), (write_beside_names, "x")):
+        side = ((1, 1),) if write is write_name else ()
+        write((10, 6), name, "black", *side, ax)
+    assert sides(ax) == {"p": (1, 1), "3.5": (1, -1), "x": (-1, 1)}
+
+
+def test_the_name_of_a_start_in_a_corner_of_a_graph_is_off_its_edges():
+    """Left of it, where the board has room: places are those of the picture that is stored."""
+    nodes = [(0, 2), (2, 4), (2, 2.2), (2, 0), (10, 2)]
+    graph = Graph(nodes=nodes, edges=[(0, 1), (0, 2), (0, 3), (3, 4)])
+    made = search_board(graph, search="bfs", start=0, goal=4).canvas
+    made.refresh()
+    (ax,) = draw_board(made.scene, made.drawing).axes
+    assert sides(ax)["start"][0] == -1
 
 
 @pytest.mark.parametrize("step", [1, -1])

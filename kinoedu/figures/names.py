@@ -71,6 +71,18 @@ def write_name(q: ArrayLike, name: str, colour: str, side: Side, ax: Axes) -> An
     return text
 
 
+def write_beside_names(q: ArrayLike, name: str, colour: str, ax: Axes) -> Annotation:
+    """Write a name on the first side of a place (x, y) where no name is."""
+    written = [one for one in ax.texts if isinstance(one, Annotation) and one.get_gid() == NAME]
+    text = write_name(q, name, colour, (1, 1), ax)
+    others = [box_of(one, one.xyann, ax) for one in written]
+    for side in sides_of(text):
+        if not covers(box_of(text, offset_on(side), ax), NOWHERE, others):
+            put(text, side)
+            break
+    return text
+
+
 def without_formulas(text: str) -> str:
     """A text in which dollar signs are written: two of them would enclose a formula."""
     return text.replace("$", r"\$")

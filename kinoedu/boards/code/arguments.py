@@ -22,7 +22,7 @@ from ...robots.polygon import RigidPolygonRobot
 from ...support.json_fields import JsonObject
 from ...worlds.terrain import TerrainRecord
 from ..core.drawing import Layer, arrows, bodies, edges
-from ..core.scene import Scene, handle, make_scene, mark_drawn, place_of, polygon
+from ..core.scene import Scene, handle, make_scene, mark_area, mark_drawn, place_of, polygon
 from ..planning.plans import make_problem_scene, make_world_scene, problem_in, world_in
 from ..search.ground import place_nodes
 from ..tracing.questions import FirstQuestions
@@ -93,7 +93,7 @@ class PointArgument(Argument):
 
 
 class RingsArgument(Argument):
-    """A polygon, or a list of them."""
+    """A polygon, or a list of them: obstacles."""
 
     def list_parts(self, colour: str) -> Parts:
         """A polygon for each."""
@@ -112,6 +112,14 @@ class RingsArgument(Argument):
     def points(self) -> Array:
         """All vertices."""
         return np.concatenate([*self.rings().values()])
+
+
+class AreaArgument(RingsArgument):
+    """A polygon, or a list of them, that are no obstacles."""
+
+    def list_parts(self, colour: str) -> Parts:
+        """A pale polygon for each."""
+        return {"polygons": [mark_area(one) for one in super().list_parts(colour)["polygons"]]}
 
 
 class PoseArgument(Argument):
@@ -252,13 +260,16 @@ class ProblemArgument(Argument):
         return np.array([self.given.world.lo, self.given.world.hi])
 
 
-def make_arguments(given: Mapping[str, Any], fixed: Collection[str]) -> list[Argument]:
+def make_arguments(
+    given: Mapping[str, Any], fixed: Collection[str], areas: Collection[str]
+) -> list[Argument]:
     """The arguments of a function, by the names of their parameters.
 
     fixed : the names of those that cannot be dragged.
+    areas : the names of polygons that are no obstacles.
     """
     robot = find_robot(given.values())
-    made = [make_argument(name, value, robot, fixed) for name, value in given.items()]
+    made = [make_argument(name, value, robot, fixed, areas) for name, value in given.items()]
     own = {part for one in made if isinstance(one, RingsArgument) for part in one.rings()}
     for one in made:
         if isinstance(one, ProblemArgument):
@@ -267,7 +278,11 @@ def make_arguments(given: Mapping[str, Any], fixed: Collection[str]) -> list[Arg
 
 
 def make_argument(
-    name: str, value: Any, robot: Outlined | None, fixed: Collection[str]
+    name: str,
+    value: Any,
+    robot: Outlined | None,
+    fixed: Collection[str],
+    areas: Collection[str],
 ) -> Argument:
     """The argument of one parameter."""
     if isinstance(value, ProblemRecord):
@@ -282,7 +297,9 @@ def make_argument(
         return PoseArgument(name, value, robot)
     if isinstance(value, Graph) and value.space is not None and value.nodes.shape[1] == PLANE:
         return GraphArgument(name, value)
-    return RingsArgument(name, value) if name_rings(name, value) else Fixed(name, value)
+    if not name_rings(name, value):
+        return Fixed(name, value)
+    return AreaArgument(name, value) if name in areas else RingsArgument(name, value)
 
 
 def find_robot(values: Collection[Any]) -> Outlined | None:

@@ -38,6 +38,7 @@ def code_board(
     circles: Mapping[str, str] | None = None,
     draw: Draw | None = None,
     fixed: Iterable[str] = (),
+    areas: Iterable[str] = (),
     window: tuple[ArrayLike, ArrayLike] | None = None,
     first: int | None = None,
     most: int = 1000,
@@ -66,6 +67,7 @@ def code_board(
         such as `{"q": "distance"}`.
     draw : a function of a dict of the variables, that returns layers for the moment after a line.
     fixed : the names of parameters that cannot be dragged.
+    areas : the names of parameters that are polygons and no obstacles.
     window : the corners of the part of the plane that is shown.
     first : the number of lines that have run when the board opens. Default: all.
     most : the number of lines that are shown; a longer run is shown up to there.
@@ -97,7 +99,7 @@ def code_board(
         None if first is None else integer(first, "first", least=0),
         integer(most, "most", least=1),
     )
-    run = Steerable(function, given, frozenset(fixed), look)
+    run = Steerable(function, given, frozenset(fixed), frozenset(areas), look)
     return Canvas(run.make_scene(window), run.answer, free=run.free)
 
 
@@ -109,11 +111,12 @@ class Steerable:
         function: Callable[..., object],
         given: Sequence[Any],
         fixed: frozenset[str],
+        areas: frozenset[str],
         look: Look,
     ) -> None:
         self.function = getattr(function, "py_func", function)
         named = bind(self.function, given)
-        self.arguments = make_arguments(named, fixed)
+        self.arguments = make_arguments(named, fixed, areas)
         self.look = replace(look, robot=find_robot(named.values()))
         CodeRun(self.function, self.look)  # raises where there is no source, or a wrong expression
 

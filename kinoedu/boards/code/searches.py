@@ -44,6 +44,5 @@ def draw_search_state(variables: dict[str, Any]) -> list[Layer]:
         )
         if len(these)
     ]
-    below = nodes[seen] - (0.0, 0.15 * float(np.ptp(nodes[:, 1])))
-    layers.append(labels(below, [f"{cost[k]:.1f}" for k in seen], "ink"))
+    layers.append(labels(nodes[seen], [f"{cost[k]:.1f}" for k in seen], "ink"))
     return layers

@@ -110,6 +110,7 @@ function placesOf(scene) {
   ));
 }
 
+const solidOnes = ({ polygons }) => polygons.filter(({ colour }) => !colour);  // obstacles
 const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 const distanceOnPage = (a, b) => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
 
@@ -1021,8 +1022,9 @@ class View {
   light(target) {                        // what a word names: <b class="ke-goal">goal</b>
     const name = target?.closest?.(NAMING)?.classList[0].slice(3).replaceAll("-", "_") ?? null;
     const { drawing, scene } = this.board;
-    const there = [...drawing.layers, ...scene.handles].some(({ colour }) => colour === name);
-    const solids = name === "obstacle" && scene.polygons.length + scene.discs.length > 0;
+    const coloured = [...drawing.layers, ...scene.handles, ...scene.polygons];
+    const there = coloured.some(({ colour }) => colour === name);
+    const solids = name === "obstacle" && solidOnes(scene).length + scene.discs.length > 0;
     const word = there || solids ? name : null;
     if (word === this.word) return;
     this.word = word;
@@ -1103,8 +1105,13 @@ class View {
   paintSolids() {
     const { pen } = this, { scene, palette } = this.board;
     const polygons = scene.polygons.filter((polygon) => !polygon.drawn);
+    for (const { rings, colour } of polygons) {
+      this.trace(rings);
+      pen.fillStyle = palette[colour ?? "obstacle"];
+      pen.fill("evenodd");
+      if (colour) pen.stroke();
+    }
     pen.fillStyle = palette.obstacle;
-    for (const polygon of polygons) { this.trace(polygon.rings); pen.fill("evenodd"); }
     for (const { at, radius } of scene.discs) {
       pen.beginPath();
       pen.arc(...this.toPixels(at), radius * this.scale, 0, 7);
@@ -1618,10 +1625,10 @@ class Pointer {
 
   // What a motion meets first: the browser has the obstacles, so no reason is sent.
   reason(a, b, words) {
-    const { scene } = this.view.board, { scale } = this.view, { polygons, discs, boundary } = scene;
+    const { scene } = this.view.board, { scale } = this.view, { discs, boundary } = scene;
     const wide = Math.max(0, ...scene.handles.map(({ radius }) => radius ?? 0)) * scale;
     const pixels = (ring) => ring.map((p) => this.view.toPixels(p));
-    const solids = polygons.map(({ name, rings }) => ({ name, rings: rings.map(pixels) }));
+    const solids = solidOnes(scene).map(({ name, rings }) => ({ name, rings: rings.map(pixels) }));
     const touches = (p, rings) => inside(...p, rings) || rings.some((ring) => ring.some((q, k) => (
       distanceToSegment(p, q, ring[(k + 1) % ring.length]) <= Math.max(wide, 1))));
     for (let k = 0; k <= ALONG; k += 1) {

@@ -22,6 +22,7 @@ from ...figures.names import (
     roomy_side,
     spread,
     without_formulas,
+    write_beside_names,
     write_name,
 )
 from ...figures.style import Levels, as_png, use_colours
@@ -44,6 +45,11 @@ FEWER = ((1.0, 0.5), (1.0,))  # the same for pictures with too many bytes
 
 def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> bytes:
     """A board's scene and the drawing that answers it, as a PNG; `free` is the bitmap beneath."""
+    return save_with_few_colours(draw_board(scene, drawing, free))
+
+
+def draw_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> Figure:
+    """The figure of a board."""
     (x0, y0), (x1, y1) = scene["lo"], scene["hi"]
     size, margin = max(x1 - x0, y1 - y0), 0.01 * max(x1 - x0, y1 - y0)
     width, height = max(6.0 * (x1 - x0) / size, 2.2) + 1.0, max(6.0 * (y1 - y0) / size, 2.2) + 1.0
@@ -55,14 +61,14 @@ def print_board(scene: Scene, drawing: Drawing, free: Bitmap | None = None) -> b
     print_handles(scene, ax)
     passed = [print_layer(layer, ax, drawing) for layer in drawing.layers]
     ways = [rows for rows, layer in zip(passed, drawing.layers) if layer.colour == "path"]
+    figure.draw_without_rendering()  # the layout settles only when a figure is drawn
     move_names_off_points(join_rows(passed), ax, join_rows(ways))
     for x, y, width in (layer.rows[-1] for layer in drawing.layers if layer.kind == "eye"):
         half_x, half_y = 0.5 * width * (x1 - x0) / size, 0.5 * width * (y1 - y0) / size
         ax.set(xlim=(x - half_x, x + half_x), ylim=(y - half_y, y + half_y))
     if not scene.get("ticks", True):
         ax.set_axis_off()
-    figure.draw_without_rendering()  # the layout settles only when a figure is drawn again
-    return save_with_few_colours(figure)
+    return figure
 
 
 def make_page(
@@ -170,7 +176,8 @@ def print_world(scene: Scene, free: Bitmap | None, ax: Axes) -> None:
         rings = [
             orient_ring(np.array(ring), inner=k > 0) for k, ring in enumerate(polygon["rings"])
         ]
-        ax.add_patch(PathPatch(compound(rings), **solid))
+        inside = palette.NAMED[polygon.get("colour", "obstacle")]
+        ax.add_patch(PathPatch(compound(rings), **{**solid, "facecolor": inside}))
     for disc in scene["discs"]:
         ax.add_patch(Circle(disc["at"], disc["radius"], facecolor=palette.OBSTACLE))
 
@@ -281,7 +288,7 @@ def print_arrows(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
 def print_labels(layer: Layer, rows: Array, colour: str, ax: Axes) -> None:
     """Draw texts beside their points."""
     for point, text in zip(rows, layer.texts, strict=True):
-        write_name(point, text, colour, (1, 1), ax).set(fontweight="normal")
+        write_beside_names(point, text, colour, ax).set(fontweight="normal")
 
 
 PRINTERS = {

@@ -15,6 +15,7 @@ driven      a handle with this key is moved only by the answer, while arrow keys
 posed       the handles are pairs of a place and its tip, the point that it looks at. A press on the
             ground moves the second place there, with Shift the first, and its tip is dragged. Left
             out, all handles are places
+colour      of a handle; of a polygon that is no obstacle
 drawn       an item with this key is painted only by the answer, which may move it: see
             `Drawing.places`
 size        rows and columns of the bitmap beneath, or None
@@ -135,6 +136,11 @@ def disc(name: str, at: ArrayLike, radius: float, *, movable: bool = True) -> Js
 def mark_drawn(item: JsonObject) -> JsonObject:
     """A handle or polygon that is dragged, but painted by the answer, which may move it."""
     return {**item, "drawn": True}
+
+
+def mark_area(item: JsonObject) -> JsonObject:
+    """A polygon that is no obstacle: pale, with a rim."""
+    return {**item, "colour": "shape"}
 
 
 def mark_driven(item: JsonObject) -> JsonObject:

@@ -90,7 +90,7 @@ def make_small_ground(
     check_size(len(graph))
     places = graph.nodes[list(graph)]
     lo, hi = box or (places.min(axis=0), places.max(axis=0))
-    margin = 0.0 if box else 0.12 * float((hi - lo).max()) or 1.0
+    margin = 0.0 if box else 0.16 * float((hi - lo).max()) or 1.0
     handles = [
         handle(get_message("search_board.start"), as_point(ends[0], "start"), colour="start"),
         handle(
