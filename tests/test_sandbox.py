@@ -239,6 +239,21 @@ def test_generators_pass_with_their_states():
         assert wire.generator_of(state).random() == here.random()
 
 
+@pytest.mark.parametrize(
+    ("bits", "where", "most"), [("MT19937", "pos", 624), ("Philox", "buffer_pos", 4)]
+)
+def test_a_state_that_reads_memory_beyond_its_numbers_is_no_state(bits, where, most):
+    """By such a state a program had read the runner's memory, number by number."""
+    for used, is_state in ((0, True), (most, True), (most + 1, False), (-1, False), (2.0, False)):
+        state = wire.encode_state(getattr(np.random, bits)(3).state)
+        (state if where in state else state["state"])[where] = used
+        if is_state:
+            wire.generator_of(state).random(2000)
+            continue
+        with pytest.raises(wire.Unfit, match="state of a generator"):
+            wire.generator_of(state)
+
+
 def test_a_state_that_is_deeper_than_any_is_no_state():
     state: object = 1
     for _ in range(5000):

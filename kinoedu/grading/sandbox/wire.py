@@ -20,6 +20,8 @@ TEXT = (str, bytes, bytearray, memoryview)  # sequences that are not lists of va
 MOST_BITS = 4000  # of an integer
 MOST_DEEP = 40  # lists within lists
 DEEPEST = 2 * MOST_DEEP + 10  # lists within lists as JSON, where a dict is two lists
+# how many numbers of its block a generator may have used; numpy reads on behind the block
+MOST_USED = {"MT19937": 624, "Philox": 4}
 
 
 class Unfit(ValueError):
@@ -150,9 +152,18 @@ def generator_of(state: Any) -> np.random.Generator:
 def set_state(generator: np.random.Generator, state: Any) -> None:
     """Give a generator a state. Raises Unfit."""
     try:
+        check_used(state)
         generator.bit_generator.state = restore_arrays(state)
-    except (TypeError, ValueError, KeyError, OverflowError, RecursionError) as error:
+    except (TypeError, ValueError, LookupError, OverflowError, RecursionError) as error:
         raise Unfit("not the state of a generator") from error
+
+
+def check_used(state: Any) -> None:
+    """Raise Unfit where a generator of this state would read memory that is not its own."""
+    kind = state["bit_generator"]
+    used = {"MT19937": state["state"].get("pos"), "Philox": state.get("buffer_pos")}.get(kind, 0)
+    if type(used) is not int or not 0 <= used <= MOST_USED.get(kind, 0):
+        raise Unfit("not the state of a generator")
 
 
 def restore_arrays(state: Any) -> Any:
