@@ -418,6 +418,30 @@ LINKS = """[a](javascript:alert(1)) [b][1] ![c](http://evil/x.png) $\\href{javas
 """
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"$\\href{javascript:alert(1)}{x}$",
+        r"\\\\(\\\\href{javascript:alert(1)}{x}\\\\)",
+        "&#36;&#92;href{javascript:alert(1)}{x}&#36;",
+        "&dollar;&bsol;href{javascript:alert(1)}{x}&dollar;",
+        r"$\style{position: fixed}{x}$",
+    ],
+)
+def test_no_formula_makes_a_link_however_it_is_written(text):
+    """MathJax reads the text of the page, in which a browser has resolved every other spelling."""
+    pytest.importorskip("nbgrader")
+    import html
+
+    import nbformat
+    from nbconvert import HTMLExporter
+
+    cell = {"cell_type": "markdown", "metadata": {}, "source": text}
+    book = nbformat.from_dict(nbgrader_course.clean_notebook({"nbformat": 4, "cells": [cell]}, {}))
+    page = html.unescape(HTMLExporter(template_name="classic").from_notebook_node(book)[0])
+    assert not re.search(r"\\(href|style)\{", page.partition("<body")[2])
+
+
 def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     """The gradebook holds the judge's scores, and answers in prose wait there.
 

@@ -36,7 +36,9 @@ c.CourseDirectory.root = os.path.dirname(os.path.abspath(__file__))
 SHOWN = ("text/plain", "image/png", "image/jpeg")
 TAG = re.compile(r"<(?=[A-Za-z/!?])")
 LINK = re.compile(r"\](?=[(:])")  # before an address: a program to run, or a picture to fetch
-COMMAND = re.compile(r"\\(?=href|csname)")  # of formulas; the first makes a link
+# of formulas: they make links, or change the page around them
+COMMAND = re.compile(r"\\+(?=href|csname|style|class|cssId)")
+ENTITY = re.compile(r"&(?=#?\w+;)")  # another way to write any sign, such as the one of a command
 NO_ANSWER = "(There is no such cell in the notebook that was handed in.)"
 Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
@@ -200,7 +202,7 @@ def clean_cell(cell: JsonObject, left: Marks) -> JsonObject:
 
 def defuse(text: str) -> str:
     """A text in Markdown without tags, links and pictures; their words and addresses stay."""
-    return COMMAND.sub("", LINK.sub("] ", TAG.sub("&lt;", text)))
+    return COMMAND.sub("", LINK.sub("] ", TAG.sub("&lt;", ENTITY.sub("&amp;", text))))
 
 
 def make_text_cell(source: str, mark: JsonObject | None) -> JsonObject:
