@@ -76,6 +76,35 @@ def test_a_zip_that_cannot_be_read_is_said_and_costs_nobody_else(data, tmp_path)
     assert (bob.student, bob.trouble, bob.data) == ("bob", "", NOTEBOOK)
 
 
+@pytest.mark.parametrize("outer", ["", "class/"])
+@pytest.mark.parametrize("is_zip", [False, True], ids=["folder", "zip"])
+def test_a_student_whose_files_are_all_hidden_is_named(tmp_path, is_zip, outer):
+    """And hidden files of nobody, beside the students' folders or in those, make no student."""
+    inner = packed(zipfile.ZIP_STORED, **{"../bob/01_geometry.ipynb": NOTEBOOK})
+    files = {
+        "ann/.ipynb_checkpoints/01_geometry.ipynb": NOTEBOOK,
+        "bob/01_geometry.ipynb": NOTEBOOK,
+        "bob/.git/hooks/x": b"",
+        "dee/01_geometry.ipynb": NOTEBOOK,
+        "cid/01_geometry.zip": inner,
+        ".git/hooks/deep/x": b"",
+        "__MACOSX/ann/._01_geometry.ipynb": b"",
+    }
+    files = {f"{outer}{name}": data for name, data in files.items()} | {".git/hooks/deep/x": b""}
+    place = tmp_path / "class.zip"
+    if is_zip:
+        place.write_bytes(packed(zipfile.ZIP_STORED, **files))
+    else:
+        place = tmp_path / "class"
+        for name, data in files.items():
+            (place / name).parent.mkdir(parents=True, exist_ok=True)
+            (place / name).write_bytes(data)
+    found = {one.student: one.trouble for one in collect(place)}
+    assert sorted(found) == ["ann", "bob", "cid", "dee"]
+    assert found["bob"] == found["dee"] == ""
+    assert all("no notebook" in found[one] for one in ("ann", "cid"))
+
+
 def test_what_lies_beside_a_notebook_is_not_read_and_no_trouble(tmp_path):
     home = tmp_path / "ann" / "01_geometry"
     home.mkdir(parents=True)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from .notebook import MOST_BYTES, UnreadableSubmission, read_bytes
 
 METADATA = "submission_metadata.yml"  # where Gradescope lists the owners of its folders
+HIDDEN = ".hidden"  # in the place of the name of what is not read
 MOST_MEMBERS = 10_000
 MOST_UNPACKED = 2 * 2**30  # bytes of a class's zip, and of all notebooks in it
 MOST_OF_ONE, MOST_UNPACKED_OF_ONE = 100, 4 * MOST_BYTES  # the same for a student's zip
@@ -60,9 +61,10 @@ def read_files(folder: Path) -> Iterator[Found]:
         return
     for file in sorted(folder.rglob("*")):
         place = file.relative_to(folder).parts
-        if any(part.startswith(".") or part == "__MACOSX" for part in place) or (
-            file.is_dir() and not file.is_symlink()
-        ):
+        if file.is_dir() and not file.is_symlink():
+            continue
+        if (shown := cut_at_hidden(place)) != place:
+            yield Found(shown, b"")
             continue
         try:
             data = read_bytes(file) if is_read(file.name) else b""
@@ -70,6 +72,18 @@ def read_files(folder: Path) -> Iterator[Found]:
             yield Found(place, b"", str(trouble))
         else:
             yield from unpack(Found(place, data))
+
+
+def cut_at_hidden(place: tuple[str, ...]) -> tuple[str, ...]:
+    """The place down to the first name that systems hide, which becomes HIDDEN; or all of it.
+
+    >>> cut_at_hidden(("ann", ".git", "x.ipynb")), cut_at_hidden(("ann", "x.ipynb"))
+    (('ann', '.hidden'), ('ann', 'x.ipynb'))
+    """
+    for at, part in enumerate(place):
+        if part.startswith(".") or part == "__MACOSX":
+            return (*place[:at], HIDDEN)
+    return place
 
 
 def is_read(name: str) -> bool:
@@ -127,8 +141,8 @@ def list_members(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo
 
 def read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:
     """One file of a zip, read up to the limit on its size."""
-    if any(part.startswith(".") or part == "__MACOSX" for part in place):
-        return Found((*place[:-1], ".skipped"), b"")
+    if (shown := cut_at_hidden(place)) != place:
+        return Found(shown, b"")
     if not is_read(place[-1]):
         return Found(place, b"")
     if member.compress_type not in PACKED:

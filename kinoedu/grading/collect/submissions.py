@@ -177,15 +177,13 @@ def find_missing_notebooks(
     """One submission with a trouble for each student who handed in files but no notebook."""
     rest: dict[str, list[Found]] = {}
     for file in found:
-        if not file.place[-1].startswith(".") and (
-            len(file.place) > 1 or CANVAS.match(file.place[0])
-        ):
+        if len(file.place) > 1 or CANVAS.match(file.place[0]):
             rest.setdefault(find_owner(file.place, owners)[0], []).append(file)
     lost = []
     for student, files in rest.items():
         if student not in have:
             named = find_assignment(files[0].place[-1], files[0].place, {}, known)
-            finding = list_some([describe_place(file) for file in files])
+            finding = list_some(list(dict.fromkeys(map(describe_place, files))))
             late = any(map(is_marked_late, files))
             lost.append(
                 Submission(
