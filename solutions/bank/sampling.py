@@ -260,6 +260,18 @@ def k_for_n(n, d, rng):
 
 
 @wrong("uniform_random")
+def large_seeds_leave_the_cube(n, d, rng):
+    """Stretches the points with the seed, so that only small seeds stay in the cube."""
+    return np.random.default_rng(rng).random((n, d)) * max(1.0, rng / 1000)
+
+
+@wrong("uniform_random")
+def large_seeds_draw_more(n, d, rng):
+    """Draws more points for a large seed."""
+    return np.random.default_rng(rng).random((n + rng // 1000, d))
+
+
+@wrong("uniform_random")
 def whole_numbers(n, d, rng):
     """Draws whole numbers."""
     return np.random.default_rng(rng).integers(1, 7, (n, d))

@@ -71,6 +71,7 @@ class UniformRandom(Exercise):
         if not rule and any(np.array_equal(first, other) for other in others):
             rule = "another"
         rule = rule or find_randomness_fault(first)
+        rule = rule or next(filter(None, (find_points_fault(one, n, d) for one in others)), "")
         if not rule and any(share_points(first, other) for other in others):
             rule = "shared"
         if not rule and any(move_together(first, other) for other in others):
@@ -84,14 +85,21 @@ class UniformRandom(Exercise):
 
     def describe_answer(self, case: Case, value: Value) -> str:
         """Describe the first of the three answers, or the two that are compared."""
+        n, d, _ = case.given.values()
         first, again, other, far = value
         rule = self.value_verdict(case, value).rule
+
+        def is_wrong(_: Array, second: Array) -> bool:
+            return bool(find_points_fault(second, n, d))
+
         tests: dict[str, Callable[[Array, Array], bool]] = {
             "another": np.array_equal,
             "shared": share_points,
             "moved": move_together,
+            "count": is_wrong,
+            "outside": is_wrong,
         }
-        if rule != "again" and rule not in tests:
+        if is_wrong(first, first) or (rule != "again" and rule not in tests):
             return format_value(first)
         key, second = "again", again
         if rule in tests:
