@@ -33,10 +33,10 @@ def fails(words, action):
     HARM.append(words)
 """
 HONEST = """
-if HARM:
-    raise RuntimeError(f"harm was done: {HARM}")
 import numpy as np
 def point_line_distance(q, p1, p2):
+    if HARM:  # within the function, since a cell goes on after a statement that fails
+        raise RuntimeError(f"harm was done: {HARM}")
     if (p1 == p2).all():
         raise ValueError("one point")
     d = (p2 - p1) / np.linalg.norm(p2 - p1)
@@ -124,9 +124,7 @@ def neighbour():
 def test_an_attack_has_what_it_deserves_and_harms_nobody(file, box, neighbour):
     data, points, name = submission(file)
     record = grade(data, read_assignment(name), SECRET, box, patience=HASTE)
-    assert sum(question["score"] for question in record["questions"]) == points, str(
-        record["cells"]
-    )[-900:]
+    assert sum(question["score"] for question in record["questions"]) == points, str(record)[-1900:]
     grade(notebook(""), read_assignment("01_geometry"), SECRET, box)
     assert insiders(box) <= 2 * len(box.started)  # bubblewrap and the Python that waits
     assert traces() == set()
