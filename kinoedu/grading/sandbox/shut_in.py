@@ -23,7 +23,7 @@ LIBC = ctypes.PyDLL(None, use_errno=True)  # PyDLL keeps Python's lock, as a for
 
 
 def fork_alone() -> int:
-    """Fork a process that sees no other, and return its number; 0 in the new process.
+    """Fork a process that sees and signals no other, and return its number; 0 in the new process.
 
     When it ends, so does every process that it may have started. This takes a single system call.
     If a process made a new process namespace first and forked then, it would stand between the two
@@ -33,6 +33,7 @@ def fork_alone() -> int:
     child = int(LIBC.syscall(forbidden.FORK, NEW_PROCESSES | signal.SIGCHLD, 0, 0, 0, 0))
     if child == 0:
         ctypes.pythonapi.PyOS_AfterFork_Child()
+        os.setsid()  # signals to its group would reach the others, though it does not see them
         check_call(LIBC.unshare(NEW_MOUNTS | NEW_IPC))
         return 0
     ctypes.pythonapi.PyOS_AfterFork_Parent()
