@@ -463,6 +463,16 @@ def test_bug0_walks_in_a_circle_and_says_so():
         assert BUGS[name]((-2, 0), (6, 0), [SPIRAL], 0.5).path is not None
 
 
+def test_a_circle_ends_where_a_wall_is_hit_again_along_the_same_line():
+    """The robot hits the wall from the start, and again from a corner behind it on the same line:
+    one point, found from two places, so the walk is recorded for one round.
+    """
+    hook = [(1, 0), (9, 0), (11, 4), (9, 10), (0, 6), (9, 8), (9, 4), (7, 3)]
+    plan = ke.bug0((3, 3), (13, -7), [hook], 99)
+    assert "circle" in plan.reason and plan.walk.leaves.tolist() == [[0.0, 6.0]]
+    assert len(plan.walk.hits) == 2 and np.array_equal(*plan.walk.hits)
+
+
 def test_bug2_prelim_walks_in_a_circle_where_bug2_arrives():
     """Without its rule Bug 2 leaves farther from the goal than it hit, and comes back; with it, it
     arrives.

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...compiled import compiled
 from ...errors import InvalidWorld
 from ...geometry.checks import Array
-from ...geometry.exact import length
+from ...geometry.exact import length, orientation_sign
 from ...geometry.segments import proper_crossing
 from .contact import BLOCKED, WallReadings, crossing_fraction
 from .place import CROSSING, FOOT, GIVEN, Place
@@ -160,14 +160,24 @@ def place_at(places: Places, k: int) -> Place:
 def place_of_hit(
     places: Places, walls: Walls, wall: int, is_open: bool, origin: Array, goal: Array
 ) -> int:
-    """The place where the line from origin to goal meets an edge, from now on of interest."""
+    """The place where the line from origin to goal meets an edge, from now on of interest.
+
+    It is a place already where an earlier line to the goal met the edge at the same point: where
+    the two lines are the same, exactly.
+    """
     a, b = walls.points[wall], walls.points[walls.after[wall]]
     along = crossing_fraction(a[0], a[1], b[0], b[1], origin[0], origin[1], goal[0], goal[1])
     k = places.first[wall]
     ahead = places.ahead[k]
-    while places.wall[ahead] == wall and places.along[ahead] <= along:
-        k = ahead
-        ahead = places.ahead[k]
+    while places.wall[ahead] == wall:
+        ox, oy = places.points[ahead, 6], places.points[ahead, 7]
+        is_same_line = orientation_sign(ox, oy, goal[0], goal[1], origin[0], origin[1]) == 0
+        if places.found[ahead] == CROSSING and is_same_line:
+            return int(ahead)
+        if places.along[ahead] <= along:
+            k = ahead
+        ahead = places.ahead[ahead]
+    ahead = places.ahead[k]
     if places.along[k] == along:
         return int(k)
     at = proper_crossing(a, b, origin, goal)
