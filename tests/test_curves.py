@@ -85,6 +85,44 @@ def test_no_random_word_is_shorter(path: Any, forward: bool, pieces: int) -> Non
         assert path(word.start, word.at(word.length), 1.0).length <= word.length + 1e-7
 
 
+@pytest.mark.parametrize(
+    ("path", "q0", "q1", "length"),
+    [
+        (dubins_path, (0, 1, 0), (8.676153112044282e-07, 1.000000000000222, 3.1200100858117836e-07),
+         8.676153112044603e-07),
+        (dubins_path, (1.741242611171848, 1, np.pi / 2),
+         (1.7412241008762737, 1.006084428120869, 1.576876664439557), 0.006084465662633356),
+        (reeds_shepp_path, (1.2402142392314417, 1, 0.8463673946015828),
+         (1.2419110284286752, 1.0019124886866957, 0.8438673417910646), 0.0025566990646380644),
+        (reeds_shepp_path, (0, 1, 0),
+         (-0.0015490097585393531, 0.9999988003420923, 0.0015382003911917047),
+         0.0015490103779070032),
+    ],
+)  # fmt: skip
+def test_curves_between_near_poses_take_no_turn_or_detour(
+    path: Any, q0: Any, q1: Any, length: float
+) -> None:
+    """An arc, then straight: angles are rounded more where poses are near.
+
+    The lengths were calculated with 50 digits.
+    """
+    curve = path(q0, q1, 1.0)
+    assert curve.length == pytest.approx(length, abs=1e-9)
+    assert miss(curve, q1) < 1e-11
+
+
+@pytest.mark.parametrize(("path", "forward"), [(dubins_path, True), (reeds_shepp_path, False)])
+def test_no_short_random_word_is_shorter(path: Any, forward: bool) -> None:
+    """Straight, with an arc before or behind: of lengths from 1e-8 to 1."""
+    rng = np.random.default_rng(4)
+    for _ in range(4000):
+        turns = np.array([rng.integers(-1, 2), 0, rng.integers(-1, 2)])
+        lengths = 10.0 ** rng.uniform(-8, 0) * rng.random(3)
+        lengths *= 1.0 if forward else rng.choice([-1.0, 1.0], 3)
+        word = Curve(np.array([0.5, -1.0, 2.0]), 1.0, turns, lengths)
+        assert path(word.start, word.at(word.length), 1.0).length <= word.length + 1e-9
+
+
 Q = np.pi / 2
 FAMILIES = [
     ((1, 0, 1), (1.0, 2.9, 0.4)),

@@ -21,6 +21,7 @@ WORDS = np.array([(1, 0, 1), (1, 0, -1), (1, -1, 1)])
 # A later word must be shorter by this many radii, so that rounding does not break ties.
 TIE = 1e-10
 SNAP = 1e-12  # an angle nearer than this to a full turn is 0
+ROUGH = 1e-3  # the same between near poses, where leaving the arc out moves the end less than SNAP
 
 
 def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
@@ -101,7 +102,19 @@ def solve_word(word: int, x: float, y: float, phi: float) -> tuple[bool, float, 
         found, t, u, v = lrl(x, y, phi)
         return found, positive_angle(t), u + FULL_TURN, positive_angle(v)
     found, t, u, v = lsl(x, y, phi) if word == 0 else lsr(x, y, phi)
-    return found, positive_angle(t), u, positive_angle(v)
+    t, v = positive_angle(t), positive_angle(v)
+    if word == 0 and is_left_out(t, u):
+        return found, 0.0, u, positive_angle(phi)
+    if word == 0 and is_left_out(v, u):
+        return found, positive_angle(phi), u, 0.0
+    return found, t, u, v
+
+
+@compiled
+def is_left_out(arc: float, straight: float) -> bool:
+    """Whether one arc of the word LSL is a full turn only by rounding; the other turns for both."""
+    missing = FULL_TURN - arc
+    return missing < ROUGH and missing * straight < SNAP
 
 
 @compiled

@@ -34,6 +34,9 @@ TURNS = np.array(
 )
 REVERSIBLE = np.array([False, False, True, False, False, True, True, False])
 ROUNDING = 1e-12  # a piece shorter than this has length zero
+# An angle is known less well where poses are near. A piece this short may be driven the other way:
+# the curve reaches its end all the same, and counts in full.
+NEAR_ZERO = 1e-6
 TIE = 1e-10  # a later word must be shorter by this many radii
 
 
@@ -133,11 +136,11 @@ def solve_word(word: int, x: float, y: float, phi: float, pieces: Array) -> bool
 def store_pieces(pieces: Array, t: float, u: float, v: float, u_sign: int, v_sign: int) -> bool:
     """Write three pieces; returns whether their signs are right: the first not negative.
 
-    A sign of 0 allows both directions.
+    A sign of 0 allows both directions, and so does a piece of nearly no length.
     """
     t, v = without_rounding(wrap_angle(t)), without_rounding(wrap_angle(v))
     pieces[0], pieces[1], pieces[2] = t, u, v
-    return t >= 0.0 and u_sign * u >= -ROUNDING and v_sign * v >= 0.0
+    return t >= -NEAR_ZERO and u_sign * u >= -NEAR_ZERO and v_sign * v >= -NEAR_ZERO
 
 
 @compiled
