@@ -302,6 +302,21 @@ def test_a_picture_is_asked_for_a_start_and_not_for_a_scenario(tmp_path, query):
         ke.read_problem(tmp_path / "room.pgm", query=query)
 
 
+@pytest.mark.parametrize(
+    ("length", "wheelbase", "behind"),
+    [(3.93, 3.63, 0.30000000000000004), (0.35000000000000003, 0.2, 0.1)],
+)
+def test_a_car_is_read_back_equal_whatever_its_length_rounds_to(
+    tmp_path, length, wheelbase, behind
+):
+    """The length is the sum of two rounded parts; the front axle may be at the very front."""
+    world = ke.PolygonWorld([(-9, -9), (9, -9), (9, 9), (-9, 9)])
+    car = ke.Car(length, 0.1, wheelbase, rear_overhang=behind)
+    ke.write_scene(ke.Problem(car, world, (0, 0, 1), (4, 0, -2)), tmp_path / "car.json")
+    read = ke.read_scene(tmp_path / "car.json").robot
+    assert np.array_equal(read.outline, car.outline) and read.wheelbase == car.wheelbase
+
+
 @pytest.mark.parametrize("sizes", [(30, 10, 20), (4.689, 1.942, 2.8), (0.3, 0.1, 0.07)])
 def test_a_car_in_a_scene(tmp_path, sizes):
     """A car is written and read back, with what it steers and its speeds; what is left out has

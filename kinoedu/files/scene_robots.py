@@ -1,5 +1,6 @@
 """Robots in scenes: how they are read and written. scenes.py describes the whole format."""
 
+import math
 from collections.abc import Callable
 from functools import singledispatch
 from typing import Any
@@ -133,8 +134,21 @@ def _(robot: ArmRobot) -> JsonObject:
 
 @describe_for_scene.register
 def _(robot: CarRobot) -> JsonObject:
-    (length, width), behind = np.ptp(robot.outline, axis=0).tolist(), -float(robot.outline[0, 0])
-    size = {"length": length, "width": width}
+    width, behind = float(np.ptp(robot.outline[:, 1])), -float(robot.outline[0, 0])
+    size = {"length": length_of(robot), "width": width}
     axles = {"wheelbase": robot.wheelbase, "rear_overhang": behind}
     limits = {"max_steering": robot.max_steering, "speeds": robot.speeds.tolist()}
     return {"kind": "car", **size, **axles, **limits}
+
+
+def length_of(robot: CarRobot) -> float:
+    """The length from which `Car` gets the same two ends: their sum, or a float beside it."""
+    behind, front = -float(robot.outline[0, 0]), float(robot.outline[1, 0])
+    rounded = behind + front
+    beside = (rounded, math.nextafter(rounded, math.inf), math.nextafter(rounded, 0.0))
+    fits = (
+        length
+        for length in beside
+        if length - behind == front and behind <= length - robot.wheelbase
+    )
+    return next(fits, rounded)
