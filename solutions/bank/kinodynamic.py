@@ -235,6 +235,14 @@ def must_be_closer_than_q(problem, q, target, controls, t, n):
     return choice if problem.distance(end, target) < problem.distance(q, target) else None
 
 
+minimum_from_a_thousand = changed(
+    "best_control", ("best, least = None, math.inf", "best, least = None, 1000"), slip="finite"
+)
+minimum_from_ten_thousand = changed(
+    "best_control", ("best, least = None, math.inf", "best, least = None, 10**4"), slip="finite"
+)
+
+
 @wrong("best_control", slip="standing")
 def may_stand_still(*given):
     """Counts step 0."""

@@ -46,6 +46,7 @@ def make_chooser(
     is_free: Callable[..., bool],
     first: int = 1,
     cut: Callable[..., Value] = np.argmin,
+    start: float = math.inf,
 ) -> Callable[..., Choice]:
     """Return a program like `choose_best_control` that differs from it in one part.
 
@@ -55,12 +56,13 @@ def make_chooser(
     is_free : whether a control may be taken; the others are left out.
     first : the first step that counts.
     cut : picks the step of one control from the distances at all of its steps.
+    start : the value with which its minimum begins.
     """
 
     def choose(
         problem: DrivingProblem, q: Array, target: Array, controls: Array, t: float, n: int
     ) -> Choice:
-        best, least = None, math.inf
+        best, least = None, start
         for i, (v, phi) in enumerate(controls):
             away = [
                 off(problem, problem.move(q, v, phi, k * t / n), target)
@@ -187,6 +189,7 @@ ROOMS = (
         *MIDDLE,
     ),
 )
+WIDE = make_garage((10_000, 10_000, 0), (25_000, 20_000, 0), size=30_000.0)
 
 
 class BestControl(ValueExercise):
@@ -224,6 +227,7 @@ class BestControl(ValueExercise):
         Slip("dip", make_chooser(measure_distance, is_free_to_cut, cut=find_first_dip)),
         Slip("shorter", cut_until_free),
         Slip("closer", demand_closer),
+        Slip("finite", make_chooser(measure_distance, is_free_to_cut, start=1e4)),
         Slip("standing", make_chooser(measure_distance, is_free_to_cut, 0)),
         Slip("counted", count_from_zero),
         Slip("farthest", choose_farthest),
@@ -235,13 +239,19 @@ class BestControl(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield a straight control and one that comes round again, then random controls.
+        """Yield straight controls and one that comes round again, then random controls.
 
         Random controls are drawn until there are enough cases of each kind.
         """
         yield Case(
             "open",
             make_arguments(ROOMS[0], (100, 100, 0), (110, 100, 0), [(2, 0), (-1, 0)], 4.0, 4),
+        )
+        yield Case(
+            "open",
+            make_arguments(
+                WIDE, (10_000, 10_000, 0), (25_000, 20_000, 0), [(2, 0), (-1, 0)], 4.0, 4
+            ),
         )
         yield Case(
             "cut", make_arguments(ROOMS[0], (100, 100, 0), (104, 100, 0), [(2, 0), (-1, 0)], 4.0, 4)
