@@ -582,6 +582,9 @@ def signed_turns(a, b, r):
     return min(word_lengths(a, b, r, turn=lambda angle: angle))
 
 
+minimum_from_a_thousand = changed("csc_length", ("best = math.inf", "best = 1000"), slip="finite")
+minimum_from_a_hundred = changed("csc_length", ("best = math.inf", "best = 100.0"), slip="finite")
+
 # Break it
 
 

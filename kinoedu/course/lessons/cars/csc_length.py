@@ -95,6 +95,8 @@ class CscLength(ValueExercise):
         Slip("no_root", lambda a, b, r: shortest_of(without_root(a, b, r), r)),
         Slip("crossing", lambda a, b, r: shortest_of(words_to(a, b, r, crossing=True), r)),
         Slip("three_arcs", lambda a, b, r: min(c.length for c in all_dubins_curves(a, b, r))),
+        Slip("finite", lambda a, b, r: min(csc(a, b, r), 1000.0)),
+        Slip("finite", lambda a, b, r: min(csc(a, b, r), 100.0)),
         Slip("beeline", lambda a, b, r: math.dist(a[:2], b[:2])),
         Slip(
             "longest",
@@ -113,7 +115,7 @@ class CscLength(ValueExercise):
     )
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Straight lines and half circles first, then random poses of each kind."""
+        """Straight lines and half circles first, then far poses, and random ones of each kind."""
         half = math.pi
         yield pair_case("straight", (0, 0, 0), (10, 0, 0), 2)
         yield pair_case("outer", (0, 0, 0), (1, 8, half), 2)
@@ -121,6 +123,10 @@ class CscLength(ValueExercise):
         yield pair_case("inner", (0, 0, 0), (10, 4, 0.1), 1)
         yield pair_case("inner", (0, 0, 0), (10, -4, -0.1), 1)
         yield pair_case("inner", (0, 0, 0), (20, 6, 0), 2)  # same heading, but not straight ahead
+        yield pair_case("straight", (-900, 100, 0), (900, 100, 0), 300)  # four far pairs
+        yield pair_case("outer", (-700, -500, 3), (1000, 1000, -3), 700)
+        yield pair_case("inner", (700, 400, 0), (-300, -800, 0), 500)
+        yield pair_case("crossing", (-800, -800, 0), (300, -500, -3), 700)
         wanted = dict.fromkeys(("outer", "inner", "crossing"), 12)
         while any(wanted.values()):
             a, r = a_pose(rng), np.round(rng.uniform(0.5, 10), 1)
