@@ -239,6 +239,7 @@ ALSO_RIGHT = {
     "plot_environment": [
         lambda *given: drawn_in_pieces(*given),
         lambda *given: drawn_link_by_link(*given),
+        lambda *given: drawn_by_transforms(*given),
     ],
     "plot_configuration_space": [
         lambda *given: scattered_dots(*given),
@@ -341,6 +342,26 @@ def drawn_in_pieces(q, lengths, width, discs, ax):
         ax.plot(*start, "rs", label="joints")
     for x, y, r in discs:
         ax.add_patch(Circle((x, y), r, label="disc"))
+
+
+def drawn_by_transforms(q, lengths, width, discs, ax):
+    """A drawing of shapes along the x-axis that matplotlib turns and moves to their places."""
+    from matplotlib.patches import Circle, Rectangle
+    from matplotlib.transforms import Affine2D
+
+    place = Affine2D()
+    ax.plot(0, 0, "rs", label="joints")
+    for number, (angle, size) in enumerate(zip(q, lengths), 1):
+        place = Affine2D().rotate(angle) + place
+        placed = {"label": f"link {number}", "transform": place + ax.transData}
+        ax.add_patch(Rectangle((0, -width / 2), size, width, **placed))
+        for end in (0, size):
+            ax.add_patch(Circle((end, 0), width / 2, **placed))
+        place = Affine2D().translate(size, 0) + place
+        ax.plot(0, 0, "rs", label="joints", transform=place + ax.transData)
+    for x, y, r in discs:
+        moved = Affine2D().translate(x, y) + ax.transData
+        ax.add_patch(Circle((0, 0), r, label="disc", transform=moved))
 
 
 def scattered_dots(samples, lengths, width, discs, ax):

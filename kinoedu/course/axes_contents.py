@@ -17,8 +17,8 @@ def read_axes(value: Any) -> dict[str, Any] | None:
         return None
     solid = [line for line in value.lines if line.get_linestyle() not in ("None", "")]
     dotted = [line for line in value.lines if str(line.get_marker()) not in ("None", "", " ")]
-    lines = [curve_data(line.get_xydata(), line, line.get_color()) for line in solid]
-    dots = [curve_data(line.get_xydata(), line, line.get_markerfacecolor()) for line in dotted]
+    lines = [curve_data(line_vertices(line), line, line.get_color()) for line in solid]
+    dots = [curve_data(line_vertices(line), line, line.get_markerfacecolor()) for line in dotted]
     for group in value.collections:
         lines += line_segments(group)
         dots += scatter_dots(group)
@@ -59,9 +59,19 @@ def curve_data(points: ArrayLike, artist: Any, colour: Any) -> dict[str, Any]:
     }
 
 
+def to_data(artist: Any) -> Any:
+    """The transform to data coordinates, which moves or turns an artist that has one of its own."""
+    return artist.get_transform() - artist.axes.transData
+
+
+def line_vertices(line: Any) -> Any:
+    """Points of a line in data coordinates."""
+    return to_data(line).transform(line.get_xydata())
+
+
 def patch_vertices(patch: Any) -> Any:
     """Vertices of a patch in data coordinates, with sixteen points on each arc."""
-    path = patch.get_patch_transform().transform_path(patch.get_path())
+    path = to_data(patch).transform_path(patch.get_path())
     if path.codes is None or not np.isin(path.codes, (3, 4)).any():  # no arcs
         return path.vertices
     steps = np.linspace(0.0, 1.0, 17)[1:]

@@ -630,6 +630,20 @@ def draws_twice_as_wide(q, lengths, width, discs, ax):
     drawn(q, lengths, 2 * width, discs, ax)
 
 
+@wrong("plot_environment", slip="narrow")
+def draws_half_as_wide(q, lengths, width, discs, ax):
+    """Takes the width for twice the width."""
+    drawn(q, lengths, width / 2, discs, ax)
+
+
+@wrong("plot_environment", slip="exchanged")
+def labels_the_other_link(q, lengths, width, discs, ax):
+    """Counts the links from the tip."""
+    drawn(q, lengths, width, discs, ax)
+    for patch, label in zip(ax.patches, ("link 2", "link 1")):
+        patch.set_label(label)
+
+
 @wrong("plot_environment", slip="half_discs")
 def takes_radii_for_diameters(q, lengths, width, discs, ax):
     """Draws half the radius."""

@@ -29,6 +29,8 @@ class PlotEnvironment(DrawnExercise):
         Slip("from_x", lambda q, *others: scene_of(q - (0, q[0]), *others)),
         Slip("degrees", lambda q, *others: scene_of(np.radians(q), *others)),
         Slip("whole_width", lambda q, links, w, discs: scene_of(q, links, 2 * w, discs)),
+        Slip("narrow", lambda q, links, w, discs: scene_of(q, links, w / 2, discs)),
+        Slip("exchanged", lambda *given: exchange_links(scene_of(*given))),
         Slip("half_discs", lambda q, links, w, discs: scene_of(q, links, w, discs * (1, 1, 0.5))),
         Slip("one_disc", lambda q, links, w, discs: scene_of(q, links, w, discs[:1])),
     )
@@ -109,6 +111,11 @@ def scene_of(
         label: [bar(a, b, width, rounded=rounded)] for label, a, b in zip(LINKS, ends, ends[1:])
     }
     return {**links, "disc": [circle(disc[:2], disc[2]) for disc in discs], JOINTS: list(ends)}
+
+
+def exchange_links(scene: Scene) -> Scene:
+    """The same outlines, each link with the label of the other."""
+    return {**scene, **{label: scene[other] for label, other in zip(LINKS, LINKS[::-1])}}
 
 
 def drawn_scene(plot: Any) -> Scene:
