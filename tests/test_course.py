@@ -279,7 +279,8 @@ ALSO_RIGHT = {
         ]
     ],
     "exposing_motion": [
-        lambda: (np.array([[1, 0], [1, 1]], bool) * 1, [0.9985, 0.6485], np.array([1.5, 1.15]))
+        lambda: (np.array([[1, 0], [1, 1]], bool), [0.9985, 0.6485], np.array([1.5, 1.15])),
+        lambda: ([(True, False), (True, 1)], (0.9985, 0.6485), (1.5, 1.15)),
     ],
     "visibility_roadmap": [lambda *given: seen_in_another_order(*given)],
     "radius_neighbours": [
@@ -619,6 +620,9 @@ def complaint(code):
         ("return ValueError('no line')", "raised, not returned"),
         ("return None + 1", "A value is None"),
         ("return 1 / 0", "Which number is zero"),
+        ("return {1, 2}", "list(...) makes a list"),
+        ("return map(float, p1)", "list(...) makes a list"),
+        ("yield 1", "list(...) makes a list"),
         ("if q[0] > 1e9: d = 1\n    return d", "before it has a value"),
     ],
 )

@@ -16,6 +16,8 @@ COMMON_ERRORS = (
     ("divided_by_zero", "ZeroDivisionError", ""),
     ("none", "TypeError", "NoneType"),
 )
+# the end of a message on a value whose items Python has not listed, or has in no order
+UNLISTED = re.compile(r" (generator|map|zip|filter|enumerate|reversed|dict_\w+|(frozen)?set)$")
 
 
 def find_advice(outcome: Outcome) -> str:
@@ -30,6 +32,9 @@ def find_advice(outcome: Outcome) -> str:
         for key, kind, message in COMMON_ERRORS:
             if kind in outcome.kinds and re.search(message, outcome.message):
                 return key
-    if isinstance(outcome, Misshapen) and outcome.message.endswith("Error"):
-        return "returned_error"
+    if isinstance(outcome, Misshapen):
+        if outcome.message.endswith("Error"):
+            return "returned_error"
+        if UNLISTED.search(outcome.message):
+            return "unlisted"
     return ""

@@ -15,6 +15,23 @@ from .motions import find_crossed_cells, find_cuts, find_motion_fault, measure_l
 DEEP = 0.49  # least length in the rock; samples are 0.5 apart
 
 
+class Cells(Numbers):
+    """The shape of a terrain: numbers, or truth values, which count as 1 and 0."""
+
+    def encode(self, value: Value) -> object:
+        """Encode an array, or nested lists and tuples that make one."""
+        if type(value) is np.ndarray and value.dtype == bool:
+            value = value.astype(int)
+        if type(value) in (list, tuple):
+            value = [
+                [int(cell) if type(cell) is bool else cell for cell in row]
+                if type(row) in (list, tuple)
+                else row
+                for row in value
+            ]
+        return super().encode(value)
+
+
 class ExposeSampling(Exercise):
     """Give a terrain and a motion through a blocked cell that `is_free_by_samples` accepts."""
 
@@ -22,7 +39,7 @@ class ExposeSampling(Exercise):
     lesson = "10_terrains"
     kinds = ("valid", "exposes", "deepest")
     given = Record()
-    answer = Together((Numbers(("rows", "columns")), POINT, POINT))
+    answer = Together((Cells(("rows", "columns")), POINT, POINT))
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield the same question three times; each time the answer must fulfil more."""
