@@ -837,6 +837,8 @@ def test_exact_numbers_are_numbers():
         [0.25, 1],
         [0.5, 1e20],
     ]
+    assert Numbers((2,)).encode([Fraction(1, 4), np.float64(0.5)]) == [0.25, 0.5]
+    assert Numbers((2,)).encode(np.array([np.float64(1), np.int64(2)], object)) == [1.0, 2.0]
 
     class Own(Fraction):
         """Would run code of its own where it is converted."""

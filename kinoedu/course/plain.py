@@ -10,7 +10,8 @@ from ..messages import get_message
 from ..support.json_fields import Json
 from .exceptions import class_name
 
-EXACT = (int, float, Fraction)  # of Python's numbers, those that an array of objects may hold
+# numbers that an array of objects may hold
+EXACT = (int, float, Fraction, np.float64, np.int64)
 
 
 class WrongShape(Exception):
