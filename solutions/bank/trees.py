@@ -316,6 +316,14 @@ straight_lines_for_distances = changed(
 costs_not_updated = changed("insert", ("cost[j] -= gain", "pass"))
 everybody_is_a_neighbour = changed("insert", ("apart[i] <= radius and ", ""))
 nearer_than_the_radius = changed("insert", ("<= radius", "< radius"))
+ten_thousand_for_infinity = changed(
+    "insert",
+    (
+        "best = min(near, key=lambda i: cost[i] + apart[i])",
+        "best, least = 0, 10**4\n    for i in near:\n        if cost[i] + apart[i] < least:\n"
+        "            best, least = i, cost[i] + apart[i]",
+    ),
+)
 ONE_PASS = """for k in range(1, n):
                         way = problem.distance(nodes[k], [*nodes, q_new][parent[k]])
                         cost[k] = cost[parent[k]] + way"""

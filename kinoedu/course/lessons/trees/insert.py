@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from ....geometry.checks import Array
 from ....planners.trees.rrt_star import grow_shortest
-from ....problems import Tree
+from ....problems import Problem, Tree
 from ....problems.protocols import PlanningProblem, ProblemLike
+from ....robots import Point
+from ....worlds import PolygonWorld
 from ...exercise import Axes, Case, Given, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together, Value
@@ -38,6 +40,9 @@ LISTS = Integers(("n",)), Numbers(("n",))
 OPEN = in_room((1, 1), (9, 9))
 WALL = in_room((1, 1), (9, 9), box(4, 3, 4.6, 8))
 ARM = make_arm()
+WIDE = StudentProblem(
+    Problem(Point(), PolygonWorld(box(0, 0, 20_000, 20_000)), (1_000, 1_000), (19_000, 19_000))
+)
 Parents = NDArray[np.int64]
 
 
@@ -206,6 +211,8 @@ class Insert(ValueExercise):
         yield make_case("parent", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 0], (7, 8), 7.0)
         # the root is exactly at the radius
         yield make_case("parent", OPEN, [(1, 1), (1, 5), (6, 5)], [-1, 0, 0], (4, 5), 5.0)
+        places = [(1_000, 1_000), (1_000, 16_000), (9_000, 16_000)]
+        yield make_case("parent", WIDE, places, [-1, 0, 1], (5_000, 19_000), 5_500.0)
         # the first node of the arm is near, because its angle wraps
         yield make_case("parent", ARM, [(3.0, 0.3), (-2.5, 0.5)], [-1, 0], (-3.0, 0.3), 0.6)
         yield make_case("rewire", OPEN, [(1, 1), (1, 5), (5, 5)], [-1, 0, 1], (3, 3), 3.0)
