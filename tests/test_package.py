@@ -196,6 +196,14 @@ def test_lessons_are_copied_and_work_is_kept(clean):
     assert not list(copies.rglob("*.part"))
 
 
+def test_slides_are_made_of_the_lessons_in_the_package(clean):
+    """Wherever the command is given; one that finds no lesson would end without a word."""
+    ended = clean.run("slides", "01_geometry", "--out", "lecture")
+    assert ended.returncode == 0, ended.stderr
+    assert "<h1>" in (clean.home / "lecture" / "01_geometry.html").read_text(encoding="utf-8")
+    assert "04_graph_search" in clean.run("slides", "graphs").stderr
+
+
 def test_a_folder_that_is_a_file_is_refused_in_a_line(clean):
     """And the file stays as it is."""
     (clean.home / "essay.txt").write_text("mine", encoding="utf-8")

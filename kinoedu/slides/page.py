@@ -9,13 +9,14 @@ from typing import Any
 
 from ..boards.core.page_script import CORE, page_script
 from ..errors import InvalidParameter
+from ..lab import COURSE
 from ..messages import get_message
 from ..support.whole_files import written_whole
 from .markdown import to_html
 from .rule import Slide, cut_into_slides
 
 HERE = Path(__file__).parent
-NOTEBOOKS = HERE.parent.parent / "notebooks"
+NOTEBOOKS = COURSE / "notebooks"
 PAGE = """\
 <!doctype html>
 <html lang="en">
