@@ -525,6 +525,33 @@ def test_a_board_whose_kernel_was_restarted_says_so(light):
         assert texts == [get_message(f"board.front.{name}") for name in ("thinking", "lost")]
 
 
+def test_a_board_whose_kernel_was_shut_down_says_so(light):
+    """JupyterLab then refuses to send; a board that went on would say for ever that it plans."""
+    with browser() as page:
+        page.goto(light)
+        shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        tried, text = page.evaluate(
+            """() => {
+            let tried = 0;
+            const send = ({ kind }) => {
+              if (kind === "hello") return;
+              tried += 1;
+              throw new Error("Cannot send"); };
+            const on = () => {}, model = { ...kernel.board.model, on, send };
+            globalThis.reportError = () => {};
+            const board = new kernel.board.constructor(model);
+            const say = () => {
+              board.hasMoved({ kind: "handle", i: 1 });
+              board.pendingSince = -Infinity;   // it waits since long ago
+              return board.text(); };
+            const text = (say(), say());
+            board.stop();
+            return [tried, text]; }"""
+        )
+        assert tried == 1 and text == get_message("board.front.lost")
+
+
 def test_nothing_dead_is_offered_beside_a_refused_scene(light):
     """What was answered briefly before has no steps: the slider comes back with the next answer."""
     with browser() as page:

@@ -186,7 +186,7 @@ class Board {
     this.shown = 0;                                      // the number of the scene that is answered
     this.open = 0;                                       // questions without an answer
     Object.assign(this, { stale: 0, answers: 0, took: 0, bitmaps: 0, unkept: false });
-    this.lost = false;                                   // whether Python has been restarted
+    this.lost = false;                                   // whether Python has ended or restarted
     Object.assign(this, { waiting: false, pendingSince: null, step: 0, playing: null });
     Object.assign(this, { held: new Set(), ticking: 0, completing: 0, asked: 0 });
     Object.assign(this, { lag: 0, painted: -RESTED });   // ms until an answer; when last painted
@@ -369,7 +369,16 @@ class Board {
 
   // questions and answers
 
-  send(message) { if (!this.lost) this.model.send({ ...message, from: this.id }); }
+  send(message) {
+    if (this.lost) return;
+    try {
+      this.model.send({ ...message, from: this.id });
+    } catch (error) {                    // Python was shut down
+      this.lost = true;
+      this.changed();
+      reportError(error);
+    }
+  }
 
   ask(released) {
     const limit = this.took > SLOW ? 1 : this.took > BUSY ? 2 : IN_FLIGHT;
