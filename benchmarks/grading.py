@@ -3,10 +3,9 @@ what nbgrader takes beside it.
 
 Seconds of the processor, since they mean more than the clock on a machine with other work; and the
 clock's.
-
-    python benchmarks/grading.py [SUBMISSIONS]
 """
 
+import argparse
 import os
 import shutil
 import subprocess
@@ -105,7 +104,11 @@ def nbgrader(times: int, folder: Path) -> tuple[float, float]:
 
 def main() -> None:
     """Measure and print."""
-    size = int([*sys.argv, "30"][1])
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument(
+        "submissions", nargs="?", type=int, default=30, help="default: %(default)s"
+    )
+    size = options.parse_args().submissions
     rows = one_by_one(min(size, 20))
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -1,9 +1,8 @@
 """A class is graded while its workers are killed again and again, and the grader itself: is every
 submission graded once, and as if nothing had happened?
-
-    python benchmarks/grading_soak.py [SUBMISSIONS] [WORKERS]
 """
 
+import argparse
 import json
 import os
 import random
@@ -138,7 +137,18 @@ def wait_for_end(processes: list[int], seconds: float = 30.0) -> None:
 
 def main() -> None:
     """Grade a class undisturbed and disturbed, and compare."""
-    size, place = int([*sys.argv, "300"][1]), [*sys.argv[2:], "2"][0]
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument(
+        "submissions", nargs="?", type=int, default=300, help="default: %(default)s"
+    )
+    options.add_argument(
+        "workers",
+        nargs="?",
+        default="2",
+        help="or a Dask scheduler's address; default: %(default)s",
+    )
+    given = options.parse_args()
+    size, place = given.submissions, given.workers
     with tempfile.TemporaryDirectory() as folder:
         home = Path(folder)
         class_of(size, home / "class")

@@ -243,6 +243,16 @@ raise SystemExit(main(["bench", "holds", "waits"]))"""
     ).read_text()
 
 
+@pytest.mark.parametrize("name", ["grading", "grading_soak"])
+def test_a_script_that_is_no_row_says_what_it_takes(name):
+    """And refuses in a line what is no number."""
+    script = [sys.executable, str(BENCHMARKS / f"{name}.py")]
+    helped = subprocess.run([*script, "--help"], capture_output=True, text=True)
+    assert helped.returncode == 0 and "submissions" in helped.stdout
+    wrong = subprocess.run([*script, "many"], capture_output=True, text=True)
+    assert wrong.returncode == 2 and "invalid int value: 'many'" in wrong.stderr
+
+
 def test_ratios_are_read_as_they_were_written(tmp_path):
     """Six digits of each number are kept; another kind of file is rejected."""
     ratios = [
