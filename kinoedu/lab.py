@@ -38,13 +38,14 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
     Raises
     ------
     InvalidParameter
-        Where JupyterLab is not installed.
+        Where JupyterLab is not installed, or cannot keep its files in the user's home.
     UnreadableScene
         Where the tour is missing.
     """
     if importlib.util.find_spec("jupyterlab") is None:
         raise InvalidParameter("the lab needs JupyterLab: python -m pip install jupyterlab")
     place = lessons(folder)
+    make_runtime_folder()
     # with the caller's choice of a backend, lessons would show no figures
     kept = {name: value for name, value in os.environ.items() if name != "MPLBACKEND"}
     command = lab_command(browser=browser and has_display())
@@ -69,6 +70,20 @@ def open_lab(folder: Path | None = None, *, browser: bool = True) -> int:
         signal.signal(signal.SIGTERM, before)
         warming.terminate()
         warming.wait()
+
+
+def make_runtime_folder() -> None:
+    """Make the folder that JupyterLab needs while it runs. Raises InvalidParameter."""
+    from jupyter_core.paths import jupyter_runtime_dir
+
+    folder = Path(jupyter_runtime_dir())
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        raise InvalidParameter(
+            f"JupyterLab keeps its files in your home, and {folder} cannot be made "
+            f"({error.strerror}): set HOME to a folder of yours"
+        ) from error
 
 
 def lessons(folder: Path | None = None) -> Path:

@@ -247,6 +247,15 @@ def test_without_jupyterlab_a_line_says_what_to_install(monkeypatch):
         kinoedu.lab.open_lab(browser=False)
 
 
+def test_a_home_that_cannot_be_written_is_refused_in_a_line(monkeypatch, tmp_path):
+    """Before JupyterLab begins, which would end with a traceback."""
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "file" / "runtime"))
+    monkeypatch.setattr(kinoedu.lab, "lab_command", lambda browser: pytest.fail("it began"))
+    with pytest.raises(InvalidParameter, match="set HOME to a folder of yours"):
+        kinoedu.lab.open_lab(tmp_path / "lessons", browser=False)
+
+
 def test_the_lab_sends_small_messages_at_once():
     """Its connection is JupyterLab's, with Nagle's algorithm switched off when it connects."""
     from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
