@@ -405,8 +405,21 @@ def test_a_folder_that_is_missing_is_named_at_once(tmp_path, capsys):
     ):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     assert not list(tmp_path.glob("*.part"))
-    assert main(["hand-in", str(tmp_path)]) == 2
-    assert "not a plain file" in capsys.readouterr().err
+
+
+def test_what_is_handed_in_is_a_notebook_that_is_there(tmp_path, capsys):
+    """A folder, and a name with a slip in it, are named in the message."""
+    for wrong in (tmp_path, tmp_path / "01_geometri.ipynb"):
+        assert main(["hand-in", str(wrong)]) == 2
+        assert f"{wrong}: there is no such notebook" in capsys.readouterr().err
+
+
+def test_a_place_that_cannot_be_written_is_named_without_a_number(tmp_path, capsys):
+    """As `ls` would say it: the file, and what the system says of it."""
+    (tmp_path / "file").write_text("mine")
+    assert main(["lessons", str(tmp_path / "file" / "lessons")]) == 2
+    message = capsys.readouterr().err
+    assert message.startswith(f"kinoedu: {tmp_path / 'file'}") and "Errno" not in message
 
 
 def test_a_list_of_students_in_another_encoding_is_refused(tmp_path, capsys):

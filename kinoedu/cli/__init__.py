@@ -49,7 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         with one_line_warnings():
             return int(arguments.run(arguments))
     except (KinoeduError, OSError) as error:
-        print(f"kinoedu: {' '.join(str(error).split())}", file=sys.stderr)
+        print(f"kinoedu: {explain(error)}", file=sys.stderr)
     except MemoryError:
         print(
             "kinoedu: this computer has not enough memory for that; use fewer nodes or a coarser "
@@ -59,6 +59,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return 130
     return 2
+
+
+def explain(error: Exception) -> str:
+    """An error in one line; of one that the system reports, the file and what it says of it."""
+    text = str(error)
+    if isinstance(error, OSError) and error.filename and error.strerror:
+        text = f"{error.filename}: {error.strerror}"
+    return " ".join(text.split())
 
 
 @contextmanager

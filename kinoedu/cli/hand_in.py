@@ -38,6 +38,11 @@ def run_hand_in(arguments: argparse.Namespace) -> int:
     """Pack the notebook, and print the receipt."""
     from ..grading.collect.handing_in import hand_in
 
+    if not arguments.file.is_file():
+        raise InvalidParameter(
+            f"{arguments.file}: there is no such notebook; name one, such as "
+            "exercises/01_geometry.ipynb"
+        )
     zip_file = arguments.out or Path(f"{arguments.file.stem}.zip")
     if zip_file.suffix.lower() != ".zip":
         raise InvalidParameter(f"--out {zip_file}: what you hand in is a file that ends in .zip")
