@@ -765,6 +765,7 @@ def test_every_word_is_there_and_used():
         )
         assert set(mine.get("kinds", {})) <= set(exercise.kinds)
         assert set(mine.get("slips", {})) == {slip.key for slip in exercise.slips}
+        assert set(mine.get("advice", {})) <= {key for key, _, _ in COMMON_ERRORS}
         rules, hints = set(mine.get("rules", {})), set(mine.get("hints", {}))
         assert rules <= hints <= rules.union(*(other["rules"] for other in lent))
         assert all(messages.has_message(f"advice.{key}") for key, _, _ in COMMON_ERRORS)

@@ -236,3 +236,26 @@ def test_the_rule_is_the_one_that_the_answer_breaks(name, program, said):
     cases = list(exercise.fixed_cases)
     report = judge_outcomes(exercise, cases, [run_case(exercise, program, c) for c in cases])
     assert said in repr(Feedback(report))
+
+
+@pytest.mark.parametrize(
+    ("name", "lesson", "change", "said"),
+    [
+        (
+            "compare_planners",
+            "10_terrains",
+            (" if len(found) else [np.nan] * 3", ""),
+            "if it gets no lengths at all",
+        ),
+        ("cost_along", "10_terrains", ("int(y), int(x)", "int(x), int(y)"), "the row comes first"),
+        ("csc_length", "12_the_car", ("if d < 2 * r", "if d < 0"), "no inner tangent?"),
+    ],
+)
+def test_an_error_that_an_exercise_invites_has_a_hint_of_its_own(name, lesson, change, said):
+    """It comes before the advice that every exercise gives for such an error."""
+    exercise = EXERCISES[name]
+    wrong = Solutions(HOUSE / "solutions" / f"{lesson}.ipynb").changed(name, change).function
+    outcomes = [run_case(exercise, wrong, case) for case in exercise.fixed_cases]
+    report = judge_outcomes(exercise, exercise.fixed_cases, outcomes)
+    assert isinstance(report.failure.outcome, Raised)
+    assert said in repr(Feedback(report))

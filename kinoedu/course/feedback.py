@@ -191,10 +191,14 @@ def rule_message(exercise: Exercise, failure: JudgedCase) -> str:
 
 
 def hint_message(exercise: Exercise, failure: JudgedCase) -> str:
-    """Hint for the misconception that was recognised, for the Python error, or for the rule."""
+    """Hint for the misconception that was recognised, for the Python error, or for the rule.
+
+    An exercise may have its own hint for a Python error, in its table `advice`.
+    """
     advice = find_advice(failure.outcome)
     if advice:
-        return get_message(f"advice.{advice}")
+        own = exercise.table_with(f"advice.{advice}")
+        return get_message(f"{own}.advice.{advice}" if own else f"advice.{advice}")
     if is_idle(failure.outcome):
         return get_message("advice.try_again")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"

@@ -531,6 +531,17 @@ def angles_for_arcs(a, b, r):
     return min(word_lengths(a, b, r, turn=lambda angle: wrap(angle) / r))
 
 
+inner_tangents_to_the_wrong_side = changed(
+    "csc_length", ("direction += first *", "direction -= first *"), slip="leans_wrong"
+)
+
+inner_tangents_from_centre_to_centre = changed(
+    "csc_length", ("direction += first *", "direction += 0 *"), slip="no_lean"
+)
+
+root_without_a_test = changed("csc_length", ("if d < 2 * r:", "if d < 0:"))
+
+
 @wrong("csc_length", slip="no_root")
 def as_far_as_the_centres(a, b, r):
     """Uses the distance of the centres as the length of the inner tangent."""

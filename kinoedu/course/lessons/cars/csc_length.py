@@ -28,6 +28,7 @@ def words_to(
     turn: Value = lambda angle: angle % FULL,
     *,
     crossing: bool = False,
+    lean: float = 1.0,
 ) -> Given:
     """First turn, straight length and last turn of each word, computed from its circles.
 
@@ -35,6 +36,7 @@ def words_to(
     ----------
     turn : how the angle of an arc is measured.
     crossing : include words whose circles cross, with a tangent of length 0.
+    lean : factor of the angle between an inner tangent and the line of the centres.
     """
     found = {}
     for word, (first, last) in WORDS.items():
@@ -46,7 +48,7 @@ def words_to(
         straight = apart if first == last else math.sqrt(max(apart * apart - 4.0 * r * r, 0.0))
         if first != last and apart < 2.0 * r and not crossing:
             continue
-        heading += 0.0 if first == last else first * math.atan2(2.0 * r, straight)
+        heading += 0.0 if first == last else lean * first * math.atan2(2.0 * r, straight)
         found[word] = turn(first * (heading - a[2])), straight, turn(last * (b[2] - heading))
     return found
 
@@ -92,6 +94,8 @@ class CscLength(ValueExercise):
                 {w: (t / r, u, v / r) for w, (t, u, v) in words_to(a, b, r).items()}, r
             ),
         ),
+        Slip("leans_wrong", lambda a, b, r: shortest_of(words_to(a, b, r, lean=-1.0), r)),
+        Slip("no_lean", lambda a, b, r: shortest_of(words_to(a, b, r, lean=0.0), r)),
         Slip("no_root", lambda a, b, r: shortest_of(without_root(a, b, r), r)),
         Slip("crossing", lambda a, b, r: shortest_of(words_to(a, b, r, crossing=True), r)),
         Slip("three_arcs", lambda a, b, r: min(c.length for c in all_dubins_curves(a, b, r))),
