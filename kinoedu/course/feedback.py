@@ -166,9 +166,11 @@ def late_message(late: Late) -> str:
 def as_code(value: object) -> str:
     """Write a value as a line of Python that a student can copy.
 
-    >>> as_code(np.array([[0.0, 0.5], [2.0, 1.0]])), as_code(2.0)
-    ('np.array([(0.0, 0.5), (2.0, 1.0)])', '2.0')
+    >>> as_code(np.array([[0.0, 0.5], [2.0, 1.0]])), as_code(2.0), as_code(np.empty((0, 2)))
+    ('np.array([(0.0, 0.5), (2.0, 1.0)])', '2.0', 'np.empty((0, 2))')
     """
+    if isinstance(value, np.ndarray) and value.ndim > 1 and not value.size:
+        return f"np.empty({value.shape})"
     if isinstance(value, np.ndarray) and value.ndim == 2:
         return f"np.array([{', '.join(str(tuple(row)) for row in value.tolist())}])"
     if isinstance(value, np.ndarray):
