@@ -816,6 +816,7 @@ NO_SECONDS = (5, True, None, "5", "nan", float("nan"), float("inf"), -1.0, 1e9, 
         ([1, 2, None], "got a list of length 3"),
         (np.array([True, False]), "got an array of shape (2,) of bool"),
         ((10**400, 1), "got a tuple of length 2"),
+        (np.float64(0.5), "got 0.5"),
     ],
 )
 def test_what_is_no_number_is_named(value, came):
@@ -826,6 +827,22 @@ def test_what_is_no_number_is_named(value, came):
     with pytest.raises(WrongShape) as caught:
         Numbers((2,)).encode(value)
     assert str(caught.value) == f"expected an array of numbers of shape (2,), {came}"
+
+
+def test_what_is_no_whole_number_is_named():
+    """Heights in place of indices: the first that is not whole is shown."""
+    from kinoedu.course.plain import WrongShape
+    from kinoedu.course.whole_shapes import Integers
+
+    with pytest.raises(WrongShape, match=r"got a list of length 2 with 0\.25 in it"):
+        Integers(("k",)).encode([1, 0.25])
+
+
+def test_values_of_different_shapes_are_listed_one_by_one():
+    """A path or None, and a length: the two are not read as three."""
+    assert EXERCISES["shortest_path"].answer.description == (
+        "2 values, in this order: an array of whole numbers of shape (k,), or None; a number"
+    )
 
 
 def test_exact_numbers_are_numbers():

@@ -10,6 +10,7 @@ from ..messages import get_message
 from ..support.json_fields import Json
 from .exceptions import class_name
 
+SCALARS = (np.bool_, np.int64, np.float64)  # of numpy, shown as the Python values that they hold
 # numbers that an array of objects may hold
 EXACT = (int, float, Fraction, np.float64, np.int64)
 
@@ -74,10 +75,15 @@ def no_numbers(words: str, value: object, items: np.ndarray) -> WrongShape:
     """Exception for a value of the right shape whose items are not all numbers."""
     for item in items.flat if type(value) in (list, tuple) else ():
         if type(item) is bool or not isinstance(item, float | int | np.number):
-            held = {"value": describe_value(value), "item": describe_value(item)}
-            came = get_message("shape.holding", **held)
-            return WrongShape(get_message("shape.wrong", wanted=words, came=came))
+            return wrong_item(words, value, item)
     return wrong_shape(words, value)
+
+
+def wrong_item(words: str, value: object, item: object) -> WrongShape:
+    """Exception for a value of the right shape with an item that does not fit, which it names."""
+    held = {"value": describe_value(value), "item": describe_value(item)}
+    came = get_message("shape.holding", **held)
+    return WrongShape(get_message("shape.wrong", wanted=words, came=came))
 
 
 def describe_value(value: Any) -> str:
@@ -85,6 +91,8 @@ def describe_value(value: Any) -> str:
 
     None of the value's own code is run; only its class is named.
     """
+    if type(value) in SCALARS:
+        value = value.item()
     kind = class_name(type(value))
     if type(value) is int and abs(value) >= 10**50:
         return get_message("shape.long_number")

@@ -211,7 +211,9 @@ class Together(NamedTuple):
                 "shape.alike", number=len(self.places), shape=self.places[0].description
             )
         return get_message(
-            "shape.together", places=", ".join(shape.description for shape in self.places)
+            "shape.together",
+            number=len(self.places),
+            places="; ".join(shape.description for shape in self.places),
         )
 
     def encode(self, value: Value) -> list[Any]:

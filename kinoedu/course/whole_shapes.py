@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..messages import get_message
-from .plain import as_array, decode_floats, wrong_shape
+from .plain import as_array, decode_floats, wrong_item, wrong_shape
 
 
 class Integer(NamedTuple):
@@ -51,8 +51,9 @@ class Integers(NamedTuple):
     def encode(self, value: object) -> object:
         """Encode an array, or nested lists and tuples; floats without a fraction are accepted."""
         array = as_array(value, self.dimensions, self)
-        if not (np.abs(array) < 2**53).all() or (array != np.rint(array)).any():
-            raise wrong_shape(self.description, value)
+        is_whole = (np.abs(array) < 2**53) & (array == np.rint(array))
+        if not is_whole.all():
+            raise wrong_item(self.description, value, array[~is_whole][0])
         return array.astype(np.int64).tolist()
 
     def decode(self, data: object) -> np.ndarray:
