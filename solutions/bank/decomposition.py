@@ -625,7 +625,7 @@ def overlap_that_holds_the_middle():
 
 @wrong("exposing_world")
 def square_corners():
-    """The rule is wrong, but there are eight vertices."""
+    """The program is wrong, but there are eight vertices."""
     return [(0, 0), (5, 0), (5, 3), (9, 3), (9, 9), (5, 9), (5, 4), (0, 4)]
 
 

@@ -35,7 +35,7 @@ class ExposeShorterWalls(Exercise):
         return (Case(kind, {}) for kind in self.kinds)
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
-        """Check that the polygon is simple, that the rule is wrong, and the number of vertices."""
+        """Check that the polygon is simple and the program wrong, and the number of vertices."""
         if not np.isfinite(value).all() or np.abs(value).max(initial=0.0) > 1e4:
             return Verdict(0.0, "range", self.describe_expected(case))
         try:
