@@ -944,6 +944,20 @@ def test_a_failing_world_is_shown_without_the_obstacles_that_do_not_matter(name,
         assert len(scene_of(failure.case.given["problem"].problem)["world"]["obstacles"]) == least
 
 
+def test_what_is_shown_as_printed_is_printed_for_the_case_that_is_shown():
+    """Without the obstacles that do not matter, the program prints something else."""
+    exercise = EXERCISES["trapezoidation"]
+
+    def forgetful(boundary, obstacles):
+        print("obstacles:", len(obstacles))
+        answer = exercise.right_answer(boundary, obstacles)
+        return answer[1:] if len(obstacles) > 2 else answer
+
+    feedback = check(forgetful, "trapezoidation")
+    assert len(feedback.report.failure.case.given["obstacles"]) == 3
+    assert feedback.printed == "obstacles: 3\n"
+
+
 def test_a_file_beside_the_package_is_a_students():
     """Such as kinoedu_answers.py, whose name begins with that of the package's folder."""
     package = Path(outcomes.__file__).resolve().parent.parent

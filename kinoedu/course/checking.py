@@ -70,28 +70,32 @@ def check(
     name = exercise or getattr(function, "__name__", "")
     judged_exercise = find(name if isinstance(name, str) else "", variant)
     cases = judged_exercise.fixed_cases
-    printed: list[OutputBuffer] = []
+    printed: dict[int, str] = {}  # by the identity of the case
 
     def run(case: Case) -> Outcome:
-        return run_quietly(judged_exercise, function, case, printed)
+        outcome, printed[id(case)] = run_quietly(judged_exercise, function, case)
+        return outcome
 
     report = judge_until_failure(judged_exercise, cases, run)
     if report.failure is None:
         PASSED.add(judged_exercise.name)
         return Feedback(report)
-    output = printed[report.failure.number].getvalue()
-    smallest = replace(report, failure=shrink(judged_exercise, report.failure, run))
-    return Feedback(smallest, advance_stage(report) if staged else ALL, output)
+    smallest = shrink(judged_exercise, report.failure, run)
+    stage = advance_stage(report) if staged else ALL
+    return Feedback(replace(report, failure=smallest), stage, printed[id(smallest.case)])
 
 
 def run_quietly(
-    exercise: Exercise, function: Callable[..., object], case: Case, printed: list[OutputBuffer]
-) -> Outcome:
-    """Call a student's function on a case.
+    exercise: Exercise, function: Callable[..., object], case: Case
+) -> tuple[Outcome, str]:
+    """Call a student's function on a case, with its warnings hidden.
 
-    What the function prints is appended to `printed`; its warnings are hidden.
+    Returns
+    -------
+    The outcome, and what the function printed.
     """
-    printed.append(OutputBuffer())
-    with redirect_stdout(printed[-1]), np.errstate(all="ignore"), warnings.catch_warnings():
+    printed = OutputBuffer()
+    with redirect_stdout(printed), np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        return run_case(exercise, function, case)
+        outcome = run_case(exercise, function, case)
+    return outcome, printed.getvalue()
