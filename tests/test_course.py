@@ -658,6 +658,11 @@ def strange_class():
         def __name__(cls):
             raise RuntimeError
 
+        def __eq__(cls, other):
+            raise RuntimeError
+
+        __hash__ = type.__hash__
+
     class Strange(Exception, metaclass=Meta):
         pass
 

@@ -24,7 +24,9 @@ def describe_exception(
     is_students : whether a file holds a student's program.
     """
     above = type.__dict__["__mro__"].__get__(type(error))
-    kinds = [class_name(kind) for kind in above if kind not in (object, BaseException)][:MAX_NAMES]
+    # by identity: `in` would run a class's own comparison
+    own_kinds = [kind for kind in above if kind is not object and kind is not BaseException]
+    kinds = [class_name(kind) for kind in own_kinds[:MAX_NAMES]]
     own = own_steps(error.__traceback__, is_students)
     return kinds, message_of(error), lines_of(own), name_of(own)
 
