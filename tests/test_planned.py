@@ -148,6 +148,23 @@ def test_a_fault_of_the_third_call_is_shown_with_its_seed(name):
     assert exercise.case_at_fault(case, outcome).given["rng"] == seed + FAR
 
 
+def test_a_fault_of_the_third_calls_attempts_is_shown_with_its_seed():
+    """The first call is right, and the third one gives up too early."""
+    exercise = EXERCISES["rrt_on_terrain"]
+    case = next(c for c in exercise.cases(np.random.default_rng(0)) if c.kind == "sealed")
+    seed = case.given["rng"]
+
+    def impatient_with_the_other_seed(*given):
+        *others, failures, rng = given
+        if rng == seed + FAR:
+            failures //= 4
+        return exercise.right_answer(*others, failures, rng)
+
+    outcome = run_case(exercise, impatient_with_the_other_seed, case)
+    assert exercise.judge(case, outcome).rule == "gave_up"
+    assert exercise.case_at_fault(case, outcome).given["rng"] == seed + FAR
+
+
 def test_nodes_of_one_number_have_a_picture():
     """Such nodes are no places, so the picture shows the problem alone."""
     exercise = EXERCISES["tree_roadmap"]

@@ -175,8 +175,11 @@ class RrtOnTerrain(TerrainPlanner):
             return fault
         nodes, _, path = value[0]
         fault = find_attempt_fault(case.given, nodes, path, log)
+        if fault is not None:
+            return fault
         nodes, _, path = value[2]
-        return fault or find_attempt_fault(with_other_seed(case).given, nodes, path, other_log)
+        fault = find_attempt_fault(with_other_seed(case).given, nodes, path, other_log)
+        return None if fault is None else fault._replace(call=2)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer: not with goal bias 1."""
