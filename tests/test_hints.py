@@ -16,6 +16,7 @@ from kinoedu.course.lessons import find
 from kinoedu.course.lessons.polygons_in_the_plane.matrices import swap_entries
 from kinoedu.course.outcomes import Answer, Raised
 from kinoedu.geometry import point_line_distance, point_polygon_distance, polygon_tangent
+from kinoedu.sampling import dispersion, sukharev_grid
 
 HOUSE = Path(__file__).resolve().parent.parent
 TREE = Solutions(HOUSE / "solutions" / "09_trees.ipynb").right["tree_roadmap"]
@@ -125,6 +126,20 @@ def join_near_nodes(form=np.asarray):
     return program
 
 
+def print_for_no_grid(n, d):
+    """A right grid, and a printed message where there is none."""
+    try:
+        return sukharev_grid(n, d)
+    except ValueError:
+        print("no grid")
+
+
+def without_a_root(points):
+    """Bounds of the square of the dispersion."""
+    square = dispersion(points) ** 2
+    return square - 0.02, square - 0.01
+
+
 @pytest.mark.parametrize(
     ("name", "variant", "program", "said"),
     [
@@ -139,6 +154,12 @@ def join_near_nodes(form=np.asarray):
         ("replay", "degrees", stand_still, "np.radians(phi)"),
         ("collision_probability", "no_hit", with_a_rounded_quantile, "1.2302"),
         ("dijkstra", "", find_cheap_nodes, "math.inf"),
+        ("point_in_convex_polygon", "", lambda *given: True, "is the same for every q"),
+        ("point_in_convex_polygon", "", lambda *given: False, "is the same for every q"),
+        ("point_in_convex_polygon", "outside", lambda *given: True, "is the same for every q"),
+        ("point_in_convex_polygon", "outside", lambda *given: False, "is the same for every q"),
+        ("sukharev_grid", "", print_for_no_grid, "raise ValueError"),
+        ("dispersion_bounds", "", without_a_root, "root of the squared distance"),
         ("trapezoidation", "level", UPRIGHT_CELLS, "Your contract asks for another answer"),
         ("radius_neighbours", "long_edges", lambda *given: [], "3 r / 4 is too near"),
         ("adjacency_matrix", "", join_near_nodes(), "Some are missing from your matrix; the ones"),
