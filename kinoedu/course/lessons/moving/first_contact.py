@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from ....geometry import segments_intersect
 from ....geometry.checks import Array
 from ...exercise import RIGHT, Axes, Case, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
@@ -225,7 +226,10 @@ class FirstContact(ValueExercise):
 
 @withheld
 def classify(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
-    """Return the kind of a case; "" where rounding might decide it, or where it is dull."""
+    """Return the kind of a case; "" where rounding might decide it, or where it is too easy.
+
+    In a case "crosses" the way of the point crosses that of the disc's centre, at another time.
+    """
     x, v = find_relative_motion(p0, p1, c0, c1)
     if abs(math.sqrt(x @ x) - r) < CLEAR or abs(math.sqrt((x + v) @ (x + v)) - r) < CLEAR:
         return ""
@@ -238,15 +242,8 @@ def classify(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> str:
     if grazed or v @ v < 1.0:
         return ""
     if found is None:
-        return "crosses" if do_paths_cross(p0, p1, c0, c1, r) else ""
+        return "crosses" if segments_intersect(p0, p1, c0, c1) else ""
     return "meets" if 0.0 < found[0] < 1.0 else "outside"
-
-
-def do_paths_cross(p0: Array, p1: Array, c0: Array, c1: Array, r: float) -> bool:
-    """Whether the point's segment passes through the region that the disc sweeps."""
-    from ....geometry import segments_intersect
-
-    return bool(segments_intersect(p0, p1, c0, c1))
 
 
 def make_case(kind: str, p0: object, p1: object, c0: object, c1: object, r: float) -> Case:
