@@ -228,18 +228,17 @@ THINGS: dict[str, dict[str, Any]] = {
 class NotebookShell(Silent):
     """What `get_ipython()` returns; it runs the code of magics such as `%time` and nothing else.
 
-    left_out : the commands that were not run, for people to read.
+    `collect/left_out.py` lists the other commands, for people to read.
     """
 
     def __init__(self, space: dict[str, Any]) -> None:
-        self.user_ns, self.left_out = space, list[str]()
+        self.user_ns = space
 
     def run_line_magic(self, name: str, line: str = "", *_: Any, **__: Any) -> Any:
         """Run the line of `%time` and the like, and return its value if it is an expression."""
         if name in RUNS_LINE:
             with suppress(SyntaxError):
                 return self.run_code(PRUN_OPTIONS.sub("", line) if name == "prun" else line)
-        self.left_out.append(f"%{name} {line}".rstrip())
         return Silent()
 
     def run_cell_magic(self, name: str, line: str = "", cell: str = "", *_: Any, **__: Any) -> None:
@@ -247,8 +246,6 @@ class NotebookShell(Silent):
         if name in RUNS_CELL:
             with suppress(SyntaxError):
                 self.run_code(cell)
-                return
-        self.left_out.append(f"%%{name} {line}".rstrip())
 
     def run_code(self, code: str) -> Any:
         """Run code in the notebook's namespace, and return its value if it is an expression."""
@@ -266,11 +263,9 @@ class NotebookShell(Silent):
 
     def system(self, command: str = "", *_: Any, **__: Any) -> None:
         """Leave out a command of the shell."""
-        self.left_out.append(f"!{command}")
 
     def getoutput(self, command: str = "", *_: Any, **__: Any) -> list[str]:
         """Leave out a command of the shell, which has no output."""
-        self.left_out.append(f"!{command}")
         return []
 
 
@@ -362,8 +357,8 @@ class Thread(threading.Thread):
         return False
 
 
-def install(space: dict[str, Any], *, has_pictures: bool = False) -> NotebookShell:
-    """Put the stand-ins in place, and return the one whose `left_out` grows.
+def install(space: dict[str, Any], *, has_pictures: bool = False) -> None:
+    """Put the stand-ins in place.
 
     Call it only in the process of a student's program, since it changes Python's own modules.
 
@@ -384,4 +379,3 @@ def install(space: dict[str, Any], *, has_pictures: bool = False) -> NotebookShe
     for home in (multiprocessing, multiprocessing.pool):
         vars(home).update(Pool=Pool, ThreadPool=Pool)
     threading.Thread = Thread  # type: ignore[misc]
-    return shell
