@@ -86,9 +86,6 @@ class Answers(NamedTuple):
         }
 
 
-CELLS, CASES = range(2)  # the parts of a request
-
-
 def run_program(
     sandbox: Sandbox,
     cells: list[Cell],
@@ -247,8 +244,8 @@ def find_remaining(
     The cell or question that did so gets that outcome and is not run again.
     """
     end = describe_end(reply)
-    if len(reply.parts) - 1 == CELLS:
-        done = {line["cell"] for line in reply.parts[CELLS] if "cell" in line}
+    if len(reply.parts) == 1:  # it ended while the cells were run
+        done = {line["cell"] for line in reply.parts[0] if "cell" in line}
         culprit = next((cell for cell in cells if cell.number not in done), None)
         if culprit is not None:
             found.troubles[culprit.number] = [Trouble(end, 0)]
@@ -317,9 +314,9 @@ def is_stopped(outcome: Outcome) -> bool:
 
 
 def forget_words(outcome: Outcome) -> Outcome:
-    """An outcome without what a program could say by it of a hidden case.
+    """An outcome without the text in which a program could reveal a hidden case.
 
-    Answers remain, since they are judged; exceptions keep the names that Python has for them.
+    Answers remain, since they are judged. Exceptions keep the names of Python's own classes.
     """
     if isinstance(outcome, Raised) and not is_stopped(outcome):
         known = [kind for kind in outcome.kinds if hasattr(builtins, kind)]

@@ -34,9 +34,9 @@ if not __package__:  # it is run as a program, and not read by a tool
     sys.modules["numba"] = None  # type: ignore[assignment]
 
 from kinoedu.course.exercise import Exercise  # noqa: E402
-from kinoedu.course.judging import is_unwritten, run_called  # noqa: E402
+from kinoedu.course.judging import ends_a_run, run_called  # noqa: E402
 from kinoedu.course.lessons import find  # noqa: E402
-from kinoedu.course.outcomes import Late, Outcome, encode_outcome  # noqa: E402
+from kinoedu.course.outcomes import Outcome, encode_outcome  # noqa: E402
 from kinoedu.grading.sandbox.remote import (  # noqa: E402
     GRACE,
     NO_VALUE,
@@ -111,7 +111,7 @@ class Grader:
 class Session:
     """The cells and the cases of one request."""
 
-    def __init__(self, grader: Grader, student: "Student") -> None:
+    def __init__(self, grader: Grader, student: Student) -> None:
         self.grader, self.student = grader, student
 
     def run(self, requests: Iterator[dict[str, Any]]) -> None:
@@ -161,7 +161,7 @@ class Session:
                 raise Ended(self.student.end)
             encoded = encode_outcome(outcome, exercise.answer)
             self.grader.send(question=exercise.name, case=number, outcome=encoded)
-            if isinstance(outcome, Late) or is_unwritten(outcome):
+            if ends_a_run(outcome):
                 return False
         return True
 
