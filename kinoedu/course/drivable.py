@@ -1,6 +1,5 @@
 """Problems for the exercises on driving, which add a car's motion to a student's problem."""
 
-import json
 import math
 from functools import partial
 from typing import Any
@@ -12,10 +11,8 @@ from ..curves.arcs import drive_arc
 from ..geometry.checks import Array
 from ..problems import ProblemRecord
 from ..problems.recorder import Question
-from ..support.json_fields import Json
-from .plain import WrongShape
 from .poses import distance_of_poses
-from .tasks import ProblemShape, StudentProblem, decode_problem, read_problem, scene_of
+from .tasks import ProblemShape, StudentProblem, read_problem, scene_of
 
 TRIALS, STEPS, BATCHES = 20, 30, 4
 REGION = 2.5  # radius of the region around the goal, in wheelbases
@@ -85,7 +82,8 @@ class DrivingProblem(StudentProblem):
     ) -> tuple[float, float, float] | None:
         """Best of twenty random controls, cut off where it comes closest to the target.
 
-        Where the best control is not collision-free, twenty others are drawn, up to four times.
+        Where the best control is not collision-free, twenty others are drawn; at most four such
+        batches are tried.
 
         Returns
         -------
@@ -154,9 +152,6 @@ def drivable(scene: dict[str, Any]) -> DrivingProblem:
 class DrivenProblemShape(ProblemShape):
     """The shape of a car's problem, encoded as a scene."""
 
-    def decode(self, data: Json) -> DrivingProblem:
-        """Decode into a new problem without recorded calls."""
-        try:
-            return DrivingProblem(decode_problem(json.dumps(data)))
-        except Exception:
-            raise WrongShape(self.description) from None
+    def wrap(self, problem: ProblemRecord) -> DrivingProblem:
+        """The problem as a student's program sees it."""
+        return DrivingProblem(problem)

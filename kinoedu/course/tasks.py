@@ -154,6 +154,10 @@ class ProblemShape(NamedTuple):
     def decode(self, data: Json) -> StudentProblem:
         """Decode into a new problem without recorded calls. Raises WrongShape."""
         try:
-            return StudentProblem(decode_problem(json.dumps(data)))
+            return self.wrap(decode_problem(json.dumps(data)))
         except Exception:
             raise WrongShape(self.description) from None
+
+    def wrap(self, problem: ProblemRecord) -> StudentProblem:
+        """The problem as a student's program sees it."""
+        return StudentProblem(problem)

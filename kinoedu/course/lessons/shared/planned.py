@@ -239,11 +239,6 @@ class PlannerExercise(Exercise):
         """Call the planner three times: the answers, and whether global generators were unused."""
         return call_three_times(function, given, read_nothing)[:4]
 
-    def right_answer(self, *given: Value) -> Value:
-        """The library's own answer to one call."""
-        assert self.source is not None
-        return self.source(*given)
-
     def fault_of_three(self, case: Case, value: Value) -> Fault | None:
         """What is wrong with the answers or with their use of randomness, or None."""
         first, again, other, alone, *runs = value
