@@ -175,25 +175,27 @@ def export_gradescope(rows: list[Row], folder: Path) -> int:
 
 
 def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
-    """The results of one submission as Gradescope reads them.
+    """The results of one submission as Gradescope reads them."""
+    its = list(rows)
+    return {
+        "score": round(sum(round(row.score or 0.0, 6) for row in its), 6),
+        "visibility": "visible",
+        "tests": [make_gradescope_test(row) for row in its],
+    }
+
+
+def make_gradescope_test(row: Row) -> dict[str, object]:
+    """The results of one question.
 
     A question without a score yet has no points, and its output says so.
     """
-    tests = [
-        {
-            "name": row.question,
-            "score": round(row.score or 0.0, 6),
-            "max_score": row.max_score,
-            "status": "passed"
-            if row.score is not None and row.score >= row.max_score
-            else "failed",
-            "output": show_controls(f"{row.status}: {row.message}" if row.message else row.status),
-            "output_format": "text",
-        }
-        for row in rows
-    ]
+    is_full = row.score is not None and row.score >= row.max_score
+    output = f"{row.status}: {row.message}" if row.message else row.status
     return {
-        "score": round(sum(float(str(test["score"])) for test in tests), 6),
-        "visibility": "visible",
-        "tests": tests,
+        "name": row.question,
+        "score": round(row.score or 0.0, 6),
+        "max_score": row.max_score,
+        "status": "passed" if is_full else "failed",
+        "output": show_controls(output),
+        "output_format": "text",
     }

@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from html import escape
-from itertools import groupby
 from urllib.parse import quote
 
 from ...course.lessons import EXERCISES, find
@@ -144,20 +143,12 @@ def tabulate_questions(rows: list[Row]) -> Iterator[str]:
         get_message(f"grades.report.{key}")
         for key in ("assignment", "question", "answered", "full", "mean", "median", "quartiles")
     ]
-    scored = sorted(
-        (row for row in rows if row.score is not None and row.max_score),
-        key=lambda row: row.assignment,
-    )
-    places = {
-        whose: at
-        for at, whose in reversed([*enumerate((row.assignment, row.question) for row in scored)])
-    }
+    scored = [row for row in rows if row.score is not None and row.max_score]
+    of_question: dict[tuple[str, str], list[Row]] = {}
+    for row in sorted(scored, key=lambda row: row.assignment):
+        of_question.setdefault((row.assignment, row.question), []).append(row)
     lines = []
-    for (assignment, question), group in groupby(
-        sorted(scored, key=lambda row: places[row.assignment, row.question]),
-        key=lambda row: (row.assignment, row.question),
-    ):
-        its = list(group)
+    for (assignment, question), its in of_question.items():
         shares = [(row.score or 0.0) / row.max_score for row in its]
         answered = sum(row.status != UNANSWERED for row in its)
         full, mean = sum(share >= 1.0 for share in shares) / len(shares), sum(shares) / len(shares)
