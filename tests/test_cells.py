@@ -19,7 +19,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinoedu.course.exceptions import MAX_LINE, describe_exception
-from kinoedu.grading.collect.left_out import MOST_TOLD, find_left_out
+from kinoedu.grading.collect.left_out import MOST_LISTED, find_left_out
 from kinoedu.grading.collect.notebook import Cell, read_cells
 from kinoedu.grading.collect.notebook_python import LONGEST, PythonReader, split_lines
 from kinoedu.grading.sandbox import cells
@@ -333,11 +333,15 @@ def test_a_bomb_is_read_in_bounded_time(part):
     assert time.process_time() - began < 60.0  # some 10 seconds where nothing else runs
 
 
-def test_commands_that_are_left_out_are_told_with_their_places():
-    """As the notebook has them; what is run, and what changes nothing, is not told."""
+def test_commands_that_are_left_out_are_listed_with_their_places():
+    """As the notebook has them; what is run, and what changes nothing, is not listed."""
     book = make_notebook("%matplotlib inline\nx = 1\n!ls -l", "len?\n%time 1", "%%bash\nls")
-    told = find_left_out(read_cells(book))
-    assert [(one.line, one.command) for one in told] == [(3, "!ls -l"), (1, "len?"), (1, "%%bash")]
+    listed = find_left_out(read_cells(book))
+    assert [(one.line, one.command) for one in listed] == [
+        (3, "!ls -l"),
+        (1, "len?"),
+        (1, "%%bash"),
+    ]
     assert find_left_out([Cell(1, "def f(:\n  get_ipython().system('ls')")]) == []
     many = find_left_out([Cell(1, "get_ipython().system('ls')\n" * 1000)])
-    assert len(many) == MOST_TOLD
+    assert len(many) == MOST_LISTED

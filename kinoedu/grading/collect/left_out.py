@@ -1,4 +1,7 @@
-"""The notebook's commands that grading does not run, such as `!ls` and `%cd`: found, and told."""
+"""Find the notebook's commands that grading does not run, such as `!ls` and `%cd`.
+
+They are listed on the student's page.
+"""
 
 import ast
 import warnings
@@ -11,8 +14,8 @@ from .notebook import Cell
 SHELL = ("system", "getoutput")
 SETTINGS = ("matplotlib", "config", "load_ext", "autoreload")  # nothing depends on them
 HELP = {"pinfo": "?", "pinfo2": "??"}
-MOST_TOLD = 20  # commands of a notebook
-LONGEST_TOLD = 200  # characters of a command
+MOST_LISTED = 20  # commands of a notebook
+LONGEST_LISTED = 200  # characters of a command
 
 
 class LeftOut(NamedTuple):
@@ -30,12 +33,12 @@ def find_left_out(cells: Iterable[Cell]) -> list[LeftOut]:
     [LeftOut(cell=3, line=2, command='!ls')]
     """
     found = [
-        LeftOut(cell.number, line, command[:LONGEST_TOLD])
+        LeftOut(cell.number, line, command[:LONGEST_LISTED])
         for cell in cells
         if "get_ipython" in cell.source
         for line, command in list_commands(cell.source)
     ]
-    return found[:MOST_TOLD]
+    return found[:MOST_LISTED]
 
 
 def list_commands(source: str) -> Iterator[tuple[int, str]]:

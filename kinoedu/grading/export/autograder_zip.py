@@ -23,8 +23,8 @@ FILES = ("LICENSE", "start.py", "pyproject.toml", "environment.txt")
 
 SETUP = f"""\
 #!/usr/bin/env bash
-# Run once, as root, when Gradescope builds the container: Python, bubblewrap, \
-the course's packages; what is slow to compile.
+# Run once, as root, when Gradescope builds the container. It installs Python, bubblewrap and \
+the course's packages, and compiles what is slow to compile.
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 export DEBIAN_FRONTEND=noninteractive
@@ -43,8 +43,8 @@ KINOEDU_CACHE="$here/cache" "$python" "$here/{COURSE}/start.py" warm
 
 RUN = f"""\
 #!/usr/bin/env bash
-# Run, as root, for each submission. `run_autograder ROOT` tries it with another folder \
-in the place of /autograder.
+# Run, as root, for each submission. To try it elsewhere, `run_autograder ROOT` takes another \
+folder in place of /autograder.
 set -euo pipefail
 root="${{1:-/autograder}}"
 course="$root/source/{COURSE}"
