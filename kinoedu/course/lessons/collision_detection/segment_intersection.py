@@ -210,11 +210,6 @@ def with_tolerance(ends: Value) -> Array:
     return by_shares(ends, lambda t, s: max(abs(t - 0.5), abs(s - 0.5)) <= 0.501)
 
 
-def middle_of(found: Array) -> Array:
-    """Middle of the common points, if there are any."""
-    return found.mean(axis=0)[None] if len(found) else found
-
-
 def list_point_twice(found: Array, ends: Value) -> Array:
     """The right answer, but a single common point of parallel segments is listed twice."""
     is_parallel = cross(ends[1] - ends[0], ends[3] - ends[2]) == 0.0

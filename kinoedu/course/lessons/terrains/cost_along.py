@@ -44,9 +44,7 @@ class CostAlong(ValueExercise):
         Slip("upside_down", lambda cost, a, b: integrate(cost[::-1], a, b)),
         Slip("length", lambda cost, a, b: measure_length(a, b)),
         Slip("share", lambda cost, a, b: integrate(cost, a, b) / measure_length(a, b)),
-        Slip(
-            "cells", lambda cost, a, b: sum(cost[j, i] for i, j in find_crossed_cells(cost, a, b))
-        ),
+        Slip("cells", lambda cost, a, b: sum(cost[j, i] for i, j in find_crossed_cells(a, b))),
     )
 
     @staticmethod
@@ -135,7 +133,7 @@ def integrate_transposed(cost: Array, a: Array, b: Array) -> float:
     stretches = np.diff(find_cuts(a, b)) * measure_length(a, b)
     inside = [
         (s, i, j)
-        for s, (i, j) in zip(stretches, find_crossed_cells(cost, a, b))
+        for s, (i, j) in zip(stretches, find_crossed_cells(a, b))
         if i < len(cost) and j < len(cost[0])
     ]
     return float(sum(cost[i, j] * s for s, i, j in inside))

@@ -86,6 +86,6 @@ def measure_deepest(free: Array, a: Array, b: Array) -> float:
     """Return the greatest length of a motion inside one blocked cell."""
     pieces = np.diff(find_cuts(a, b)) * measure_length(a, b)
     return max(
-        (float(s) for s, (i, j) in zip(pieces, find_crossed_cells(free, a, b)) if not free[j, i]),
+        (float(s) for s, (i, j) in zip(pieces, find_crossed_cells(a, b)) if not free[j, i]),
         default=0.0,
     )

@@ -21,7 +21,7 @@ def find_cuts(a: Array, b: Array) -> Array:
     return np.unique(np.clip(shares, 0.0, 1.0))
 
 
-def find_crossed_cells(cost: Array, a: Array, b: Array) -> list[tuple[int, int]]:
+def find_crossed_cells(a: Array, b: Array) -> list[tuple[int, int]]:
     """Return the cells (i, j) that a motion crosses, in order.
 
     A motion of length 0 crosses the cell that contains it.
