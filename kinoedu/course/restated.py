@@ -84,12 +84,12 @@ class Outer(OtherForm):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """The usual cases with the variant's arguments."""
         for case in self.inner.cases(rng):
-            yield rename(case, self.form.given)
+            yield change_arguments(case, self.form.given)
 
     @cached_property
     def fixed_cases(self) -> tuple[Case, ...]:
         """Those of the usual form, with the variant's arguments."""
-        return tuple(rename(case, self.form.given) for case in self.usual.fixed_cases)
+        return tuple(change_arguments(case, self.form.given) for case in self.usual.fixed_cases)
 
     def usual_case(self, case: Case) -> Case:
         """The usual case that corresponds to one of the variant."""
@@ -99,7 +99,7 @@ class Outer(OtherForm):
             if len(self.usual_cases) >= MAX_CACHED_CASES:
                 self.usual_cases.clear()
             back = self.form.usual_given or self.form.given
-            self.usual_cases[id(case)] = case, rename(case, back)
+            self.usual_cases[id(case)] = case, change_arguments(case, back)
         return self.usual_cases[id(case)][1]
 
     @np.errstate(all="ignore")
@@ -175,8 +175,8 @@ class OuterValue(Outer, ValueExercise):
         return bool(self.inner.same(self.usual_value(case, value), self.usual_value(case, other)))
 
 
-def rename(case: Case, change: Callable[..., tuple[Any, ...]] | None) -> Case:
-    """A case with other arguments of the same names."""
+def change_arguments(case: Case, change: Callable[..., tuple[Any, ...]] | None) -> Case:
+    """A case whose arguments have the same names and the values that `change` makes of theirs."""
     if change is None:
         return case
     given: Given = dict(zip(case.given, change(*case.given.values()), strict=True))

@@ -55,7 +55,7 @@ class UniformRandom(Exercise):
         return uniform_random(n, d, rng=rng)
 
     def size_limit(self, case: Case) -> int:
-        """The most numbers: twice those of the three answers."""
+        """The most numbers: half as many again as the four answers have, and some more."""
         return MOST_NUMBERS + 6 * int(case.given["n"] * case.given["d"])
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
@@ -84,7 +84,7 @@ class UniformRandom(Exercise):
         return self.message("wanted", n=n, d=d)
 
     def describe_answer(self, case: Case, value: Value) -> str:
-        """Describe the first of the three answers, or the two that are compared."""
+        """Describe the first of the four answers, or the two that are compared."""
         n, d, _ = case.given.values()
         first, again, other, far = value
         rule = self.value_verdict(case, value).rule

@@ -1,4 +1,7 @@
-"""The exercise on the document's second planner: a PRM on a bitmap that joins every free pair."""
+"""The exercise on a PRM on a bitmap that joins every free pair.
+
+It is the second planner of the document that lesson 10 examines; `repeated_rows.py` names it.
+"""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,7 @@
-"""The base class of the document's two planners on a bitmap, and the exercise on its RRT."""
+"""The base class of the exercises on two planners on a bitmap, and the exercise on the RRT.
+
+Both planners are those of the document that lesson 10 examines; `repeated_rows.py` names it.
+"""
 
 from collections.abc import Callable, Iterator
 
