@@ -79,7 +79,7 @@ def remove_definitions(text: str, path: str, unused: set[Name]) -> str:
     for node in ast.parse(text).body:
         if (path, name_defined(node)) in unused:
             decorators = getattr(node, "decorator_list", [])
-            line = min(node.lineno, *(one.lineno for one in decorators), node.lineno)
+            line = min([node.lineno, *(one.lineno for one in decorators)])
             while lines[line - 2].startswith("#"):
                 line -= 1
             edits.append(((line, 0), end_of(node), ""))

@@ -13,11 +13,13 @@ from typing import Any, NamedTuple
 from ..messages import get_message
 from ..support.json_fields import JsonObject
 from ..support.time_limit import Limiter, SeenLines, TimeUp, run_within_processor_time
-from .exceptions import MAX_NAMES, describe_exception
+from .exceptions import MAX_LINES, MAX_NAMES, describe_exception
 from .plain import WrongShape, wrong_shape
 from .shapes import Listed, Record, Shape, Text, Truth, Value
 
-HERE = Path(__file__).resolve().parent.parent
+HERE = Path(__file__).resolve().parent.parent  # the package
+STANDARD = Path(traceback.__file__).resolve().parent  # Python's own library
+MAX_SEEN = 6  # lines in which a program was late
 
 
 class Answer(NamedTuple):
@@ -111,14 +113,17 @@ SHAPES: dict[type, Record] = {
     Misshapen: Record(message=Text()),
     Changed: Record(names=Listed(Text(), MAX_NAMES)),
     Raised: Record(
-        kinds=Listed(Text(), MAX_NAMES), message=Text(), lines=Listed(Text(), 5), function=Text()
+        kinds=Listed(Text(), MAX_NAMES),
+        message=Text(),
+        lines=Listed(Text(), MAX_LINES),
+        function=Text(),
     ),
     Late: Record(
         left_running=Truth(),
         used=Seconds(),
         allowed=Seconds(),
         passed=Seconds(),
-        lines=Listed(Text(), 6),
+        lines=Listed(Text(), MAX_SEEN),
     ),
 }
 
@@ -171,7 +176,7 @@ def seen_lines(seen: SeenLines) -> list[str]:
         return []
     numbers = range(seen.first, seen.last + 1)
     lines = [(number, linecache.getline(seen.file, number).strip()) for number in numbers]
-    return [f"line {number}: {line}" for number, line in lines if line][:6]
+    return [f"line {number}: {line}" for number, line in lines if line][:MAX_SEEN]
 
 
 def raised_outcome(error: BaseException) -> Raised:
@@ -186,9 +191,6 @@ def is_students(file: str) -> bool:
         and "site-packages" not in file
         and {HERE, STANDARD}.isdisjoint(Path(file).parents)
     )
-
-
-STANDARD = Path(traceback.__file__).resolve().parent
 
 
 def encode_outcome(outcome: Outcome, shape: Shape) -> JsonObject:

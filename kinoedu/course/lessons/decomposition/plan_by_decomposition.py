@@ -161,8 +161,8 @@ class PlanByDecomposition(Exercise):
             yield case(inside(rng, cells[i]), inside(rng, cells[j]), cells, pairs)
             far = int(np.argmax(reached))
             yield case(inside(rng, cells[0]), inside(rng, cells[far]), cells, pairs)
-            scale, kind = size / 16, rng.random() < 0.5
-            tip, two = shuffled_cells(rng, scale * HALL, [scale * (mirror(BAR) if kind else BAR)])
+            scale, bar = size / 16, mirror(BAR) if rng.random() < 0.5 else BAR
+            tip, two = shuffled_cells(rng, scale * HALL, [scale * bar])
             order = np.argsort(tip[:, 1] - tip[:, 0])  # the short cell lies at the tip
             yield case(inside(rng, tip[order[-1]]), inside(rng, tip[order[-2]]), tip, two)
             apart, joined = shuffled_cells(rng, scale * HALL, [scale * FENCE])

@@ -31,9 +31,7 @@ class PointSegmentDistance(DistanceExercise):
         Slip("ends", lambda q, p1, p2: min(np.linalg.norm(q - p1), np.linalg.norm(q - p2))),
         Slip("one_end", lambda q, p1, p2: clamped_distance(q, p1, p2, 0.0, np.inf)),
         Slip("other_end", lambda q, p1, p2: clamped_distance(q, p1, p2, -np.inf, 1.0)),
-        Slip(
-            "unscaled", lambda q, p1, p2: clamped_distance(q, p1, p1 + (p2 - p1), 0.0, 1.0, power=1)
-        ),
+        Slip("unscaled", lambda q, p1, p2: clamped_distance(q, p1, p2, 0.0, 1.0, power=1)),
         Slip("square", lambda q, p1, p2: point_segment_distance(q, p1, p2) ** 2),
         Slip("rounded", lambda q, p1, p2: round(float(point_segment_distance(q, p1, p2)), 2)),
         Slip(

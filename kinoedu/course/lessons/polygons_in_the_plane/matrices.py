@@ -6,7 +6,7 @@ import numpy as np
 
 from ....collision import free_configurations
 from ....problems import Problem
-from ....robots import Disk
+from ....robots.round import RoundRobot
 from ...exercise import Axes, Case, Restated, Verdict
 from ...outcomes import Outcome
 from ...shapes import Record, Value
@@ -28,7 +28,7 @@ def make_problem(robot: Value, world: Value, q: Value) -> StudentProblem:
 
 def draw_case(kind: str, robot: Value, world: Value, rng: np.random.Generator, n: int) -> Case:
     """Draw a case with n random free configurations, rounded to two decimals."""
-    d = 2 if isinstance(robot, type(Disk(1.0))) else 3
+    d = 2 if isinstance(robot, RoundRobot) else 3  # a heading makes no difference to a disk
     drawn = np.round(rng.uniform((0, 0, -3.1)[:d], (10, 10, 3.1)[:d], (2000, d)), 2)
     nodes = drawn[free_configurations(robot, world, drawn)][:n]
     return Case(kind, {"problem": make_problem(robot, world, nodes[0]), "nodes": nodes})

@@ -163,9 +163,10 @@ class VisibleCorners(ValueExercise):
     def same(self, value: Value, truth: Value) -> bool:
         """Whether nodes and edges are the same; the order counts for start and goal alone."""
         (found, pairs), (nodes, edges) = value, truth
-        if find_order(found, nodes) is None:
+        order = find_order(found, nodes)
+        if order is None:
             return False
-        back = np.argsort(np.array(find_order(found, nodes)))
+        back = np.argsort(np.array(order))
         renamed = np.sort(back[edges], axis=1).reshape(-1, 2)
         return sorted(map(tuple, np.asarray(pairs).tolist())) == sorted(
             map(tuple, renamed.tolist())
