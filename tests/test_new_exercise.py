@@ -195,6 +195,9 @@ def test_an_exercise_without_a_lesson_is_refused(capsys):
         ("halfway", "../15_walls", "15_walls"),
         ("halfway", "15_while", "Python reserves"),
         ("halfway", "15_3d", "15_walls"),
+        ("halfway", "15_shared", "nor shared"),
+        ("case", "15_walls", "choose another name"),
+        ("answer", "15_walls", "choose another name"),
     ],
 )
 def test_impossible_names_are_refused(name, lesson, words, capsys):

@@ -78,6 +78,7 @@ def new_exercise(
         place.format(name=name, room=room): fill_template(house, kind + template, values)
         for template, place in PLACES.items()
     }
+    refuse_taken_class(name, made[PLACES["exercise.py"].format(name=name, room=room)])
     cells = [fill_template(house, kind + template, values).rstrip() for template in CELLS]
     book, list_of_room = f"solutions/{lesson}.ipynb", LIST.format(room=room)
     list_file = house / list_of_room
@@ -132,10 +133,11 @@ def check_names(name: str, lesson: str, house: Path) -> None:
             f"digits and _, such as closest_wall; got {name!r}"
         )
     topic = lesson[3:]  # the name of a package
-    if not re.fullmatch(r"\d\d_[a-z][a-z0-9_]*", lesson) or keyword.iskeyword(topic):
+    is_taken = keyword.iskeyword(topic) or topic == "shared"
+    if not re.fullmatch(r"\d\d_[a-z][a-z0-9_]*", lesson) or is_taken:
         raise InvalidParameter(
             "the name of a lesson is two digits and one or more words, such as 15_walls, and not "
-            f"a single word that Python reserves; got {lesson!r}"
+            f"a single word that Python reserves, nor shared; got {lesson!r}"
         )
     if not (house / TEMPLATES).is_dir():
         raise InvalidParameter(
@@ -148,6 +150,16 @@ def check_names(name: str, lesson: str, house: Path) -> None:
         raise InvalidParameter(
             f"{name} exists already ({taken[0] if taken else 'an exercise or its messages'}); "
             "choose another name"
+        )
+
+
+def refuse_taken_class(name: str, source: str) -> None:
+    """Raise InvalidParameter where an exercise's file imports something of its class's name."""
+    imports = [node for node in ast.parse(source).body if isinstance(node, ast.ImportFrom)]
+    if class_name(name) in {one.name for node in imports for one in node.names}:
+        raise InvalidParameter(
+            f"the class of {name} would be {class_name(name)}, which is something else in its "
+            f"file; choose another name, such as {name}_of_points"
         )
 
 
