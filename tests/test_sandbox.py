@@ -307,3 +307,16 @@ print(len(list(Path().iterdir())), Path.cwd().parent == trusted.PLACE.resolve())
 """
     line = [sys.executable, "-c", code, str(tmp_path)]
     assert subprocess.run(line, capture_output=True, text=True, check=False).stdout == "0 True\n"
+
+
+def test_a_sandbox_that_does_not_start_in_time_is_explained(monkeypatch):
+    """The command says so, and shows no traceback."""
+
+    def hang(command, *, timeout, **_):
+        raise subprocess.TimeoutExpired(command, timeout)
+
+    monkeypatch.setattr(sandbox.sys, "platform", "linux")
+    monkeypatch.setattr(sandbox, "REFUSED", (1,))
+    monkeypatch.setattr(sandbox.shutil, "which", lambda name: f"/usr/bin/{name}")
+    monkeypatch.setattr(sandbox.subprocess, "run", hang)
+    assert "try again" in sandbox.explain_no_sandbox()

@@ -80,13 +80,19 @@ def explain_no_sandbox() -> str:
             "bubblewrap is not installed (Debian, Ubuntu: sudo apt install bubblewrap; Fedora: "
             "sudo dnf install bubblewrap)"
         )
-    trial = subprocess.run(
-        [*sandboxed_python(), "-c", "print(6 * 7)"],
-        capture_output=True,
-        text=True,
-        timeout=START,
-        check=False,
-    )
+    try:
+        trial = subprocess.run(
+            [*sandboxed_python(), "-c", "print(6 * 7)"],
+            capture_output=True,
+            text=True,
+            timeout=START,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return (
+            f"a sandbox did not start within {START:.0f} seconds, perhaps because the computer is "
+            "busy; try again"
+        )
     if trial.stdout.strip() == "42":
         return ""
     message = " ".join(trial.stderr.split())[-300:]
