@@ -2,9 +2,9 @@
 
 They start processes, reach other processes, open networks or shared memory, ask what others have
 done, such as which pages of a file are in memory, or ask the kernel for more than a calculation
-needs. Most of them are prevented by something else as well. Two are
-prevented only here: memory that no limit counts (System V's, memfd), and new user namespaces, in
-which every user is root. Linux filters system calls by a small program; see seccomp(2).
+needs. Most of them are prevented by something else as well. Two are prevented only here: memory
+that no limit counts (System V's, memfd), and new user namespaces, in which every user is root.
+Linux filters system calls by a small program; see seccomp(2).
 """
 
 import ctypes

@@ -116,11 +116,8 @@ def end_child(child: int, grader: socket.socket) -> int:
 
 def serve(requests: int, replies: int) -> None:
     """Run a student's program in this process. Never returns."""
-    nowhere = os.open(os.devnull, os.O_RDWR)
     with contextlib.suppress(BaseException):
-        for number in (0, 1, 2):
-            os.dup2(nowhere, number)
-        os.close(nowhere)
+        replace_standard_files()
         Program(requests, replies).obey()
     os._exit(0)  # so functions that a program registered for the exit are not called
 
@@ -137,12 +134,20 @@ class Nowhere(io.RawIOBase):
         return memoryview(data).nbytes
 
 
-def discard_output() -> None:
-    """Discard what is printed, and use no file that others have."""
+def replace_standard_files() -> None:
+    """Put /dev/null in the place of standard input, output and errors.
+
+    After `shut_in.leave_disk` it is a file of this process alone.
+    """
     null = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1, 2):
         os.dup2(null, number)
     os.close(null)
+
+
+def discard_output() -> None:
+    """Discard what is printed, and use no file that others have."""
+    replace_standard_files()
     sys.stdout = sys.stderr = io.TextIOWrapper(io.BufferedWriter(Nowhere()), encoding="utf-8")
 
 
@@ -256,9 +261,9 @@ class Program:
 
         Raises TimeUp if it computes for more than `seconds`, or only waits for MOST_WAITS times
         that. A busy computer gives more time, up to LONGEST times the limit. The time in which the
-        runner answers does not count. No thread may be started here, so
-        signals are used. They are sent again and again until Python code stops; code that never
-        handles them is killed from outside.
+        runner answers does not count. No thread may be started here, so signals are used. They are
+        sent again and again until Python code stops; code that never handles them is killed from
+        outside.
         """
         wall, processor, self.asked = time.monotonic(), time.process_time(), 0.0
 
