@@ -151,7 +151,7 @@ def compute_key(one: Submission, secret: bytes) -> str:
         one.assignment.encode(),
         one.data,
         hashlib.sha256(secret).digest(),
-        digest_sources(one.assignment),
+        join_sources(one.assignment),
     ]
     parts += [repr(one.variants).encode()] if one.variants else []
     digests = b"".join(hashlib.sha256(part).digest() for part in parts)
@@ -159,9 +159,15 @@ def compute_key(one: Submission, secret: bytes) -> str:
 
 
 @functools.cache
-def digest_sources(name: str) -> bytes:
-    """The digest of kinoedu's sources and the assignment's solution, which a grade depends on."""
-    return source_digest(HOUSE / "kinoedu").encode() + solution_path(name).read_bytes()
+def digest_library() -> str:
+    """The digest of kinoedu's sources."""
+    return source_digest(HOUSE / "kinoedu")
+
+
+@functools.cache
+def join_sources(name: str) -> bytes:
+    """The digest of kinoedu's sources, and an assignment's solution: a grade depends on both."""
+    return digest_library().encode() + solution_path(name).read_bytes()
 
 
 def read_result(file: Path) -> Grade | None:

@@ -3,25 +3,23 @@
 Each picture is drawn once, however many students share the failure.
 """
 
-import functools
 import hashlib
 import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ...compiled.store import source_digest
 from ...course.exercise import Case, Exercise
 from ...course.feedback import case_lines, draw_failure
 from ...course.judging import JudgedCase
 from ...course.lessons import find
 from ...course.outcomes import Answer, decode_outcome
 from ...course.plain import WrongShape
-from ...course.release import HOUSE
 from ...errors import KinoeduError
 from ...messages import get_message
 from ...support.time_limit import TimeUp, run_within
 from ...support.whole_files import written_whole
+from ..judge.running import digest_library
 from ..judge.submission import Grade
 
 DRAWING = 20.0  # seconds
@@ -114,13 +112,7 @@ def name_picture(question: Grade) -> str:
     failure = question["failure"]
     what = [question["question"], question.get("variant", ""), failure["case"], failure["outcome"]]
     text = json.dumps(what, sort_keys=True)
-    return hashlib.sha256((digest_sources() + text).encode()).hexdigest()[:40]
-
-
-@functools.cache
-def digest_sources() -> str:
-    """The digest of kinoedu's sources, which draw the picture."""
-    return source_digest(HOUSE / "kinoedu")
+    return hashlib.sha256((digest_library() + text).encode()).hexdigest()[:40]
 
 
 def draw_safely(exercise: Exercise, failure: JudgedCase) -> bytes | None:

@@ -8,10 +8,9 @@ from pathlib import Path
 
 from ...support.whole_files import written_whole
 from ..judge.class_list import Class, Entry, read_record
-from ..judge.running import Progress
+from ..judge.running import Progress, digest_library
 from ..judge.submission import Grade
 from .decisions import read_decisions
-from .failures import digest_sources
 from .feedback_page import name_page, render_feedback
 from .pages import write_page
 from .report_page import render_report
@@ -71,7 +70,7 @@ def read_made(file: Path) -> dict[str, list[str]]:
 def digest_page(rows: list[Row], entry: Entry, record: Grade | None) -> str:
     """The digest of everything of which a page is made."""
     language = os.environ.get("KINOEDU_LANGUAGE", "")
-    text = json.dumps([rows, entry, record, language, digest_sources()], sort_keys=True)
+    text = json.dumps([rows, entry, record, language, digest_library()], sort_keys=True)
     return hashlib.sha256(text.encode()).hexdigest()[:40]
 
 
