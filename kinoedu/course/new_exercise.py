@@ -177,7 +177,7 @@ def plain_values(plain: PlainFunction) -> dict[str, str]:
     InvalidParameter
         Where its example is wrong.
     """
-    given, _ = example_of(plain)
+    given = example_of(plain)
     slips = usual_slips(plain)
     first_line = " ".join(plain.statement.split("\n\n")[0].split())
     shapes = [ANSWERS[plain.answer], *(repr_shape(kind) for kind in plain.inputs.values())]

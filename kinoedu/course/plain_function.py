@@ -175,8 +175,8 @@ def read_kind(annotation: ast.expr | None, known: dict[str, Any], what: str) -> 
     return str(found)
 
 
-def example_of(plain: PlainFunction) -> tuple[dict[str, Any], Any]:
-    """The arguments and the result of the example.
+def example_of(plain: PlainFunction) -> dict[str, Any]:
+    """The arguments of the example, whose result is checked.
 
     Raises
     ------
@@ -211,11 +211,11 @@ def example_of(plain: PlainFunction) -> tuple[dict[str, Any], Any]:
         raise InvalidParameter(
             f"the example of {plain.name} says {plain.result}, but the function returns {found!r}"
         )
-    return given, wanted
+    return given
 
 
 def agree(found: Any, wanted: Any) -> bool:
-    """Whether two answers are equal up to rounding."""
+    """Whether the numbers of two answers are equal up to rounding; their shapes do not matter."""
     try:
         one, other = np.ravel(found).astype(float), np.ravel(wanted).astype(float)
     except (TypeError, ValueError):  # no numbers
