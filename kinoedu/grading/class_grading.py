@@ -36,9 +36,9 @@ class Run(NamedTuple):
     trusted : whether programs run without a sandbox.
     grading, writing : called with the progress of each stage.
     variants : whether each student has contracts of their own.
-    letter : the variant of the section, such as B, or "".
     patience : a factor on all time limits, for slow computers.
     names : a table with the students' names, or None.
+    letter : the variant of the section, such as B, or "".
     """
 
     secret_file: Path
@@ -70,8 +70,7 @@ def require_sandbox(trusted: bool) -> None:
     if reason:
         raise InvalidParameter(
             f"submissions are strangers' programs, and cannot be shut in here: {reason}. If every "
-            "one of them may do on this "
-            "computer what you may, --trust runs them without a sandbox"
+            "one of them may do on this computer what you may, --trust runs them without a sandbox"
         )
 
 

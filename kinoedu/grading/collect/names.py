@@ -39,7 +39,8 @@ def read_names(file: Path) -> Names:
         pairs = [pair for row in rows for pair in name_in_canvas(row)]
     else:
         raise InvalidParameter(
-            f"{file} has neither the columns student and name nor those of Canvas's gradebook"
+            f"{file} has neither the columns student and name nor those of Canvas's gradebook; "
+            "its first line should be student,name"
         )
     return {
         one_line(unescape_formula(one.strip())).casefold(): unescape_formula(name.strip())
