@@ -601,6 +601,12 @@ def test_challenges_stand_below_the_picture(light):
         assert text.startswith("☆ Challenge, optional: drag q") and "Not yet" not in text
 
 
+FREE_PIXEL = """() => { const canvas = document.querySelector('.kinoedu-board canvas');
+    const data = canvas.getContext('2d').getImageData(
+        canvas.width * 0.75, canvas.height * 0.6, 1, 1).data;
+    return [...data].slice(0, 3); }"""
+
+
 @pytest.mark.parametrize(
     ("theme", "prefers", "expected"),
     [
@@ -619,15 +625,50 @@ def test_boards_and_words_follow_the_page(tmp_path, theme, prefers, expected):
         root = shown(page)
         assert root.get_attribute("data-theme") == expected
         colours = palette.THEMES[expected]
-        script = """canvas => [...canvas.getContext('2d').getImageData(
-            canvas.width * 0.75, canvas.height * 0.6, 1, 1).data].slice(0, 3)"""
-        pixel = root.locator("canvas").evaluate(script)
+        pixel = page.evaluate(FREE_PIXEL)
         assert "#" + "".join(f"{level:02X}" for level in pixel) == colours["free"]
         line = page.evaluate(
             "getComputedStyle(document.querySelector('.ke-goal')).borderBottomColor"
         )
         red, green, blue = (int(part) for part in re.findall(r"\d+", line))
         assert f"#{red:02X}{green:02X}{blue:02X}" == colours["goal"]
+
+
+PRINTED = f"""() => {{ const pixel = {FREE_PIXEL}, seen = [pixel()];
+    for (const kind of ["beforeprint", "afterprint"]) {{
+        dispatchEvent(new Event(kind));
+        seen.push(pixel());
+    }}
+    return seen; }}"""
+
+
+@pytest.mark.parametrize("theme", ["dark", "auto"])
+def test_a_dark_page_prints_light_boards(tmp_path, theme):
+    """The picture is light as soon as the page is to be printed, and dark again afterwards."""
+    needs_chromium()
+    with browser(color_scheme="dark") as page:
+        page.goto(site_page(tmp_path, theme, board(walled(), step_size=0.5)))
+        root = shown(page)
+        dark, light = (
+            [int(palette.THEMES[name]["free"][k : k + 2], 16) for k in (1, 3, 5)]
+            for name in ("dark", "light")
+        )
+        frames(page)
+        assert page.evaluate(PRINTED)[:2] == [dark, light]
+        frames(page)
+        assert page.evaluate(FREE_PIXEL) == dark
+        page.emulate_media(media="print", color_scheme="dark")
+        frames(page)
+        assert page.evaluate(FREE_PIXEL) == light
+        assert root.get_attribute("data-theme") == "light"
+        line = page.evaluate(
+            "getComputedStyle(document.querySelector('.ke-goal')).borderBottomColor"
+        )
+        goal = palette.THEMES["light"]["goal"]
+        assert line == f"rgb({int(goal[1:3], 16)}, {int(goal[3:5], 16)}, {int(goal[5:], 16)})"
+        page.emulate_media(media="screen", color_scheme="dark")
+        frames(page)
+        assert page.evaluate(FREE_PIXEL) == dark
 
 
 def test_a_word_of_the_lesson_lights_what_it_names(light):

@@ -609,7 +609,7 @@ class View {
     this.widths = new Map();             // of texts in the picture
     this.build(el);
     this.listen();
-    this.endTheme = followTheme((theme) => this.dress(theme));
+    this.endTheme = followTheme((theme) => this.dress(theme), () => this.paint());
     this.endPixels = followPixels(() => this.request());
     this.word = null;                    // the colour that a word under the pointer names
     this.read = ({ type, target, relatedTarget }) => {

@@ -21,18 +21,25 @@ function make(tag, className, parent, attributes = {}) {
 function write(element, text) { if (element.textContent !== text) element.textContent = text; }
 
 // Call `dress` with the theme of the page, "light" or "dark", now and at each change, until the
-// returned function is called. board.css knows the theme.
-function followTheme(dress) {
+// returned function is called. board.css knows the theme. Paper is light; before a page is printed
+// `paint` is called too, because no frame comes in between.
+function followTheme(dress, paint) {
   const tell = () => {                   // by the body: the widget may not be in the page yet
     dress(getComputedStyle(document.body).getPropertyValue("--kinoedu-theme").trim());
   };
-  const body = new MutationObserver(tell), darkness = matchMedia("(prefers-color-scheme: dark)");
+  const print = () => { dress("light"); paint(); };
+  const body = new MutationObserver(tell);
+  const media = ["(prefers-color-scheme: dark)", "print"].map((query) => matchMedia(query));
   body.observe(document.body, { attributeFilter: THEMED });
-  darkness.addEventListener("change", tell);
+  media.forEach((query) => query.addEventListener("change", tell));
+  addEventListener("beforeprint", print);
+  addEventListener("afterprint", tell);
   tell();
   return () => {
     body.disconnect();
-    darkness.removeEventListener("change", tell);
+    media.forEach((query) => query.removeEventListener("change", tell));
+    removeEventListener("beforeprint", print);
+    removeEventListener("afterprint", tell);
   };
 }
 

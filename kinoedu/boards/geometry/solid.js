@@ -40,7 +40,7 @@ class Solid {
     this.build(el);
     this.measure();
     this.listen();
-    this.endTheme = followTheme((theme) => this.dress(theme));
+    this.endTheme = followTheme((theme) => this.dress(theme), () => this.paint());
     this.endPixels = followPixels(() => this.request());
     this.answered = () => this.receive();
     this.replaced = () => this.replace();
