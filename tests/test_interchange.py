@@ -349,6 +349,18 @@ def test_a_drawing_with_repeated_corners_is_repaired_on_request(tmp_path):
     assert len(problem.world.obstacles.radius[problem.world.obstacles.radius > 0]) == 1
 
 
+def test_repaired_obstacles_keep_their_order(tmp_path):
+    """An obstacle with rooms stays before those that follow it, also where one was mended."""
+    file = tmp_path / "drawn.json"
+    obstacles = DRAWN["world"]["obstacles"]
+    rooms = next(item for item in obstacles if "rooms" in item)
+    world = {**DRAWN["world"], "obstacles": [rooms, *(o for o in obstacles if o is not rooms)]}
+    file.write_text(json.dumps({**DRAWN, "world": world}))
+    with pytest.warns(MendedPolygons):
+        problem = ke.read_problem(file, repair=True)
+    assert [len(rings) - 1 for rings in rings_of(problem.world)[1:]] == [1, 0, 0, 0]
+
+
 def test_a_right_scene_is_not_mended(tmp_path):
     """No warning, and the same problem to the last bit."""
     ke.write_scene(PROBLEM, tmp_path / "hall.json")

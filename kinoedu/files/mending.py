@@ -20,8 +20,9 @@ SLIVER = 1e-12
 def mend_scene(scene: Field, file: str) -> Field:
     """A parsed scene with its polygons repaired; a warning says which.
 
-    The obstacles are repaired as by `mend_polygons`. The boundary, and an obstacle with rooms and
-    its rooms, only lose their repeated corners. Numbers are those of the list of obstacles.
+    The obstacles are repaired as by `mend_polygons`, and keep their order. The boundary, and an
+    obstacle with rooms and its rooms, only lose their repeated corners. Numbers are those of the
+    list of obstacles.
     """
     world = scene.value.get("world") if isinstance(scene.value, dict) else None
     if not isinstance(world, dict) or world.get("kind") != "polygons":
@@ -35,8 +36,12 @@ def mend_scene(scene: Field, file: str) -> Field:
         items = fields["obstacles"].items()
         plain = [k for k, item in enumerate(items) if is_plain_polygon(item)]
         rings = mended_rings([polygon_of(items[k]) for k in plain], notes, plain)
-        others = [mend_rooms(item, notes) for item in items if not is_plain_polygon(item)]
-        mended["obstacles"] = [{"polygon": ring.tolist()} for ring in rings] + others
+        parts = {k: [{"polygon": ring.tolist()} for ring in own] for k, own in zip(plain, rings)}
+        mended["obstacles"] = [
+            part
+            for k, item in enumerate(items)
+            for part in (parts[k] if k in parts else [mend_rooms(item, notes)])
+        ]
     warn_mended(notes, file)
     return scene._replace(value={**scene.value, "world": mended})
 
@@ -87,16 +92,16 @@ def mend_polygons(drawn: list[Array], file: str) -> list[Array]:
     notes = list[str]()
     rings = mended_rings(drawn, notes, range(len(drawn)))
     warn_mended(notes, file)
-    return rings
+    return [ring for own in rings for ring in own]
 
 
-def mended_rings(drawn: list[Array], notes: list[str], numbers: Sequence[int]) -> list[Array]:
-    """The drawn polygons as simple rings; what was repaired is appended to the notes.
+def mended_rings(drawn: list[Array], notes: list[str], numbers: Sequence[int]) -> list[list[Array]]:
+    """The simple rings of each drawn polygon; what was repaired is appended to the notes.
 
     An outline that crosses itself becomes the region that it encloses; repeated corners and
     polygons are left out. `numbers` are the names of the polygons.
     """
-    rings: list[Array] = []
+    rings: list[list[Array]] = []
     first_index: dict[Any, int] = {}
     for k, (i, polygon) in enumerate(zip(numbers, drawn)):
         again = (polygon == np.roll(polygon, -1, axis=0)).all(axis=1)
@@ -106,11 +111,12 @@ def mended_rings(drawn: list[Array], notes: list[str], numbers: Sequence[int]) -
         earlier = first_index.setdefault(frozenset(map(tuple, corners.tolist())), k)
         if earlier != k and same_ring(drawn[earlier], corners):
             notes.append(f"polygon {i} is polygon {numbers[earlier]} again, left out")
+            rings.append([])
             continue
         try:
-            rings.append(as_ring(corners, f"polygon {i}"))
+            rings.append([as_ring(corners, f"polygon {i}")])
         except InvalidPolygon as error:
-            rings += enclosed_outlines(corners, error)
+            rings.append(enclosed_outlines(corners, error))
             notes.append(f"polygon {i} crosses or touches itself: the region it encloses is solid")
     return rings
 
