@@ -231,6 +231,12 @@ def test_a_plan_rides_in_both_pictures():
     assert made.plan.path[-1].tolist() == [-0.5, -3.0] and made.goal.tolist() == [-0.5, -3.0]
 
 
+def test_a_planner_that_is_for_points_says_so_on_the_board():
+    """Though it draws no random numbers, and takes no seed."""
+    made = arm_board(ARM, WORLD, q=(0.0, 0.0), goal=(-2.0, 0.5), planner=ke.plan_by_visibility)
+    assert made.plan is None and "visibility roadmap moves a point" in made.canvas.drawing.text
+
+
 def test_a_readers_planner_is_judged_on_the_torus():
     """A straight motion in collision is reported, a free one is drawn."""
     straight = arm_board(

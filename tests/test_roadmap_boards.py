@@ -1,6 +1,7 @@
 """The boards of roadmaps, their properties, races, rewiring and exploration, without a browser."""
 
 import io
+from functools import partial
 
 import numpy as np
 import pytest
@@ -415,6 +416,30 @@ def test_a_readers_own_planner_races_too():
     for wrong in ([], [1], [ke.rrt] * 5, ke.rrt):
         with pytest.raises(InvalidParameter, match="race"):
             race_board(problem_of(), wrong)
+
+
+@pytest.mark.parametrize(
+    ("planner", "text"),
+    [
+        (ke.plan_by_visibility, "visibility: a path of length"),
+        (ke.plan_by_decomposition, "decomposition: a path of length"),
+        (ke.plan_on_grid, "A*: nodes"),
+        (ke.prm, "PRM: a path of length"),
+        (partial(ke.rrt, step_size=1.0), "RRT: nodes"),
+    ],
+)
+def test_every_planner_can_race(planner, text):
+    """Also one that draws no random numbers, one with settings, and one without a tree."""
+    made = race_board(problem_of(), [planner, ke.rrt], nodes=100)
+    first, second = (canvas.drawing for canvas in made.canvases)
+    plan = made.plans[0]
+    assert first.text.startswith(text) and second.text.startswith("RRT: ")
+    assert len(first.step_texts) == first.total
+    if plan.roadmap is not None:
+        edges = len(plan.roadmap.edges)
+        assert first.text.endswith(f"{edges:,} edges")
+        assert first.step_texts[0].endswith(f"0 of {edges:,} edges")
+    assert made.canvases[0].lane not in ("?", "partial")
 
 
 def test_a_control_of_the_race_runs_all_anew():

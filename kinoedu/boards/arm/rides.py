@@ -9,6 +9,7 @@ from ...errors import KinoeduError
 from ...figures.drawing import growth_of, summary
 from ...figures.robots import spread_configurations, track_of
 from ...geometry.checks import Array
+from ...planners.own import call_planner, is_own
 from ...problems import Plan, Problem, ProblemRecord
 from ...robots.arm import ArmRobot
 from ...worlds.checks import World
@@ -56,18 +57,13 @@ def plan_ride(
     nowhere = np.empty((0, 2))
     try:
         problem = Problem(arm, world, *ends)
-        ours = is_ours(planner)
-        plan = planner(problem, rng=seed) if ours else try_planner(planner, problem, seed)
+        run = try_planner if is_own(planner) else call_planner
+        plan = run(planner, problem, seed)
     except KinoeduError as error:
         return Ride(None, str(error), nowhere, nowhere)
     text = describe_plan(plan)
     path = nowhere if plan.path is None else np.asarray(plan.path)
     return Ride(plan, text, path, spread_stops(problem, path))
-
-
-def is_ours(planner: Callable[..., object]) -> bool:
-    """Whether a planner is one of this package's."""
-    return getattr(planner, "__module__", "").startswith("kinoedu.planners")
 
 
 def describe_plan(plan: Plan | Attempt) -> str:

@@ -11,6 +11,7 @@ import ipywidgets as widgets
 from ...errors import InvalidParameter
 from ...messages import get_message
 from ...planners import rrt
+from ...planners.own import name_of
 from ...planners.problem_input import world_size
 from ...planners.registry import PLANNERS
 from ...planners.tuning import integer
@@ -114,9 +115,7 @@ class Board(Framed):
     def _menu(self, chosen: str) -> widgets.Dropdown:
         options = [(title_of(planner, "board"), name) for name, planner in ON_BOARD.items()]
         if self._own is not None:
-            options.append(
-                (get_message("board.own_name", name=getattr(self._own, "__name__", "?")), OWN)
-            )
+            options.append((get_message("board.own_name", name=name_of(self._own)), OWN))
         return make_menu("board.planner", options, chosen)
 
     def _sliders(self, step_size: float | None, samples: int, rng: int) -> tuple[Any, Any, Any]:

@@ -9,6 +9,7 @@ from typing import Any
 from ...errors import InvalidParameter, KinoeduError
 from ...messages import get_message
 from ...planners import rrt, rrt_connect, rrt_star
+from ...planners.own import name_of
 from ...planners.problem_input import world_size
 from ...planners.tuning import integer
 from ...problems import Plan, ProblemRecord
@@ -36,8 +37,9 @@ def race_board(
 ) -> RaceBoard:
     """Planners side by side: each scene follows the others, and one slider scrubs through all.
 
-    A step is one node of each tree. The menu "code of" shows the lines of one of the planners as
-    they run; then a step is a line, and the other trees have as many nodes as this one.
+    A step is one node of each tree, or one edge of a roadmap. The menu "code of" shows the lines of
+    one of the planners as they run; then a step is a line, and the other trees have as many nodes
+    as this one.
 
     Parameters
     ----------
@@ -100,7 +102,7 @@ class RaceBoard(Framed):
         for canvas in canvases[1:]:
             canvas.add_class("kinoedu-led")
         for canvas, planner in zip(canvases, self._planners, strict=True):
-            canvas.lane = getattr(planner, "__name__", "?").replace("_", " ")
+            canvas.lane = name_of(planner).replace("_", " ")
             canvas.observe(self._settled, "scene")
         super().__init__([self.nodes, self.step_size, self.seed, self.code], canvases)
 
@@ -171,7 +173,7 @@ class RaceBoard(Framed):
 
 def list_lines(planners: Sequence[Callable[..., object]]) -> list[tuple[str, str]]:
     """The options of the menu of lines: pairs (name, number of the planner)."""
-    names = [getattr(planner, "__name__", "?") for planner in planners]
+    names = [name_of(planner) for planner in planners]
     shown = [number for number, planner in enumerate(planners) if has_lines(planner)]
     none = get_message("race_board.no_code"), NO_CODE
     return [none, *((names[number], str(number)) for number in shown)]

@@ -2,16 +2,18 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...figures.drawing import summary
 from ...messages import get_message
 from ...planners import rrt, rrt_connect
+from ...planners.own import call_planner, is_own, name_of
 from ...planners.trees.rewiring import Rewirings, rrt_star_rewirings
 from ...planners.trees.rrt_star import rrt_star
 from ...problems import Plan, ProblemRecord
-from ..arm.rides import is_ours
 from ..core.drawing import Drawing, Layer
 from ..trees.rewired import (
     costs_at,
@@ -40,17 +42,19 @@ def run_planner(planner: Callable[..., Any], problem: ProblemRecord, given: Sett
     if planner is rrt_star:
         plan, log = rrt_star_rewirings(problem, **tuning, rng=given.seed)
         return Runner(plan, draw_history(plan, log))
-    if not is_ours(planner):
+    if is_own(planner):
         tried = try_planner(planner, problem, given.seed)
         drawing = draw_attempt(tried, None)
-        name = getattr(planner, "__name__", "?")
         outcome = tried.fault or describe_result(tried.length, tried.motions)
-        text = get_message("race_board.reader", name=name, result=outcome)
+        text = get_message("race_board.reader", name=name_of(planner), result=outcome)
         texts = [text] * drawing.total
         return Runner(tried, replace(drawing, warning="", text=text, step_texts=texts))
-    plan = planner(problem, rng=given.seed, **(tuning if planner in (rrt, rrt_connect) else {}))
+    tuned = partial(planner, **tuning) if planner in (rrt, rrt_connect) else planner
+    plan = call_planner(tuned, problem, given.seed)
     drawing = draw_plan(plan)
     n, name = drawing.total, plan.planner
+    if plan.tree is None:  # it grows by the edges of its roadmap
+        return Runner(plan, drawing.with_texts(lambda: [summary(plan, k) for k in range(n)]))
     last = replace(drawing, text=describe_end(name, n, plan.cost))
     return Runner(plan, last.with_texts(lambda: [describe_step(name, k, np.inf) for k in range(n)]))
 

@@ -7,9 +7,9 @@ from typing import Any
 from ...geometry.checks import Array
 from ...messages import get_message
 from ...planners import rrt, rrt_connect, rrt_star
+from ...planners.own import is_own
 from ...problems import ProblemRecord
 from ...spaces.buckets import GrowingTree
-from ..arm.rides import is_ours
 from ..core.drawing import Drawing
 from ..tracing.code_run import CodeRun, Look, retime, trace_lines
 from .lit import CODE
@@ -37,7 +37,7 @@ class NodeCount:
 
 def has_lines(planner: Callable[..., object]) -> bool:
     """Whether a race can show the lines of a planner: of a tree, or of a reader's own."""
-    return planner in TREES or not is_ours(planner)
+    return planner in TREES or is_own(planner)
 
 
 def follow_lines(
