@@ -18,6 +18,7 @@ from kinoedu.geometry.paths import path_length
 from kinoedu.grading.assignments.questions import AssignmentQuestion, Cases
 from kinoedu.grading.judge import submission
 from kinoedu.grading.judge.running import is_settled
+from kinoedu.support import memory
 from kinoedu.support.memory import bounded_memory
 from kinoedu.support.time_limit import TimeUp, run_within_thread_time
 
@@ -197,3 +198,18 @@ def test_an_answer_that_is_too_long_is_not_judged_for_a_smaller_case_either():
     smaller = shrink(exercise, failure, lambda case: too_long)
     assert isinstance(smaller.outcome, Misshapen)
     assert len(smaller.case.given["obstacles"]) < len(case.given["obstacles"])
+
+
+@pytest.mark.skipif(not memory.STATUS.is_file(), reason="only Linux bounds the memory")
+def test_a_bound_that_could_not_be_set_leaves_the_next_ones(monkeypatch):
+    """As where no more files can be opened: later blocks are bounded all the same."""
+    import resource
+
+    usual = resource.getrlimit(resource.RLIMIT_AS)
+    with monkeypatch.context() as patch:
+        patch.setattr(memory.Path, "read_text", lambda file: "")
+        with pytest.raises(IndexError), bounded_memory(2**30):
+            pass
+    with bounded_memory(2**30):
+        assert resource.getrlimit(resource.RLIMIT_AS) != usual
+    assert resource.getrlimit(resource.RLIMIT_AS) == usual

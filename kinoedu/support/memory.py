@@ -24,13 +24,12 @@ class Bounds:
     def enter(self, most: int) -> None:
         """Bound the memory, unless another block has."""
         with self.lock:
-            self.blocks += 1
-            if self.blocks > 1:
-                return
-            self.before = soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-            mapped = int(STATUS.read_text().split()[0]) * resource.getpagesize()
-            limits = [mapped + most, *(one for one in (soft, hard) if one >= 0)]  # -1 is no limit
-            resource.setrlimit(resource.RLIMIT_AS, (min(limits), hard))
+            if not self.blocks:
+                self.before = soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+                mapped = int(STATUS.read_text().split()[0]) * resource.getpagesize()
+                limits = [mapped + most, *(one for one in (soft, hard) if one >= 0)]  # -1: no limit
+                resource.setrlimit(resource.RLIMIT_AS, (min(limits), hard))
+            self.blocks += 1  # last: a block whose bound could not be set never leaves
 
     def leave(self) -> None:
         """Put the limits back after the last block."""
