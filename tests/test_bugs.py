@@ -23,6 +23,7 @@ from kinoedu.errors import (
     InvalidPolygon,
     InvalidStart,
     InvalidWorld,
+    UnknownFormat,
 )
 from kinoedu.planners.bugs.bug0 import bug0_walk
 from kinoedu.planners.bugs.bug1 import bug1_walk
@@ -886,3 +887,12 @@ def test_a_failed_walk_is_saved_as_a_picture(tmp_path):
     for plan in (ke.bug0((-2, 0), (6, 0), [SPIRAL], 0.5), ke.bug0((0, 0), (0, 0), [], 0.5)):
         ke.figures.save_plan(plan, tmp_path / "walk.png")
         assert (tmp_path / "walk.png").stat().st_size > 1000
+
+
+@pytest.mark.parametrize("name", ["walk", "walk.xyz"])
+def test_a_picture_of_another_ending_is_refused_by_name(tmp_path, name):
+    """The message names the file and the endings, and nothing is left in the folder."""
+    plan = ke.bug0((0, 0), (0, 0), [], 0.5)
+    with pytest.raises(UnknownFormat, match=rf"{name}: a picture ends in \.png, \.svg or \.pdf"):
+        ke.figures.save_plan(plan, tmp_path / name)
+    assert list(tmp_path.iterdir()) == []

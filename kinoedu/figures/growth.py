@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Sequence
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -13,9 +12,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullLocator
 
 from ..geometry.checks import Array
-from ..support.whole_files import written_whole
 from . import palette
 from .palette import Style
+from .saving import save_figure
 
 PANEL, COLUMNS = (4.0, 3.5), 4  # the size of a panel in inches; panels in a row
 
@@ -71,12 +70,11 @@ def draw_growth(curve: Curve, ax: Axes | None = None) -> list[Artist]:
 
 
 def save_growth(curves: Sequence[Curve], path: str | os.PathLike[str], *, dpi: int = 100) -> None:
-    """Draw curves side by side into a picture, or raise OSError.
+    """Draw curves side by side into a picture, as `save_figure` writes it.
 
     All panels span the same number of decades, so that slopes can be compared.
     """
-    file, rows = Path(path), -(-len(curves) // COLUMNS)
-    columns = min(COLUMNS, len(curves))
+    rows, columns = -(-len(curves) // COLUMNS), min(COLUMNS, len(curves))
     figure = Figure(figsize=(PANEL[0] * columns, PANEL[1] * rows), layout="constrained")
     FigureCanvasAgg(figure)
     panels = figure.subplots(rows, columns, squeeze=False, sharey=True)
@@ -91,5 +89,4 @@ def save_growth(curves: Sequence[Curve], path: str | os.PathLike[str], *, dpi: i
         ax.set_ylabel("seconds (processor)", fontsize=palette.TEXT_SIZE)
     for ax in panels.flat[len(curves) :]:
         ax.set_visible(False)
-    with written_whole(file) as part:
-        figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)
+    save_figure(figure, path, dpi=dpi)

@@ -3,7 +3,6 @@
 import os
 from collections.abc import Mapping, Sequence
 from itertools import groupby
-from pathlib import Path
 from textwrap import wrap
 from typing import Any, NamedTuple
 
@@ -13,9 +12,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..support.whole_files import written_whole
 from . import palette
 from .palette import Style
+from .saving import save_figure
 
 LINE, WIDTH = 0.34, 14.0  # inches: the height of a line, the width of the figure
 TITLE = 38  # the most letters in a line of a title
@@ -133,11 +132,11 @@ def save_ratios(
     title: str,
     dpi: int = 100,
 ) -> None:
-    """Draw marks under the label of their axis, one panel below the other, or raise OSError.
+    """Draw marks under the label of their axis, one panel below the other, into a file.
 
-    path : a file name that ends in .png, .svg or .pdf.
+    path : a file name that ends in .png, .svg or .pdf, as `save_figure` writes it.
     """
-    file, heights = Path(path), [figure_height(marks) for marks in panels.values()]
+    heights = [figure_height(marks) for marks in panels.values()]
     figure = Figure(figsize=(WIDTH, sum(heights) + 1.0), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots(len(panels), 1, squeeze=False, height_ratios=heights)[:, 0]
@@ -154,5 +153,4 @@ def save_ratios(
     keys = [Line2D([], [], **look) for look in looks]
     below: Style = {"loc": "outside lower center", "ncols": len(keys), "frameon": False}
     figure.legend(handles=keys, **below, **palette.TEXT)
-    with written_whole(file) as part:
-        figure.savefig(part, format=file.suffix[1:].lower(), dpi=dpi)
+    save_figure(figure, path, dpi=dpi)
