@@ -462,6 +462,13 @@ def test_a_notebook_keeps_a_picture_of_each():
         assert Image.open(io.BytesIO(made.picture())).size[0] > 250
 
 
+@pytest.mark.parametrize("n", [0, 401, 1.5])
+def test_a_samples_board_has_a_bounded_number_of_points(n):
+    """It says from what to what, and takes no other number in its place."""
+    with pytest.raises(InvalidParameter, match="n must be a whole number from 1 to 400"):
+        samples_board("random", n)
+
+
 @pytest.mark.parametrize(
     ("sampler", "shown_points"), [("corner", 49), ("sukharev", 49), ("random", 60), ("halton", 60)]
 )

@@ -156,8 +156,8 @@ def nonnegative(value: object, name: str) -> float:
     return float(value)
 
 
-def integer(value: object, name: str, *, least: int) -> int:
-    """An integer from `least` to ten million, the most nodes that memory is expected to hold.
+def integer(value: object, name: str, *, least: int, most: int = 10_000_000) -> int:
+    """An integer from `least` to `most`: by default the most nodes that memory should hold.
 
     Raises
     ------
@@ -167,10 +167,10 @@ def integer(value: object, name: str, *, least: int) -> int:
     if (
         isinstance(value, bool)
         or not isinstance(value, int | np.integer)
-        or not least <= value <= 10_000_000
+        or not least <= value <= most
     ):
         raise InvalidParameter(
-            f"{name} must be a whole number from {least} to 10,000,000, got {shortened(value)}"
+            f"{name} must be a whole number from {least} to {most:,}, got {shortened(value)}"
         )
     return int(value)
 

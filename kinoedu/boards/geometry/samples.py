@@ -58,7 +58,7 @@ class SamplesBoard(Framed):
         chosen = one_of(sampler, "sampler", tuple(SAMPLERS))
         self.sampler = make_menu("samples_board.sampler", options, chosen)
         style = {**control_style("board.samples"), "description": "n"}
-        self.n = widgets.IntSlider(min(integer(n, "n", least=1), MOST), 1, MOST, **style)
+        self.n = widgets.IntSlider(integer(n, "n", least=1, most=MOST), 1, MOST, **style)
         q = handle(get_message("samples_board.q"), (0.5, 0.5), colour="start")
         scene = make_scene((-0.04, -0.04), (1.04, 1.04), handles=[q])
         super().__init__([self.sampler, self.n], [Canvas(scene, self.answer)])
