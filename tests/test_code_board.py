@@ -505,6 +505,9 @@ def test_a_pose_keeps_its_heading_while_its_place_is_dragged():
         assert page.moves(["handle", 0, [x, 6.5]])["text"] == f"stand returns ({x:g}, 6.5, 1.571)"
 
 
+AT = ((0.0, 0.0), (1.0, 1.0), (2.0, 2.0))  # q, p1, p2
+
+
 @pytest.mark.parametrize(
     ("given", "more", "says"),
     [
@@ -513,12 +516,17 @@ def test_a_pose_keeps_its_heading_while_its_place_is_dragged():
         ((1, 2, 3), {}, "window"),
         ((1, 2, 3), {"window": ((9, 9), (0, 0))}, "lo must lie"),
         ((1, 2, 3), {"window": ((0, 0), (9, 0))}, "lo must lie"),
-        (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"points": {"a": "b ="}}, "expressions"),
-        (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"most": 0}, "most"),
-        (((0.0, 0.0), (1.0, 1.0), (2.0, 2.0)), {"first": -1}, "first"),
+        (AT, {"points": {"a": "b ="}}, "expressions"),
+        (AT, {"most": 0}, "most"),
+        (AT, {"first": -1}, "first"),
+        (AT, {"fixed": ["wall"]}, "has no parameter 'wall'; it has"),
+        (AT, {"lines": [("q", "nearst")]}, "has no variable 'nearst'; it has q, "),
+        (AT, {"circles": {"nearst": "1.0"}}, "has no variable 'nearst'"),
+        (AT, {"vectors": {"q": "nearst"}}, "has no variable 'nearst'"),
     ],
 )
 def test_arguments_that_do_not_fit_are_refused(given, more, says):
+    """Names that the function does not have, too."""
     with pytest.raises(InvalidParameter, match=says):
         code_board(nearest_on, *given, **more)
 

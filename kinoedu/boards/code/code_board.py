@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from inspect import Parameter, signature
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -79,8 +80,9 @@ def code_board(
     Raises
     ------
     InvalidParameter
-        Where the source of the function is not known, the arguments do not fit it, or no argument
-        and no window says which part of the plane to show.
+        Where the source of the function is not known, the arguments do not fit it, it has no
+        variable or parameter of a name, or no argument and no window says which part of the plane
+        to show.
 
     Examples
     --------
@@ -118,7 +120,9 @@ class Steerable:
         named = bind(self.function, given)
         self.arguments = make_arguments(named, fixed, areas)
         self.look = replace(look, robot=find_robot(named.values()))
-        CodeRun(self.function, self.look)  # raises where there is no source, or a wrong expression
+        run = CodeRun(self.function, self.look)  # raises without a source, or for wrong expressions
+        check_names("parameter", fixed, signature(self.function).parameters, run)
+        check_names("variable", names_drawn(look), {*names_of(run), *look.points}, run)
 
     @property
     def free(self) -> NDArray[np.bool_] | None:
@@ -197,6 +201,27 @@ def bind(function: Callable[..., object], given: Sequence[Any]) -> dict[str, Any
         many = bound.signature.parameters[name].kind is Parameter.VAR_POSITIONAL
         named |= {f"{name} {k}": one for k, one in enumerate(value)} if many else {name: value}
     return named
+
+
+def names_drawn(look: Look) -> Iterable[str]:
+    """The names of variables that a look draws in a way of its own."""
+    return [*look.circles, *look.vectors, *look.vectors.values(), *chain.from_iterable(look.lines)]
+
+
+def names_of(run: CodeRun) -> Iterable[str]:
+    """The names of all variables that a function can have while it runs."""
+    code = run.trace.source.code
+    return [*code.co_varnames, *code.co_cellvars, *code.co_freevars]
+
+
+def check_names(kind: str, given: Iterable[str], known: Iterable[str], run: CodeRun) -> None:
+    """Refuse names that a function does not have: nothing would be drawn, without a word."""
+    names = list(known)
+    for name in given:
+        if name not in names:
+            raise InvalidParameter(
+                f"{run.name} has no {kind} {name!r}; it has {', '.join(names) or 'none'}"
+            )
 
 
 def find_window(
