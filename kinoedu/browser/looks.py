@@ -84,6 +84,7 @@ class Body(NamedTuple):
         those of the first picture: where it is, and where it was at the last answer.
     title : its name in a menu; menu : the key of the menu's name.
     unit : the key of the message that names a step.
+    is_random : whether it draws random numbers, so that another seed gives another answer.
     """
 
     function: Compiled

@@ -1,4 +1,8 @@
-"""Figures: the only place that draws with matplotlib."""
+"""Figures, drawn with matplotlib; each function takes axes and returns its artists.
+
+Beside them only boards draw with it, the pictures that stand for a board where it cannot run; the
+pictures of wrong answers in `course/lessons` are made of these functions.
+"""
 
 from .ackermann import draw_ackermann
 from .arms import draw_configuration_space, plot_configuration_space, plot_environment

@@ -55,9 +55,9 @@ def read_mesh(
     slice_at : the height of the slice, which needs closed bodies; by default the mesh is projected
         from above.
     up : the axis of the file that points up: "z", "y", "x", or "file" for the axis that the file
-        declares: `<up_axis>` of a .dae, y in a .glb, z otherwise. Programs often write a wrong
-        `<up_axis>`, so it is used only on request. With y up, the plane is (x, -z); with x up, (-y,
-        -z).
+        declares: `<up_axis>` of a .dae, or y where it has none; y in a .glb, z otherwise. Programs
+        often write a wrong `<up_axis>`, so it is used only on request. With y up, the plane is (x,
+        -z); with x up, (-y, -z).
 
     Returns
     -------

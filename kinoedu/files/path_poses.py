@@ -25,8 +25,9 @@ def poses_along(plan: Plan, spacing: float | None = None) -> Array:
     Parameters
     ----------
     plan : a plan with a path of a robot in the plane.
-    spacing : the greatest distance between poses, in the world's unit; by default the path's own
-        points where it is straight between them, and a twentieth of a turn's radius where not.
+    spacing : the greatest distance between poses, in the world's unit. By default a drive has poses
+        a twentieth of the wheelbase apart, a car's path of curves a twentieth of the turning
+        radius; other paths have their own points.
 
     Returns
     -------

@@ -16,8 +16,9 @@ The messages between the two halves:
                  listing, first, places, layers, challenges} and a buffer of float32 for each layer
                 {kind: "code", to, text}
                     the board as Python code, which the page copies
-                {kind: "note", text}
-                    the reason why an answer takes long
+
+On a page without a kernel `browser/live.js` sends the same drawings, and {kind: "skipped", to, seq}
+in place of one that is out of date.
 
 A scene or keys are answered by a brief drawing, as at its last step; "hello" by the whole one, for
 which a page asks again when everything is at rest.

@@ -32,8 +32,6 @@ function recordedModel(stored, key, team, main) {
   return {
     answers,
     get: (name) => values[name],
-    set: () => {},
-    save_changes: () => {},
     on: (event, hear) => {
       if (event === "msg:custom") heard.push(hear);
       if (event === "change:bitmap") laid.push(hear);
