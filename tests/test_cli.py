@@ -374,6 +374,7 @@ def test_a_wrong_letter_of_a_variant_is_an_error_before_any_release(tmp_path, ca
         (["--out", "X", "--zip", "X.zip", "--variants", "S"], "one of them at a time"),
         (["--graded-questions", "01_geometry"], "--graded-questions is for --zip"),
         (["--graded-questions", "01", "--zip", "X.zip"], "there are no questions for '01'"),
+        (["--secret", "S"], "--secret is for --variants"),
         (["--out", "X", "--variants", "S"], "save it as UTF-8"),
     ],
 )
@@ -420,6 +421,29 @@ def test_a_place_that_cannot_be_written_is_named_without_a_number(tmp_path, caps
     assert main(["lessons", str(tmp_path / "file" / "lessons")]) == 2
     message = capsys.readouterr().err
     assert message.startswith(f"kinoedu: {tmp_path / 'file'}") and "Errno" not in message
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (["slides", "01_geometry", "--out", "file"], "file: File exists; where a folder is needed"),
+        (["lessons", "file"], "Not a directory; where a folder is needed there is a file"),
+        (
+            ["questions", "--to", "moodle", "--out", "no/q.xml"],
+            "no/q.xml: No such file or directory",
+        ),
+        (["questions", "--to", "moodle", "--out", "no/q.xml"], "make its folder first"),
+    ],
+)
+def test_what_the_system_refuses_is_said_with_what_to_do(
+    tmp_path, monkeypatch, command, words, capsys
+):
+    """In one line, without the system's number of the error."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("")
+    assert main(command) == 2
+    said = capsys.readouterr().err
+    assert words in said and "Errno" not in said and "kinoedu: " in said
 
 
 def test_a_list_of_students_in_another_encoding_is_refused(tmp_path, capsys):

@@ -31,6 +31,14 @@ from .similar import add_similar
 from .slides import add_slides
 
 DESCRIPTION = "kinoedu: a motion-planning course you can run."
+A_FILE = "; where a folder is needed there is a file: name another path"
+TO_DO = {  # after an error of the system
+    FileNotFoundError: "; check the path, and make its folder first",
+    FileExistsError: A_FILE,
+    NotADirectoryError: A_FILE,
+    IsADirectoryError: "; it is a folder: name a file",
+    PermissionError: "; check its permissions, or name another path",
+}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -49,7 +57,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         with one_line_warnings():
             return int(arguments.run(arguments))
     except (KinoeduError, OSError) as error:
-        print(f"kinoedu: {explain(error)}", file=sys.stderr)
+        message = describe_os_error(error) if isinstance(error, OSError) else str(error)
+        print(f"kinoedu: {' '.join(message.split())}", file=sys.stderr)
     except MemoryError:
         print(
             "kinoedu: this computer has not enough memory for that; use fewer nodes or a coarser "
@@ -61,12 +70,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 2
 
 
-def explain(error: Exception) -> str:
-    """An error in one line; of one that the system reports, the file and what it says of it."""
-    text = str(error)
-    if isinstance(error, OSError) and error.filename and error.strerror:
-        text = f"{error.filename}: {error.strerror}"
-    return " ".join(text.split())
+def describe_os_error(error: OSError) -> str:
+    """What the system refused, and what to do, without the system's number of the error.
+
+    >>> describe_os_error(FileNotFoundError(2, "No such file or directory", "no/a.xml"))
+    'no/a.xml: No such file or directory; check the path, and make its folder first'
+    >>> describe_os_error(OSError("--out a.bmp: a picture ends in .png"))
+    '--out a.bmp: a picture ends in .png'
+    """
+    if error.filename is None or error.strerror is None:
+        return str(error)
+    todo = next((todo for kind, todo in TO_DO.items() if isinstance(error, kind)), "")
+    return f"{error.filename}: {error.strerror}{todo}"
 
 
 @contextmanager

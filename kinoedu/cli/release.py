@@ -133,6 +133,8 @@ def refuse_useless_options(arguments: argparse.Namespace) -> None:
         )
     if arguments.zip is not None and arguments.out is not None:
         raise InvalidParameter("--out writes notebooks and --zip a kit: give one of them at a time")
+    if arguments.secret is not None and arguments.variants is None:
+        raise InvalidParameter("--secret is for --variants STUDENTS: nothing else is drawn from it")
     if arguments.graded_questions and arguments.zip is None:
         raise InvalidParameter("--graded-questions is for --zip FILE")
     for lesson in arguments.graded_questions:
