@@ -120,7 +120,7 @@ def by_rounded_heights(x, edges):
     return sorted(crossed(x, edges), key=lambda i: round(height(x, edges[i]), 3))
 
 
-# The free stretches
+# The free intervals
 
 
 def levels(x, boundary, obstacles):
