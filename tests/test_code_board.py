@@ -16,6 +16,7 @@ import kinoedu as ke
 from kinoedu.boards import board, code_board
 from kinoedu.boards.code.searches import draw_search_state
 from kinoedu.boards.core.drawing import dots, encode_drawing
+from kinoedu.boards.core.notes import with_notes
 from kinoedu.boards.core.scene import move_parts
 from kinoedu.boards.planning.board import ON_BOARD
 from kinoedu.boards.planning.lit import CODE
@@ -392,6 +393,23 @@ def test_own_layers_are_shown_at_their_moment():
     made = code_board(steps, (0.0, 0.0), (4.0, 0.0), draw=draw)
     (own,) = [layer for layer in made.drawing.layers if layer.width == 9.0]
     assert [shown(own, step).tolist() for step in (0, 2, 3)] == [[], [[2.0, 0.0]], [[1.0, 0.0]]]
+
+
+def halfway(a, b):
+    """The point in the middle."""
+    return (a + b) / 2
+
+
+def test_own_layers_may_have_notes_and_must_be_layers():
+    """Notes are left out. Where `draw` returns none, the board says so, and not that it failed."""
+
+    def noted(variables):
+        yield with_notes(dots([(0, 0)], "hit"), "number {k}", k=[1])
+
+    made = code_board(halfway, (0.0, 0.0), (4.0, 0.0), draw=noted)
+    assert made.drawing.text == "halfway returns (2, 0)"
+    made = code_board(halfway, (0.0, 0.0), (4.0, 0.0), draw=lambda variables: None)
+    assert "draw must return a list of layers, got None" in made.drawing.warning
 
 
 def test_functions_of_the_library_are_shown_too():

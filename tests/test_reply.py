@@ -21,6 +21,7 @@ from kinoedu.boards.core.reply import Reply
 from kinoedu.boards.core.scene import frame_of, handle, make_scene
 from kinoedu.boards.exploring.exploring import DRAGGED
 from kinoedu.boards.tracing import code_run
+from kinoedu.errors import InvalidParameter
 
 
 def hear(canvas):
@@ -199,3 +200,23 @@ def test_what_fails_at_rest_is_shown():
     drag_goal(canvas, 3.0, 3.0)
     come_to_rest(canvas)
     assert heard[0][0]["warning"] == "" and "nothing is left" in heard[1][0]["warning"]
+
+
+@pytest.mark.parametrize(
+    ("layer", "says"),
+    [
+        (dots([(0, 0)], "pink"), "no colour is named 'pink'; the names are start, goal, "),
+        (dots([(0, 0), (1, 1)], "ink", when=[1]), "each of the 2 rows of dots needs one of when"),
+        (labels([(0, 0), (1, 1)], ["a"], "ink"), "each of the 2 rows of labels needs one of texts"),
+    ],
+)
+def test_a_layer_that_cannot_be_drawn_is_said_on_the_board(layer, says):
+    """Where a page would show nothing, and the stored picture would fail."""
+    made = Canvas(make_scene((0, 0), (1, 1)), lambda scene: Drawing([layer], text="drawn", total=1))
+    assert made.drawing.warning.startswith(says)
+    assert made._repr_mimebundle_()[0]["image/png"]
+
+
+def test_a_handle_needs_a_colour_of_the_palette():
+    with pytest.raises(InvalidParameter, match="no colour is named 'pink'"):
+        handle("q", (0, 0), colour="pink")

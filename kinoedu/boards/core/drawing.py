@@ -14,10 +14,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...support.constructors import with_type_names
 from ...support.json_fields import JsonObject
+from ...support.text import shortened
 from .listing import Listing, encode_listing
+from .scene import check_colour
 
 # The number of points that begin each row; the rows of polygons consist of points.
 POINTS = {"edges": 2, "path": 1, "dots": 1, "nodes": 1, "arrows": 1, "labels": 1, "eye": 1}
@@ -289,6 +292,25 @@ def as_rows(values: ArrayLike, columns: int) -> Array:
 def as_steps(when: ArrayLike | None) -> Array | None:
     """Steps as an array of numbers, or None."""
     return None if when is None else np.asarray(when, np.float64)
+
+
+def check_layers(layers: Sequence[Layer]) -> None:
+    """Check what neither a page nor a picture could draw.
+
+    Raises
+    ------
+    InvalidParameter
+        For a colour that is none of the palette's, or another number of texts or steps than rows.
+    """
+    for layer in layers:
+        check_colour(layer.colour)
+        texts = layer.texts if layer.kind == "labels" else None
+        for name, values in (("texts", texts), ("when", layer.when), ("until", layer.until)):
+            if values is not None and np.shape(values) != (len(layer.rows),):
+                raise InvalidParameter(
+                    f"each of the {len(layer.rows)} rows of {layer.kind} needs one of {name}, got "
+                    f"{shortened(values)}"
+                )
 
 
 def encode_drawing(drawing: Drawing, lo: ArrayLike, size: float) -> tuple[JsonObject, list[bytes]]:

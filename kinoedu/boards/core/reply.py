@@ -15,7 +15,7 @@ from ...errors import KinoeduError
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
-from .drawing import Drawing, encode_drawing
+from .drawing import Drawing, check_layers, encode_drawing
 from .scene import Scene, frame_of
 
 log = logging.getLogger("kinoedu")
@@ -84,6 +84,7 @@ def draw_in_time(answer: Callable[[], Drawing]) -> tuple[Drawing, float]:
         drawing = answer()
         if not isinstance(drawing, Drawing):
             raise TypeError(f"expected a Drawing, got {shortened(drawing)}")
+        check_layers(drawing.layers)
     except KinoeduError as error:
         drawing = Drawing(warning=str(error))
     except Exception as error:

@@ -36,6 +36,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...errors import InvalidParameter
+from ...figures import palette
 from ...geometry.checks import Array, as_array, as_point
 from ...messages import get_message
 from ...support.json_fields import JsonObject
@@ -97,6 +98,7 @@ def handle(
     name: str, at: ArrayLike, *, colour: str, marker: str = "dot", radius: float = 0.0
 ) -> JsonObject:
     """A point to drag."""
+    check_colour(colour)
     return {
         "name": name,
         "at": as_point(at, name).tolist(),
@@ -104,6 +106,13 @@ def handle(
         "marker": marker,
         "radius": float(radius),
     }
+
+
+def check_colour(name: str) -> None:
+    """Raise InvalidParameter for the name of a colour that the palette does not have."""
+    if name not in palette.NAMED:
+        known = ", ".join(palette.NAMED)
+        raise InvalidParameter(f"no colour is named {name!r}; the names are {known}")
 
 
 def stop(name: str, at: ArrayLike) -> JsonObject:

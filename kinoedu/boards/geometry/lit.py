@@ -9,9 +9,7 @@ from ...decomposition import Step, sweep
 from ...decomposition.crossing import handle_event
 from ...decomposition.trapezoidation import drain, edges_on_line
 from ...worlds.polygon_world import PolygonWorldRecord
-from ..core.drawing import Layer
 from ..tracing.code_run import CodeRun, Look, trace_lines
-from ..tracing.moments import draw_moments
 
 
 def trace_sweep(
@@ -32,9 +30,3 @@ def trace_sweep(
         hidden=("ends",),
     )
     return trace_lines(handle_event, look, lambda _: list(sweep(world)), drain)
-
-
-def draw_events(shown: Sequence[Sequence[Layer]]) -> list[Layer]:
-    """The layers that the board shows after each event, one step each."""
-    plain = [[layer._replace(says=(), names=(), notes=None) for layer in one] for one in shown]
-    return draw_moments(plain)

@@ -23,7 +23,8 @@ from ..core.framed import Pictured, make_code_box
 from ..core.scene import Scene, handle, make_scene, place_of, polygon
 from ..core.shown import draw_shown, make_live
 from ..planning.plans import world_in
-from .lit import draw_events, trace_sweep
+from ..tracing.moments import draw_moments
+from .lit import trace_sweep
 
 
 def sweep_board(world: PolygonWorldRecord, *, x: float | None = None) -> SweepBoard:
@@ -108,7 +109,7 @@ class SweepBoard(Pictured, widgets.HBox):
         ends = new_sweep(self._edges).ends
         numbers = zip(ends.tolist(), number_edges(ends), strict=True)
         run = trace_sweep(self._world, everything, {tuple(row): k for row, k in numbers})
-        layers = draw_events([draw(self._cut(scene, step.x)).layers for step in everything])
+        layers = draw_moments([draw(self._cut(scene, step.x)).layers for step in everything])
         text = get_message("sweep_board.events", events=len(everything))
         drawing = run.draw_over(Drawing(layers, text=text))
         progress = [0.0 if one.note is None else one.note.progress for one in run.trace.moments]

@@ -12,11 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...compiled import in_python
+from ...errors import InvalidParameter
 from ...figures.robots import Outlined
 from ...geometry.checks import Array
 from ...messages import get_message
 from ...problems import ProblemRecord, Question, Recorder
 from ...support.line_trace import RAISED, Enough, LineTrace, Moment
+from ...support.text import shortened
 from ..core.drawing import Drawing, Layer, edges
 from ..core.listing import Listing, read_code
 from .moments import (
@@ -127,10 +129,17 @@ class CodeRun:
         return Note(
             note_variables(values),
             compute_radii(self.circles, values, names),
-            [] if self.look.draw is None else list(self.look.draw(dict(local))),
+            self.draw_own(local),
             len(self.log),
             progress if self.progress else len(self.log),
         )
+
+    def draw_own(self, local: dict[str, Any]) -> list[Layer]:
+        """The layers of the reader's own `draw` after a line."""
+        drawn = [] if self.look.draw is None else self.look.draw(dict(local))
+        if not isinstance(drawn, Iterable):
+            raise InvalidParameter(f"draw must return a list of layers, got {shortened(drawn)}")
+        return list(drawn)
 
     @property
     def steps(self) -> Array:

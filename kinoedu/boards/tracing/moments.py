@@ -146,7 +146,10 @@ def count_same(before: Sequence[Array], now: Array) -> int:
 
 
 def draw_moments(drawn: Sequence[Iterable[Layer]]) -> list[Layer]:
-    """The layers of each step, shown at that step only; those of one style become one layer."""
+    """The layers of each step, shown at that step only; those of one style become one layer.
+
+    Their notes are left out.
+    """
     found: dict[object, list[tuple[int, Layer]]] = {}
     for step, layers in enumerate(drawn, start=1):
         for layer in layers:
@@ -164,4 +167,7 @@ def join_layers(parts: Sequence[tuple[int, Layer]]) -> Layer:
         when=when,
         until=when + 1.0,
         last=False,
+        says=(),
+        names=(),
+        notes=None,
     )
