@@ -41,6 +41,9 @@ from kinoedu.graphs import Graph
 from kinoedu.messages import get_message
 
 BIG = 10_000
+# a notebook cuts off what is wider than its column, such as the right side of a frame
+FRAMED = """[...document.querySelectorAll('.kinoedu-stage')].every(stage =>
+    stage.getBoundingClientRect().right <= stage.parentElement.getBoundingClientRect().right)"""
 BYTES = ("vertices", "faces", "colours")  # of a solid
 
 
@@ -221,6 +224,7 @@ def test_a_touch_says_it_too(light):
         frames(page)
         assert "is expanded" in root.get_attribute("data-pointed")
         assert page.evaluate("document.documentElement.scrollWidth") <= 480
+        assert page.evaluate(FRAMED)
         keep(page, "pointed_touch")
 
 
