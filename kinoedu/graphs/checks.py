@@ -94,9 +94,9 @@ def as_edges(edges: ArrayLike, size: int) -> NDArray[np.int64]:
 
 def holds_integers(array: NDArray[Any]) -> bool:
     """Whether all numbers of an array are integers, as such or as floats below 2^53."""
-    return array.dtype.kind in "iu" or (
-        array.dtype.kind == "f" and (np.abs(array) < 2.0**53).all() and (array % 1 == 0).all()
-    )
+    if array.dtype.kind == "f":
+        return bool((np.abs(array) < 2.0**53).all() and (array % 1 == 0).all())
+    return array.dtype.kind in "iu"
 
 
 def as_weights(weights: ArrayLike, count: int) -> Array:
