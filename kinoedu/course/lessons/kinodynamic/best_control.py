@@ -250,7 +250,7 @@ class BestControl(ValueExercise):
         yield Case(
             "open",
             make_arguments(
-                WIDE, (10_000, 10_000, 0), (25_000, 20_000, 0), [(2, 0), (-1, 0)], 4.0, 4
+                WIDE, (10_000, 10_000, 0), (25_000, 20_000, 0), [(2, 0), (-1, 0)], 4_000.0, 4
             ),
         )
         yield Case(
