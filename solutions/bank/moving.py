@@ -186,6 +186,9 @@ moments_left_out = changed(
 nothing_later = changed(
     "earliest_arrival", ("if there <= end and", "if there <= min(end, 100) and")
 )
+nothing_after_a_thousand = changed(
+    "earliest_arrival", ("if there <= end and", "if there < 1000 and there <= end and")
+)
 visits_a_place_twice_at_most = changed(
     "earliest_arrival",
     ("if there <= end and", "if sum(p == v for p, _ in rows) < 2 and there <= end and"),

@@ -130,7 +130,7 @@ class EarliestArrival(Exercise):
         yield make_case(
             "wait", [always, [(0, 2), (5, 9), (11, END)], always], [(0, 1, 3), (1, 2, 1)], 0, 2
         )
-        yield make_case("wait", [[(0, 500)], [(1, 3), (400, 410)]], [(0, 1, 4)], 0, 1)
+        yield make_case("wait", [[(0, 5000)], [(1, 3), (4000, 4010)]], [(0, 1, 4)], 0, 1)
         yield make_case("wait", [always, [(0, 1), (8, 8)]], [(0, 1, 2)], 0, 1)
         yield make_case(
             "aside", [[(0, 4), (7, END)], always, [(10, END)]], [(0, 1, 2), (0, 2, 1)], 0, 2
