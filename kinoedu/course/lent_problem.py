@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from inspect import Parameter, Signature
 from typing import Any
 
 import numpy as np
@@ -13,18 +14,47 @@ from ..spaces.wrapping import WrappingSpace
 from .poses import distance_of_poses
 
 Metric = RealSpace | WrappingSpace | float  # a space, or the length of a radian for a car's poses
+# the parameters of each question, as the exercises name them
+PARAMETERS = {
+    "sample": ("rng",),
+    "steer": ("a", "b", "step"),
+    "is_free": ("q",),
+    "is_free_path": ("a", "b"),
+    "is_semi_free_path": ("a", "b"),
+    "control": ("rng",),
+    "move": ("q", "v", "phi", "t"),
+    "is_free_drive": ("q", "v", "phi", "t"),
+    "near_goal": ("rng",),
+    "best_drive": ("q", "target", "rng"),
+}
 
 
 def distance_in(metric: Metric) -> Callable[[Any, Any], Any]:
     """The distance of a metric."""
     if isinstance(metric, float):
-        return partial(distance_of_poses, radian=metric)
-    return partial(distance, metric)
+        return lambda a, b: distance_of_poses(a, b, metric)
+    return lambda a, b: distance(metric, a, b)
 
 
 def as_configuration(value: Any) -> Any:
     """A list or tuple as an array; everything else as it is."""
     return np.array(value, float) if isinstance(value, list | tuple) else value
+
+
+def put_in_order(question: str, given: tuple[Any, ...], named: dict[str, Any]) -> tuple[Any, ...]:
+    """The arguments of a question in the order of its parameters.
+
+    Raises
+    ------
+    TypeError
+        Where they are not those that it takes.
+    """
+    names = PARAMETERS[question]
+    parameters = [Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in names]
+    try:
+        return Signature(parameters).bind(*given, **named).args
+    except TypeError:
+        raise TypeError(f"problem.{question} takes ({', '.join(names)})") from None
 
 
 class LentProblem:
@@ -60,12 +90,18 @@ class LentProblem:
         """A new array at each use, as for the start."""
         return np.array(self._ends[1])
 
+    def _put(self, question: str, /, *given: Any, **named: Any) -> Any:
+        """Put a question to the problem; its arguments may be named."""
+        if question in PARAMETERS and (named or len(given) != len(PARAMETERS[question])):
+            given, named = put_in_order(question, given, named), {}
+        return self._ask(question, *map(as_configuration, given), **named)
+
     def __getattr__(self, name: str) -> Any:
         """A question, or one of the problem's numbers."""
         if name.startswith("_"):
             raise AttributeError(name)
         if name in self._questions:
-            return lambda *given: self._ask(name, *map(as_configuration, given))
+            return partial(self._put, name)
         if name in self._numbers:
             return self._numbers[name]
         names = ("start", "goal", "distance", *self._questions, *self._numbers)

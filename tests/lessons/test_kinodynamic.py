@@ -10,9 +10,10 @@ import pytest
 import shapely
 
 from kinoedu.course.bank import Solutions
-from kinoedu.course.drivable import REGION, DrivenProblemShape, drivable
+from kinoedu.course.drivable import REGION, DrivenProblemShape, DrivingProblem, drivable
 from kinoedu.course.exercise import Case
 from kinoedu.course.judging import judge_case, run_case
+from kinoedu.course.lent_problem import PARAMETERS
 from kinoedu.course.lessons import EXERCISES
 from kinoedu.course.lessons.kinodynamic import (
     best_control,
@@ -222,3 +223,20 @@ def test_the_stored_table_is_of_the_experiment_beside_it():
 def test_the_other_experiments_can_be_read(name):
     """Every file that an experiment names exists, and every argument is known."""
     assert len(read_experiment(EXPERIMENTS / f"{name}.toml").contestants) >= 2
+
+
+def test_arguments_of_a_problems_methods_may_be_named():
+    """By the names that the exercises use, as for a problem made in a cell; other names are not."""
+    problem = garages.GARAGES["room"].fresh_copy()
+    lent, q = problem.lend(), problem.start
+    first, second = np.random.default_rng(1), np.random.default_rng(1)
+    assert lent.best_drive(q=q, rng=first, target=lent.goal) == problem.best_drive(
+        q, problem.goal, second
+    )
+    assert (lent.sample(rng=first) == problem.sample(second)).all()
+    assert (lent.move([1, 2, 0], 2, phi=0, t=5) == [11, 2, 0]).all()
+    assert lent.distance(b=lent.goal, a=q) == problem.distance(q, problem.goal)
+    for given, named in (((q, 2, 0), {"time": 5}), ((q, 2), {"phi": 0}), ((q, 2, 0, 5, 1), {})):
+        with pytest.raises(TypeError, match=r"problem.is_free_drive takes \(q, v, phi, t\)"):
+            lent.is_free_drive(*given, **named)
+    assert set(DrivingProblem.QUESTIONS) == set(PARAMETERS)
