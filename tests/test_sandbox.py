@@ -293,6 +293,13 @@ def test_data_deeper_than_any_value_is_no_value():
     assert wire.decode(wire.encode(value, lambda value: None), lambda mark, content: None) == value
 
 
+def test_without_walls_matplotlib_reads_nothing_that_a_program_may_have_left(tmp_path, monkeypatch):
+    """It read /tmp/matplotlib, which a program made first; some versions run what stands there."""
+    monkeypatch.setenv("KINOEDU_CACHE", str(tmp_path))
+    command = sandbox.trusted_command("trusted.py")
+    assert f"MPLCONFIGDIR={tmp_path.resolve() / 'matplotlib'}" in command
+
+
 @pytest.mark.skipif(os.name == "nt", reason="programs run on Linux and macOS only")
 def test_a_trusted_program_has_a_folder_whatever_a_killed_run_has_left(tmp_path):
     """The numbers of processes come again, and so did the folder's name."""

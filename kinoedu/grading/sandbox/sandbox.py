@@ -22,6 +22,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ...compiled.store import user_cache
 from .forbidden import REFUSED
 from .talk import START, Talk
 
@@ -273,11 +274,15 @@ def sandboxed_python() -> list[str]:
 
 
 def trusted_command(program: str) -> list[str]:
-    """The command that runs a program of this folder without a sandbox."""
+    """The command that runs a program of this folder without a sandbox.
+
+    What matplotlib reads is where no student's program can write: in some versions it is code.
+    """
+    environment = {**ENVIRONMENT, "MPLCONFIGDIR": str(user_cache().resolve() / "matplotlib")}
     return [
         "env",
         "-i",
-        *(f"{name}={value}" for name, value in ENVIRONMENT.items()),
+        *(f"{name}={value}" for name, value in environment.items()),
         *python_command(sys.executable),
         str(HERE / program),
     ]
