@@ -296,6 +296,92 @@ def test_constants_and_helpers_of_a_notebook_count():
     assert digest(make(endless)) == digest(make(endless))
 
 
+NOTEBOOKS = {
+    "a function's captured number": """
+def make(k):
+    return lambda: k
+helper = make(5.0)
+def planner(problem):
+    return helper()
+""",
+    "a global of a method": """
+K = 5.0
+class Helper:
+    def value(self):
+        return K
+def planner(problem):
+    return Helper().value()
+""",
+    "a base class": """
+class Base:
+    @staticmethod
+    def value():
+        return 5.0
+class Helper(Base):
+    pass
+def planner(problem):
+    return Helper.value()
+""",
+    "a member of a class": """
+K = 5.0
+class Helper:
+    value = K
+def planner(problem):
+    return Helper.value
+""",
+    "a global of a decorated function": """
+import functools
+K = 5.0
+@functools.cache
+def helper():
+    return K
+def planner(problem):
+    return helper()
+""",
+    "a global of an object that is a planner": """
+K = 5.0
+class Planner:
+    def __call__(self, problem):
+        return K, planner
+planner = Planner()
+""",
+    "the motions of a robot": """
+from typing import NamedTuple
+from kinoedu.collision.interface import is_free_path
+from kinoedu.worlds.terrain import TerrainRecord
+class Robot(NamedTuple):
+    size: float
+@is_free_path.register(Robot, TerrainRecord)
+def fly(robot, world, a, b, clearance):
+    return 5.0
+planner = Robot(1.0)
+""",
+    "what is left, beside functions of packages": """
+from copy import deepcopy
+from numpy import linspace
+from numpy.linalg import norm
+K = 5.0
+def planner(problem):
+    return norm(linspace(0.0, K)), deepcopy(TABLE)
+TABLE = [planner]
+""",
+}
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_all_that_a_notebook_defines_and_uses_counts(name):
+    """The same text has the same digest, and another one where a number in it differs."""
+
+    def make(text):
+        space = {"__name__": "__main__"}
+        exec(text, space)
+        return digest(space["planner"])
+
+    same = make(NOTEBOOKS[name])
+    assert make(NOTEBOOKS[name]) == same
+    assert make(NOTEBOOKS[name].replace("5.0", "2.0")) != same
+
+
 WRONG_NAMES = {
     "mine.arround": "mine.py has no function 'arround'; it has around, random_corner",
     "nothing.around": "there is no module nothing",

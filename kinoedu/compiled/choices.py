@@ -16,7 +16,7 @@ F = TypeVar("F", bound=Function)
 C = TypeVar("C", bound=type)
 
 # generic functions, each with what selects its implementation, by how many records
-GENERICS: list[tuple[Function, Function, int]] = []
+GENERICS: list[tuple[Any, Function, int]] = []
 METHODS: dict[str, dict[type, Function]] = {}  # methods by name, then by class
 PROPERTIES: dict[str, dict[type, Function]] = {}  # the same of properties
 CALLABLE: list[Function] = []  # plain functions that compiled code may call
@@ -73,6 +73,7 @@ def generic(records: int) -> Callable[[Function], Any]:
             return implementations.get(tuple(kinds), default)
 
         dispatch.register = register  # type: ignore[attr-defined]
+        dispatch.implementations = implementations  # type: ignore[attr-defined]
         dispatch.is_known = lambda *kinds: kinds in implementations  # type: ignore[attr-defined]
         GENERICS.append((dispatch, choose, records))
         return dispatch
