@@ -322,6 +322,21 @@ def test_an_error_of_python_is_shown_with_the_readers_own_line():
     assert "return statistics.mean([])" in first
 
 
+def test_a_second_run_that_fails_is_not_another_path():
+    """The report says how the second run ended."""
+    problems = []
+
+    def tires(problem):
+        problems.append(problem)
+        if len(problems) > 1:
+            raise RuntimeError("tired")
+        return [problem.start, problem.goal]
+
+    trap, *_ = [trap for trap in traps_for(ke.Point()) if trap.must_find]
+    text = check_planner(tires, traps=[trap])["same"].where[0]
+    assert "RuntimeError: tired" in text and "another path" not in text
+
+
 def test_a_planner_that_waits_is_told_for_how_long():
     """It computed for no time: both times are listed."""
     report = check_planner(lambda problem: time.sleep(60.0), seconds=0.02)

@@ -223,12 +223,19 @@ def repeat(
         random.seed(1)
         np.random.seed(1)
         second = run_trap(planner, first.trap, seed, seconds)
-        rows.append((first.trap.name, "" if same_path(first, second) else "another path"))
+        rows.append((first.trap.name, difference(first, second)))
         if "time" in second.broken:
             break
     random.setstate(states[0])
     np.random.set_state(states[1])
     return rows[::-1]
+
+
+def difference(first: Run, second: Run) -> str:
+    """How the second answer in a trap differs from the first; "" where it does not."""
+    if second.plan is None:
+        return second.refused or "; ".join(second.broken.values())
+    return "" if same_path(first, second) else "another path"
 
 
 def same_path(first: Run, second: Run) -> bool:
