@@ -79,6 +79,11 @@ def crashing(problem, *, rng):
     return ke.rrt(problem, rng=rng)
 
 
+def asking(problem):
+    """A planner that waits for somebody to type."""
+    return input("which way? ")
+
+
 def talking(problem):
     """A planner that prints."""
     print("x" * 100_000)
@@ -211,6 +216,7 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
     monkeypatch.setenv("KINOEDU_TEST_FOLDER", str(tmp_path))
     planners = {
         "raising": raising,
+        "asking": asking,
         "endless": endless,
         "crashing": crashing,
         "talking": talking,
@@ -225,6 +231,7 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
     rows = {(row.planner, row.seed): row for row in ran}
     assert {key: row.status for key, row in rows.items()} == {
         ("raising", None): "not run",
+        ("asking", None): "not run",
         ("endless", None): "out of time",
         ("crashing", 0): "not run",
         ("crashing", 1): "found",
@@ -233,6 +240,7 @@ def test_no_planner_harms_another(tmp_path, monkeypatch):
         ("A*", None): "found",
     }
     assert rows["raising", None].reason == "ArithmeticError: never mind that"
+    assert rows["asking", None].reason.startswith("EOFError")
     assert "ended with status" in rows["crashing", 0].reason
     assert "must end at the goal" in rows["aimless", None].reason
     assert rows["endless", None].seconds == 2.0
@@ -250,6 +258,23 @@ def test_here_what_raises_or_hangs_is_a_row_as_well(monkeypatch):
         where="here",
     )
     assert ran.column("status") == ["not run", "out of time"]
+
+
+def test_here_a_stopped_experiment_runs_nothing_more():
+    """Ctrl-C ends it after the run that it is at, not after all that were submitted."""
+    calls = []
+
+    def slow(problem, rng):
+        calls.append(problem)
+        time.sleep(0.05)
+
+    def stop(done, everything):
+        if done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run(Experiment({"rubble": PROBLEM}, {"slow": slow}, 20), where="here", progress=stop)
+    assert len(calls) <= 6  # each run is preceded by an untimed one
 
 
 def idle(problem):

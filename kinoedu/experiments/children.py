@@ -203,16 +203,17 @@ def read_exactly(stream: Any, length: int) -> bytes:
 
 def serve() -> None:
     """Main loop of a child: read cells from standard input, write outcomes to standard output."""
-    answers = os.fdopen(os.dup(1), "wb")
+    tasks, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # a planner's own output goes to standard error
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C
     faulthandler.enable()
     warmed_up: set[str] = set()
-    with open(os.devnull, "wb") as nowhere:
+    with open(os.devnull, "rb") as nothing, open(os.devnull, "wb") as nowhere:
+        os.dup2(nothing.fileno(), 0)  # a planner that asks for input gets none
         while True:
             faulthandler.dump_traceback_later(IDLE, exit=True, file=nowhere)
             try:
-                outcome = run_next_cell(sys.stdin.buffer, warmed_up)
+                outcome = run_next_cell(tasks, warmed_up)
             except EOFError:
                 return
             send_message(pickle.dumps(tuple(outcome)), answers)

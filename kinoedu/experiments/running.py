@@ -2,8 +2,9 @@
 
 import os
 from collections import Counter, deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import Future
+from contextlib import closing
 from itertools import groupby
 from pathlib import Path
 
@@ -81,8 +82,11 @@ def run(
     everything = len(done) + len(missing)
     report = progress or (lambda done, everything: None)
     report(len(done), everything)
-    with open_workers(where, workers) as submit:
-        for cell, outcome in run_cells(list(missing.values()), submit):
+    with (
+        open_workers(where, workers) as submit,
+        closing(run_cells(list(missing.values()), submit)) as outcomes,
+    ):
+        for cell, outcome in outcomes:
             store.write(cell, outcome)
             done[cell.key] = outcome
             report(len(done), everything)
@@ -92,10 +96,11 @@ def run(
     return table
 
 
-def run_cells(cells: list[Cell], submit: Submit) -> Iterator[tuple[Cell, Outcome]]:
+def run_cells(cells: list[Cell], submit: Submit) -> Generator[tuple[Cell, Outcome]]:
     """Yield every cell with its outcome, in order of completion.
 
-    A cell whose worker is lost is submitted again.
+    A cell whose worker is lost is submitted again. Where the caller stops, as by Ctrl-C, batches
+    that no worker has begun are cancelled.
 
     Raises
     ------
@@ -104,19 +109,23 @@ def run_cells(cells: list[Cell], submit: Submit) -> Iterator[tuple[Cell, Outcome
     """
     waiting, tries = deque(make_batches(cells)), Counter[str]()
     completed = CompletedFutures[Batch]()
-    submit_ahead(waiting, completed, submit)
-    for batch, future in completed:
-        answers = answers_of(future, batch)
-        for cell, answer in zip(batch, answers):  # a batch may come back before its end
-            tries[cell.key] += 1
-            if isinstance(answer, Outcome):
-                yield cell, answer
-            elif tries[cell.key] < TRIES:
-                waiting.appendleft((cell,))
-            else:
-                yield cell, Outcome(NOT_RUN, reason=f"{type(answer).__name__}: {answer}")
-        waiting.extendleft(split(batch[len(answers) :], len(answers)))
+    try:
         submit_ahead(waiting, completed, submit)
+        for batch, future in completed:
+            answers = answers_of(future, batch)
+            for cell, answer in zip(batch, answers):  # a batch may come back before its end
+                tries[cell.key] += 1
+                if isinstance(answer, Outcome):
+                    yield cell, answer
+                elif tries[cell.key] < TRIES:
+                    waiting.appendleft((cell,))
+                else:
+                    yield cell, Outcome(NOT_RUN, reason=f"{type(answer).__name__}: {answer}")
+            waiting.extendleft(split(batch[len(answers) :], len(answers)))
+            submit_ahead(waiting, completed, submit)
+    finally:
+        for future in completed.waiting:
+            future.cancel()
 
 
 def submit_ahead(
