@@ -216,6 +216,25 @@ def test_every_slide_fills_its_sheet_of_paper(tmp_path):
         assert section.count() == 1 and section.bounding_box()["width"] == 800
 
 
+FITS = """() => {
+    const row = document.querySelector("section:not([hidden]) .row");
+    return row.scrollHeight - row.clientHeight <= 2; }"""
+
+
+def test_code_that_is_opened_is_not_cut(tmp_path):
+    """Its slide is made smaller until it fits."""
+    with shown_slides(tmp_path) as page:
+        opened = 0
+        for _ in range(page.locator("section").count()):
+            codes = page.locator("section:not([hidden]) .beside summary")
+            if codes.count():
+                codes.first.press("Enter")
+                page.wait_for_function(FITS, timeout=10_000)
+                opened += 1
+            page.keyboard.press("PageDown")
+        assert opened > 5
+
+
 FINGERS = """([kind, places, changed]) => {
     const touch = ([identifier, clientX]) =>
         new Touch({ identifier, clientX, target: document.body });

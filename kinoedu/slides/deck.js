@@ -99,6 +99,7 @@
   byId("notes").onclick = toggleNotes;
   byId("window").onclick = openWindow;
   addEventListener("resize", () => fit());
+  document.addEventListener("toggle", () => fit(), true);   // code or an answer was opened
   addEventListener("beforeprint", fitPaper);
   addEventListener("afterprint", () => fit());
   addEventListener("hashchange", () => show(Number(location.hash.slice(1)) - 1 || 0));
