@@ -419,6 +419,16 @@ nearly_a_vertex = changed(
 )
 
 
+exactly_at_an_end_forgotten = changed(
+    "polygon_tangent",
+    (
+        "x, y = q - (a if t <= 0.0 else b)",
+        "x, y = (np.nan, np.nan) if t in (0.0, 1.0) else q - (a if t < 0.0 else b)",
+    ),
+)
+first_end_taken_for_the_second = changed("polygon_tangent", ("t <= 0.0", "t < 0.0"))
+
+
 @wrong("polygon_tangent", slip="edge_at_vertex")
 def along_the_edge_at_a_vertex(q, polygon):
     """Forgets the circle round a vertex."""

@@ -64,6 +64,8 @@ class PolygonTangent(ValueExercise):
         for polygon, queries in (
             (SQUARE, ((2, -1), (5, 1), (-3, 2), (7, 8), (-1, -1), (9000, 3), (3.9, -9000))),
             (CORNER, ((3, -2), (3, 4), (-1, 5), (8, 4))),
+            # the nearest point of an edge's line is exactly the edge's end
+            (SQUARE, ((0, -2), (4, -2), (4, 7), (7, 0))),
             (SQUARE, ((0.03, -1), (3.9, -0.5), (-0.5, 3.97), (3.99997, -0.01))),
             (CORNER, ((2.5, 2.5004), (2.5004, 2.5), (6.003, 2.004))),
             (WEDGE, ((4.001, 0.001), (2, -0.003))),
