@@ -15,7 +15,7 @@ def read_axes(value: Any) -> dict[str, Any] | None:
         value = value.axes[0]
     if not all(hasattr(value, name) for name in ("lines", "collections", "patches", "get_title")):
         return None
-    solid = [line for line in value.lines if line.get_linestyle() not in ("None", "")]
+    solid = [line for line in value.lines if is_seen(line)]
     dotted = [line for line in value.lines if str(line.get_marker()) not in ("None", "", " ")]
     lines = [curve_data(line_vertices(line), line, line.get_color()) for line in solid]
     dots = [curve_data(line_vertices(line), line, line.get_markerfacecolor()) for line in dotted]
@@ -34,6 +34,11 @@ def read_axes(value: Any) -> dict[str, Any] | None:
         "y_label": value.get_ylabel(),
         "texts": [text.get_text() for text in value.texts],
     }
+
+
+def is_seen(line: Any) -> bool:
+    """Whether a line is drawn between its points."""
+    return line.get_linestyle() not in ("None", "") and line.get_linewidth() > 0.0
 
 
 def hex_of(colour: Any) -> str:

@@ -774,6 +774,11 @@ def a_line_through_the_dots(samples, lengths, width, discs, ax):
     ax.plot(*(FULL * samples).T, color="blue")
 
 
+dots_on_a_line = changed(
+    "plot_configuration_space", ('"o", color=colour', 'marker="o", color=colour')
+)
+
+
 @wrong("plot_configuration_space")
 def pale_colours(samples, lengths, width, discs, ax):
     """Draws grey for black, and a pale blue."""

@@ -67,10 +67,14 @@ class PlotConfigurationSpace(DrawnExercise):
         return same_dots(dots_of(value), truth, modulo=True)
 
     def value_verdict(self, case: Case, value: object) -> Verdict:
-        """Check the number of dots, their places, that colours are known, then the colours."""
+        """Check the number of dots, their places, that colours are known, then the colours.
+
+        No line may join right dots.
+        """
         truth, found = self.truth(case), dots_of(value)
         if same_dots(found, truth, modulo=True):
-            return RIGHT
+            joined = are_joined(value)
+            return Verdict(0.0, "joined", self.describe_expected(case)) if joined else RIGHT
         if len(found) != len(truth):
             return Verdict(0.0, "count", self.describe_expected(case))
         in_place = same_dots(found[:, :2], truth[:, :2], modulo=True)
@@ -100,6 +104,15 @@ def dots_of(plot: Any) -> Array:
     """Dots of a plot as rows of both angles and the link of their colour, or OTHER."""
     rows = [(*point, shade(one["colour"])) for one in plot["dots"] for point in one["points"]]
     return np.array(rows, float).reshape(-1, 3)
+
+
+def are_joined(plot: Any) -> bool:
+    """Whether a line leads from dot to dot, as `ax.plot` draws it with a marker alone."""
+    dots = [one["points"] for one in plot["dots"]]
+    return any(
+        len(one["points"]) > 1 and any(np.array_equal(one["points"], points) for points in dots)
+        for one in plot["lines"]
+    )
 
 
 def shade(colour: str) -> int:
