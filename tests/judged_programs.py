@@ -15,6 +15,7 @@ from kinoedu.figures.plane import plane_figure
 # programs of the bank that compute, or wait, until they are stopped
 ENDLESS = {
     "all_paths_that_never_forget",
+    "connects_by_straight_lines",
     "follows_first_neighbours",
     "goes_round_for_ever",
     "marks_its_own_path_only",

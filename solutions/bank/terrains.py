@@ -268,6 +268,11 @@ def fewest_edges(*given):
     return prm(*given, weight=lambda a, b: 1.0)
 
 
+no_rows_where_there_is_no_path = changed(
+    "prm_on_terrain", ("if path[-1] == 0 else None", "if path[-1] == 0 else []")
+)
+
+
 @wrong("prm_on_terrain")
 def edges_one_way(*given):
     """Uses an edge only from the smaller index to the larger."""

@@ -83,6 +83,10 @@ ten_points_of_an_edge = changed(
     (FREE_STEP, free_samples("nodes[near]", "q_new", 11)),
     (FREE_LAST_STEP, free_samples("nodes[-1]", "goal", 11)),
 )
+hundred_points_of_a_step = changed("rrt", (FREE_STEP, free_samples("nodes[near]", "q_new", 101)))
+hundred_points_of_the_last_step = changed(
+    "rrt", (FREE_LAST_STEP, free_samples("nodes[-1]", "goal", 101))
+)
 always_the_root = changed("rrt", (NEAREST, "0"))
 root_with_long_steps = changed("rrt", (NEAREST, "0"), (STEP, "q_rand"))
 farthest_for_nearest = changed("rrt", ("argmin", "argmax"))
@@ -107,6 +111,7 @@ backwards = changed("rrt", ("path[::-1]", "path"))
 nearly_there = changed(
     "rrt", ("nodes, parent, path[::-1]", "nodes[:-1], parent[:-1], path[::-1][:-1]")
 )
+no_rows_for_no_path = changed("rrt", ("parent, None", "parent, []"))
 all_nodes_for_the_path = changed("rrt", ("path[::-1]", "nodes"))
 start_left_out = changed("rrt", ("node >= 0", "parent[node] != -1"))
 global_chance = changed("rrt", (SEED, "default_rng(np.random.randint(10**6))"))
@@ -208,6 +213,12 @@ from_the_newest = changed(
     "rrt_connect",
     ("int(np.argmin([problem.distance(node, q) for node in nodes]))", "len(nodes) - 1"),
     within="extend",
+)
+hundred_points_of_a_run = changed(
+    "rrt_connect", (FREE_STEP, free_samples("nodes[near]", "q_new", 101)), within="extend"
+)
+connects_by_straight_lines = changed(
+    "rrt_connect", ("problem.distance(node, q)", "np.linalg.norm(node - q)"), within="extend"
 )
 second_half_reversed = changed("rrt_connect", (HALF, HALF + "[::-1]"))
 from_goal_to_start = changed("rrt_connect", ("*trees[1], path", "*trees[1], path[::-1]"))

@@ -86,7 +86,7 @@ def find_path_fault(problem: StudentProblem, path: Array) -> Fault | None:
     """
     fault = not_configurations(problem, path)
     if fault is not None or len(path) == 0:
-        return fault or Fault("start", np.empty((0, len(problem.start))))
+        return fault or Fault("empty", np.empty((0, len(problem.start))))
     for rule, row, end in (("start", path[0], problem.start), ("goal", path[-1], problem.goal)):
         if not same_configuration(problem, row, end):
             return Fault(rule, row[None])

@@ -21,6 +21,9 @@ STEP, BIAS = 1.0, 0.1
 ENOUGH = {"same": 10, "room": 200, "sealed": 301, "wall": 1200, "passage": 1200, "thin": 1500}
 KINDS = tuple(ENOUGH)
 
+# a corner closed by walls that fit between sampled points of a step
+SHEETS = in_room((2, 2), (8, 8), box(6, 6, 10, 6.0005), box(6, 6, 6.0005, 10))
+
 
 def room_by_chance(rng: np.random.Generator) -> StudentProblem:
     """Problem with start and goal on two sides of a wall that has one gap, at a random place."""
@@ -39,12 +42,13 @@ class TreeExercise(PlannerExercise):
     kinds = KINDS
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Every trap twice, then walls with a random gap."""
+        """Every trap twice, walls with a random gap, and a corner closed by very thin walls."""
         for _ in range(2):
             for kind in KINDS:
                 yield self.make_case(kind, TRAPS[kind], rng)
         for _ in range(2):
             yield self.make_case("wall", room_by_chance(rng), rng)
+        yield self.make_case("sealed", SHEETS, rng)
 
     def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Case of a problem, with a random seed."""

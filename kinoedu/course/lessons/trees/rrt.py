@@ -34,8 +34,8 @@ from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 
 OFTEN = 0.5  # a goal bias at which a test of its share is sharp
 BESIDE = in_room((4, 5), (4.6, 5.3))
-# less than a step apart, with a wall between
-BEHIND = in_room((7.6, 5), (8.2, 5), box(7.9, 3, 7.91, 7))
+# less than a step apart, with a wall between that fits between sampled points
+BEHIND = in_room((7.6, 5), (8.2, 5), box(7.8723, 3, 7.8728, 7))
 # a corner touches the last step of the straight way to the goal
 TOUCHED = in_room((2, 3), (8, 3), [(7, 5), (7.5, 3), (8, 5)])
 ARM = make_arm([], (2.4, 0.3), (-2.0, 1.5))  # the way is short, because an angle wraps

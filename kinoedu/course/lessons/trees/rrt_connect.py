@@ -14,6 +14,7 @@ from ...exercise import Case
 from ...shapes import Maybe, Number, Record, Together, Value
 from ...whole_shapes import Integer
 from ...withheld import withheld
+from ..roadmaps.halls import make_arm
 from ..shared.planned import (
     NODES,
     PATH,
@@ -32,6 +33,8 @@ from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
 
 FAR = in_room((0.5, 0.5), (9.5, 9.5))
 NEARLY = 0.01
+# the short way leads across pi, which is farther than a step from both ends
+ARM = make_arm([], (-2.0, 0.3), (1.8, 0.3))
 
 
 @withheld
@@ -78,7 +81,8 @@ class RrtConnect(Watched, TreeExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield every trap twice, walls with a random gap, and a long run.
 
-        Then comes a long run that nearly arrives, and needs one more very short step.
+        Then comes a long run that nearly arrives, and needs one more very short step. An arm's runs
+        lead across pi.
         """
         yield from super().cases(rng)
         yield self.make_case("room", FAR, rng)
@@ -86,6 +90,8 @@ class RrtConnect(Watched, TreeExercise):
         while not 0.0 < measure_last_step(case) < NEARLY:
             case = self.make_case("room", FAR, rng)
         yield case
+        for _ in range(2):
+            yield self.make_case("room", ARM, rng)
 
     def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
