@@ -838,6 +838,20 @@ def test_what_is_no_number_is_named(value, came):
     assert str(caught.value) == f"expected an array of numbers of shape (2,), {came}"
 
 
+def test_of_several_values_the_one_that_does_not_fit_is_named():
+    """By its place in what one call returns; places of several calls mean nothing to students."""
+    from kinoedu.course.plain import WrongShape
+    from kinoedu.course.shapes import Listed, Numbers, Together
+    from kinoedu.course.whole_shapes import Integer
+
+    wanted = Together((Numbers((2,)), Listed(Integer())))
+    fault = "value 2 of those that you return: at index 1: expected a whole number, got None"
+    with pytest.raises(WrongShape, match=f"^{fault}$"):
+        wanted.encode(((0, 1), [3, None]))
+    with pytest.raises(WrongShape, match=f"^{fault}$"):
+        Together((wanted, wanted), is_returned=False).encode([((0, 1), [3, None])] * 2)
+
+
 def test_what_is_no_whole_number_is_named():
     """Heights in place of indices: the first that is not whole is shown."""
     from kinoedu.course.plain import WrongShape

@@ -16,7 +16,15 @@ import numpy as np
 
 from ..messages import get_message
 from ..support.json_fields import JsonObject
-from .plain import as_array, decode_float, decode_floats, encode_float, encode_floats, wrong_shape
+from .plain import (
+    WrongShape,
+    as_array,
+    decode_float,
+    decode_floats,
+    encode_float,
+    encode_floats,
+    wrong_shape,
+)
 
 Value = Any  # a value of a shape that an exercise declares
 
@@ -168,6 +176,14 @@ def is_row(value: object) -> bool:
     )
 
 
+def encode_place(message: str, place: int, shape: Shape, item: Value) -> Any:
+    """Encode one of several values; where it does not fit, the error's message names its place."""
+    try:
+        return shape.encode(item)
+    except WrongShape as error:
+        raise WrongShape(get_message(message, place=place, wrong=str(error))) from None
+
+
 class Listed(NamedTuple):
     """A list of at most `most` values of one shape."""
 
@@ -183,7 +199,9 @@ class Listed(NamedTuple):
         """Encode a list, a tuple or an array."""
         if not is_row(value) or len(value) > self.most:
             raise wrong_shape(self.description, value)
-        return [self.row.encode(item) for item in value]
+        return [
+            encode_place("shape.item", place, self.row, item) for place, item in enumerate(value)
+        ]
 
     def decode(self, data: object) -> list[Any]:
         """Decode a list."""
@@ -202,6 +220,7 @@ class Together(NamedTuple):
     """
 
     places: tuple[Shape, ...]
+    is_returned: bool = True  # by one call of the student's function; else by several calls
 
     @property
     def description(self) -> str:
@@ -220,7 +239,13 @@ class Together(NamedTuple):
         """Encode a tuple or list of the right length, or an array with that many rows."""
         if not is_row(value) or len(value) != len(self.places):
             raise wrong_shape(self.description, value)
-        return [shape.encode(item) for shape, item in zip(self.places, value, strict=True)]
+        pairs = zip(self.places, value, strict=True)
+        if not self.is_returned:
+            return [shape.encode(item) for shape, item in pairs]
+        return [
+            encode_place("shape.value", place, shape, item)
+            for place, (shape, item) in enumerate(pairs, 1)
+        ]
 
     def decode(self, data: object) -> tuple[Any, ...]:
         """Decode a tuple."""

@@ -30,7 +30,7 @@ class UniformRandom(Exercise):
     lesson = "06_sampling"
     kinds = ("few", "line", "plane", "space")
     given = Record(n=Integer(), d=Integer(), rng=Integer())
-    answer = Together((POINTS, POINTS, POINTS, POINTS))
+    answer = Together((POINTS, POINTS, POINTS, POINTS), is_returned=False)
     source = staticmethod(uniform_random)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:

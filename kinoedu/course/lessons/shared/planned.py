@@ -319,9 +319,9 @@ def with_other_seed(case: Case) -> Case:
 
 def three_times(result: Shape) -> Together:
     """Shape of the result of `PlannerExercise.call`."""
-    return Together((result, result, result, Truth()))
+    return Together((result, result, result, Truth()), is_returned=False)
 
 
 def watched_three_times(result: Shape) -> Together:
     """Shape of the result of `PlannerExercise.call` where the calls are watched."""
-    return Together((result, result, result, Truth(), RUN, RUN))
+    return Together((result, result, result, Truth(), RUN, RUN), is_returned=False)

@@ -140,7 +140,7 @@ class RrtOnTerrain(TerrainPlanner):
         rng=Integer(),
     )
     result = Together((NODES, Integers(("n",)), Maybe(PATH)))
-    answer = Together((result, result, result, Truth(), LOG, LOG))
+    answer = Together((result, result, result, Truth(), LOG, LOG), is_returned=False)
     source = staticmethod(grow_tree)
     shown = staticmethod(grow_spaced)
 
