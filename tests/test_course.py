@@ -3,6 +3,7 @@
 import contextlib
 import gc
 import json
+import linecache
 import random
 import re
 import shutil
@@ -604,8 +605,10 @@ def test_feedback_names_the_unwritten_function_that_is_called():
 
 def complaint(code):
     """Key of the advice for a function with this body."""
+    source = f"def point_line_distance(q, p1, p2):\n    {code}"
+    linecache.cache["student.py"] = (len(source), None, source.splitlines(True), "student.py")
     names = {"np": np}
-    exec(compile(f"def point_line_distance(q, p1, p2):\n    {code}", "student.py", "exec"), names)
+    exec(compile(source, "student.py", "exec"), names)
     return repr(check(names["point_line_distance"]))
 
 
@@ -628,11 +631,28 @@ def complaint(code):
         ("return map(float, p1)", "list(...) makes a list"),
         ("yield 1", "list(...) makes a list"),
         ("if q[0] > 1e9: d = 1\n    return d", "before it has a value"),
+        ("raise ValueError('too far')", "A line of your own raises this error"),
     ],
 )
 def test_common_complaints_of_python_are_explained(code, advice):
     """Common errors of Python are explained for beginners."""
     assert advice in complaint(code)
+
+
+def test_a_default_value_that_keeps_what_earlier_calls_put_in_is_named():
+    """Each case alone would be right, so no hint on the search could help."""
+
+    def dfs_path(neighbours, start, goal, seen=set()):  # noqa: B006 (the mistake)
+        seen.add(start)
+        if start == goal:
+            return [goal]
+        for u in neighbours[start]:
+            way = dfs_path(neighbours, u, goal, seen) if u not in seen else None
+            if way:
+                return [start, *way]
+        return None
+
+    assert "is made only once: all calls of your function share it" in repr(check(dfs_path))
 
 
 def endless_message():

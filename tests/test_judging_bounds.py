@@ -87,6 +87,15 @@ def test_a_planner_adds_a_node_for_each_iteration(name):
     )
 
 
+def test_a_walk_in_circles_has_the_hint_of_a_program_that_does_not_end():
+    """A guard against an endless loop returns too many rows; the line with `return` is right."""
+    exercise, case = first_case("bug2")
+    path = np.tile(case.given["start"], (exercise.size_limit(case) + 1, 1))
+    feedback = repr(Feedback(judge_outcomes(exercise, [case], [Answer(path)])))
+    assert "rows here, got" in feedback
+    assert "leave a wall and come back to it for ever" in feedback
+
+
 def test_a_tree_that_was_given_without_samples_is_judged():
     """A table of right trees draws no sample; that is a fault, and no error of the judge. Where
     the goal is beside the start, a tree needs none.

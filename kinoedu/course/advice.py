@@ -1,6 +1,7 @@
 """Explanations of the most common Python errors, for students who meet them for the first time."""
 
 import re
+from collections.abc import Callable
 
 from .outcomes import Misshapen, Outcome, Raised
 
@@ -21,6 +22,8 @@ COMMON_ERRORS = (
 )
 # the end of a message on a value whose items Python has not listed, or has in no order
 UNLISTED = re.compile(r" (generator|map|zip|filter|enumerate|reversed|dict_\w+|(frozen)?set)$")
+OWN_RAISE = re.compile(r"line \d+: raise\b")
+EXCESS = re.compile(r"expected at most ")
 
 
 def find_advice(outcome: Outcome) -> str:
@@ -41,3 +44,22 @@ def find_advice(outcome: Outcome) -> str:
         if UNLISTED.search(outcome.message):
             return "unlisted"
     return ""
+
+
+def raises_itself(outcome: Outcome) -> bool:
+    """Whether the error comes from a line `raise ...` of the student's program."""
+    return isinstance(outcome, Raised) and bool(OWN_RAISE.match("".join(outcome.lines[-1:])))
+
+
+def is_excess(outcome: Outcome) -> bool:
+    """Whether an answer has far more numbers or rows than a right one."""
+    return isinstance(outcome, Misshapen) and bool(EXCESS.match(outcome.message))
+
+
+def default_sizes(function: Callable[..., object]) -> list[int]:
+    """Sizes of those default values of a function's parameters that calls can fill."""
+    values = [
+        *(getattr(function, "__defaults__", None) or ()),
+        *(getattr(function, "__kwdefaults__", None) or {}).values(),
+    ]
+    return [len(value) for value in values if isinstance(value, list | set | dict)]

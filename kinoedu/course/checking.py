@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import InvalidParameter
 from ..messages import get_message
+from .advice import default_sizes
 from .exercise import Case, Exercise
 from .feedback import ALL, Feedback, advance_stage
 from .judging import judge_until_failure, run_case
@@ -76,13 +77,15 @@ def check(
         outcome, printed[id(case)] = run_quietly(judged_exercise, function, case)
         return outcome
 
+    sizes = default_sizes(function)
     report = judge_until_failure(judged_exercise, cases, run)
     if report.failure is None:
         PASSED.add(judged_exercise.name)
         return Feedback(report)
     smallest = shrink(judged_exercise, report.failure, run)
     stage = advance_stage(report) if staged else ALL
-    return Feedback(replace(report, failure=smallest), stage, printed[id(smallest.case)])
+    advice = "shared_default" if default_sizes(function) != sizes else ""
+    return Feedback(replace(report, failure=smallest), stage, printed[id(smallest.case)], advice)
 
 
 def run_quietly(

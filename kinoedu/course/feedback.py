@@ -8,7 +8,7 @@ import numpy as np
 
 from ..errors import InvalidPoint
 from ..messages import get_message
-from .advice import find_advice
+from .advice import find_advice, is_excess, raises_itself
 from .exercise import Exercise
 from .judging import JudgedCase, Report
 from .outcomes import Answer, Changed, Late, Misshapen, Outcome, Raised
@@ -26,14 +26,17 @@ class Feedback:
     The picture shows the smallest case that failed.
     """
 
-    def __init__(self, report: Report, stage: int = ALL, printed: str = "") -> None:
+    def __init__(
+        self, report: Report, stage: int = ALL, printed: str = "", advice: str = ""
+    ) -> None:
         self.report = report
+        self.advice = advice
         self.stage = stage
         self.printed = printed
 
     def list_entries(self) -> list[tuple[str, str]]:
         """Text of the feedback, as pairs of a title and a text."""
-        return feedback_lines(self.report, self.stage, self.printed.rstrip())
+        return feedback_lines(self.report, self.stage, self.printed.rstrip(), self.advice)
 
     def __repr__(self) -> str:
         return "\n".join(format_entry(title, text) for title, text in self.list_entries())
@@ -72,10 +75,13 @@ class Feedback:
             display(Image(picture, alt=words, width=WIDTH))
 
 
-def feedback_lines(report: Report, stage: int, printed: str) -> list[tuple[str, str]]:
+def feedback_lines(
+    report: Report, stage: int, printed: str, advice: str = ""
+) -> list[tuple[str, str]]:
     """Text of the feedback up to a stage, as pairs of a title and a text.
 
-    `printed` is the program's own output in the case that failed.
+    `printed` is the program's own output in the case that failed. `advice` is the key of advice on
+    the program itself, which comes before every other hint.
     """
     exercise, failure = report.exercise, report.failure
     if report.unwritten:
@@ -89,7 +95,7 @@ def feedback_lines(report: Report, stage: int, printed: str) -> list[tuple[str, 
     if stage >= CASE:
         lines += case_lines(exercise, failure, printed)
     if stage >= ALL:
-        lines.append((get_message("check.hint"), hint_message(exercise, failure)))
+        lines.append((get_message("check.hint"), hint_message(exercise, failure, advice)))
         lines.append((get_message("check.read"), exercise.message("section")))
     good = [exercise.message(f"kinds.{kind}") for kind in report.right_so_far]
     if good:
@@ -192,15 +198,20 @@ def rule_message(exercise: Exercise, failure: JudgedCase) -> str:
     return exercise.message(f"rules.{failure.verdict.rule}")
 
 
-def hint_message(exercise: Exercise, failure: JudgedCase) -> str:
+def hint_message(exercise: Exercise, failure: JudgedCase, advice: str = "") -> str:
     """Hint for the misconception that was recognised, for the Python error, or for the rule.
 
     An exercise may have its own hint for a Python error, in its table `advice`.
     """
-    advice = find_advice(failure.outcome)
+    if failure.verdict.rule == "raised" and raises_itself(failure.outcome):
+        advice = advice or "own_error"
+    advice = advice or find_advice(failure.outcome)
     if advice:
         own = exercise.table_with(f"advice.{advice}")
         return get_message(f"{own}.advice.{advice}" if own else f"advice.{advice}")
+    if is_excess(failure.outcome):
+        own_late = exercise.table_with("hints.late") != exercise.shared[-1]
+        return exercise.message("hints.late" if own_late else "hints.judging")
     if is_idle(failure.outcome):
         return get_message("advice.try_again")
     key = f"slips.{failure.slip}" if failure.slip else f"hints.{failure.verdict.rule}"
