@@ -632,6 +632,8 @@ def complaint(code):
         ("yield 1", "list(...) makes a list"),
         ("if q[0] > 1e9: d = 1\n    return d", "before it has a value"),
         ("raise ValueError('too far')", "A line of your own raises this error"),
+        ("if len(q) == 2: raise KeyError(q)", "A line of your own raises this error"),
+        ("if q[9] > 0: raise ValueError('too far')", "The last of n items"),
     ],
 )
 def test_common_complaints_of_python_are_explained(code, advice):
@@ -653,6 +655,17 @@ def test_a_default_value_that_keeps_what_earlier_calls_put_in_is_named():
         return None
 
     assert "is made only once: all calls of your function share it" in repr(check(dfs_path))
+
+
+def test_the_hint_on_one_of_several_values_does_not_speak_of_a_missing_return():
+    """The line with `return` is right; one value in the list is not."""
+
+    def bfs_tree(neighbours, start):
+        return [None] * len(neighbours)
+
+    feedback = repr(check(bfs_tree))
+    assert "at index 0: expected a whole number, got None" in feedback
+    assert "the message names its place" in feedback
 
 
 def endless_message():

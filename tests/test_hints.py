@@ -244,9 +244,18 @@ def by_pythagoras(q, p1, p2):
     return np.sqrt(max(0.0, ((q - p1) ** 2).sum() - along**2))
 
 
+def by_its_slope(p1, p2):
+    """A line from its slope, which an upright line does not have."""
+    slope = (p2[1] - p1[1]) / (p2[0] - p1[0])
+    size = np.sqrt(slope**2 + 1)
+    return slope / size, -1 / size, (p1[1] - slope * p1[0]) / size
+
+
+@np.errstate(all="ignore")
 @pytest.mark.parametrize(
     ("name", "program", "said"),
     [
+        ("line_through_points", by_its_slope, "Where do you divide by a difference of x?"),
         ("crossings", nearly_level, "Order the edges by their heights at x"),
         ("point_line_distance", by_pythagoras, "Each loses digits"),
     ],

@@ -22,7 +22,7 @@ COMMON_ERRORS = (
 )
 # the end of a message on a value whose items Python has not listed, or has in no order
 UNLISTED = re.compile(r" (generator|map|zip|filter|enumerate|reversed|dict_\w+|(frozen)?set)$")
-OWN_RAISE = re.compile(r"line \d+: raise\b")
+PLACED = re.compile(r"(at index|value) \d+")  # one of several values does not fit
 EXCESS = re.compile(r"expected at most ")
 
 
@@ -43,12 +43,16 @@ def find_advice(outcome: Outcome) -> str:
             return "returned_error"
         if UNLISTED.search(outcome.message):
             return "unlisted"
+        if PLACED.match(outcome.message):
+            return "placed"
     return ""
 
 
 def raises_itself(outcome: Outcome) -> bool:
     """Whether the error comes from a line `raise ...` of the student's program."""
-    return isinstance(outcome, Raised) and bool(OWN_RAISE.match("".join(outcome.lines[-1:])))
+    if not isinstance(outcome, Raised) or not outcome.kinds or not outcome.lines:
+        return False
+    return bool(re.search(rf"\braise {re.escape(outcome.kinds[0])}\b", outcome.lines[-1]))
 
 
 def is_excess(outcome: Outcome) -> bool:

@@ -240,6 +240,15 @@ def only_moves(x, y, theta):
     return [[1, 0, x], [0, 1, y], [0, 0, 1]]
 
 
+@wrong("displacement", slip="whole")
+def array_of_whole_numbers(x, y, theta):
+    """Fills an array of integers, which cuts off the fractions."""
+    matrix = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    matrix[:2, :2] = rotation(theta)
+    matrix[:2, 2] = x, y
+    return matrix
+
+
 @wrong("displacement")
 def x_and_y_exchanged(x, y, theta):
     """Exchanges x and y."""

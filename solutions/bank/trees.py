@@ -58,6 +58,7 @@ new_chance_each_time = changed(
     "tree_roadmap",
     ("rng = np.random.default_rng(rng)", "seed = rng"),
     ("nodes, rng)", "nodes, np.random.default_rng(seed))"),
+    slip="seeded_again",
 )
 touching = changed("tree_roadmap", (FREE, FREE.replace("free", "semi_free")), slip="touching")
 no_root = changed("tree_roadmap", ("return nodes, parent", "return nodes[1:], parent[1:]"))

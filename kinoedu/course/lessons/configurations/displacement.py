@@ -28,6 +28,7 @@ class Displacement(MatrixExercise):
         Slip("no_one", lambda x, y, theta: displacement(x, y, theta) * [[1], [1], [0]]),
         Slip("degrees", lambda x, y, theta: displacement(x, y, radians(theta))),
         Slip("no_turn", lambda x, y, theta: displacement(x, y, 0.0)),
+        Slip("whole", lambda x, y, theta: np.trunc(displacement(x, y, theta))),
     )
     reference = staticmethod(displacement)
 

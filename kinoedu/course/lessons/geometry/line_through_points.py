@@ -82,9 +82,14 @@ class LineThroughPoints(LineExercise):
             yield Case("slanted", {"p1": p1, "p2": np.round(p1 + 0.01 * rng.integers(1, 10, 2), 2)})
 
     def value_verdict(self, case: Case, value: Value) -> Verdict:
-        """Check a^2 + b^2 = 1, then that both points are on the line."""
+        """Check a^2 + b^2 = 1, then that both points are on the line.
+
+        A line without numbers is that of a slope, which an upright line does not have.
+        """
         if self.same(value, self.truth(case)):
             return RIGHT
+        if case.kind == "upright" and not np.isfinite(value).all():
+            return Verdict(0.0, "slope", self.describe_expected(case))
         a, b, _ = value
         if not abs(a * a + b * b - 1.0) <= self.tolerance:
             return Verdict(0.0, "unit", self.describe_expected(case))

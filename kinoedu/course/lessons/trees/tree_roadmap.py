@@ -85,6 +85,21 @@ def allow_contact(*given: Value) -> Value:
     return grow_by(*given, accepts=lambda problem, a, b: problem.is_semi_free_path(a, b))
 
 
+def seed_each_time(problem: PlanningProblem, expand: Any, iterations: int, rng: int) -> Value:
+    """Make a new generator from the seed in every iteration."""
+
+    def expand_anew(problem: PlanningProblem, nodes: Array, _: np.random.Generator) -> Value:
+        return expand(problem, nodes, np.random.default_rng(rng))
+
+    return grow_by(
+        problem,
+        expand_anew,
+        iterations,
+        rng,
+        accepts=lambda problem, a, b: problem.is_free_path(a, b),
+    )
+
+
 def count_from_one(*given: Value) -> Value:
     """Count parents from 1."""
     nodes, parent = grow_free_tree(*given)
@@ -111,6 +126,7 @@ class TreeRoadmap(ValueExercise):
         Slip("unchecked", grow_unchecked),
         Slip("ends_only", check_ends_only),
         Slip("touching", allow_contact),
+        Slip("seeded_again", seed_each_time),
         Slip("from_one", count_from_one),
         Slip("chained", chain_nodes),
     )
