@@ -197,23 +197,20 @@ half_a_round = changed(
 # Bug 2
 
 
-LEAVES = (
-    "while len(walk) < 5 or not met or math.dist(walk[-1], goal) > math.dist(hit, goal) - step:"
-)
+LEAVES = "while not met or math.dist(walk[-1], goal) > math.dist(hit, goal) - step:"
 # "nearer" compares the x alone
 nearer_in_x = changed(
     "bug2",
     (
         LEAVES,
         """while len(walk) < 2000 and (
-            len(walk) < 5 or not met or abs(walk[-1][0] - goal[0]) > abs(hit[0] - goal[0]) - step
+            not met or abs(walk[-1][0] - goal[0]) > abs(hit[0] - goal[0]) - step
         ):""",
     ),
 )
 # leaves where it is left of the line and nearer than the hit, far from the line too
 left_of_the_line = changed(
-    "bug2",
-    ("met = side(walk[-2]) * side(walk[-1]) <= 0 and before_goal", "met = side(walk[-1]) > 0"),
+    "bug2", ("met = side(walk[-2]) * side(walk[-1]) <= 0", "met = side(walk[-1]) > 0")
 )
 
 
