@@ -289,3 +289,16 @@ def test_an_error_that_an_exercise_invites_has_a_hint_of_its_own(name, lesson, c
     report = judge_outcomes(exercise, exercise.fixed_cases, outcomes)
     assert isinstance(report.failure.outcome, Raised)
     assert said in repr(Feedback(report))
+
+
+def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighbour():
+    """A step that is always whole puts a node beside another one, which seems to be its parent."""
+    exercise = EXERCISES["rrt"]
+    whole = "nodes[near] + step * (q_rand - nodes[near]) / problem.distance(nodes[near], q_rand)"
+    rrt = Solutions(HOUSE / "solutions" / "09_trees.ipynb").changed(
+        "rrt", ("problem.steer(nodes[near], q_rand, step)", whole)
+    )
+    cases = [case for case in exercise.fixed_cases if case.kind == "room"][:4]
+    outcomes = [run_case(exercise, rrt.function, case) for case in cases]
+    said = repr(Feedback(judge_outcomes(exercise, cases, outcomes)))
+    assert "does your step end at the sample where that is nearer" in said
