@@ -8,6 +8,7 @@ from .outcomes import Misshapen, Outcome, Raised
 # (key of the message, class of the exception, pattern of its text); the first match is used
 COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
+    ("empty", "ValueError", "arg is an empty|argument is empty|zero-size array|of an empty seq"),
     ("power", "TypeError", "bitwise_xor|unsupported operand.*\\^"),
     ("parameters", "TypeError", "positional argument|unexpected keyword"),
     ("two_indices", "TypeError", "indices must be integers or slices, not tuple"),
