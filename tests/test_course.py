@@ -628,6 +628,12 @@ def complaint(code):
         ("return None + 1", "A value is None"),
         ("return 1 / 0", "Which number is zero"),
         ("return min([])", "Which list is empty"),
+        ("return (1, 2) - (0, 1)", "np.array(point) makes an array"),
+        ("return [1, 2] * 0.5", "np.array(point) makes an array"),
+        (
+            "from kinoedu.geometry import orientation as o\n    o((1, 2, 3, 4), q, q)",
+            "np.array(point)",
+        ),
         ("return np.min([])", "Which list is empty"),
         ("return np.argmin([])", "Which list is empty"),
         ("return {1, 2}", "list(...) makes a list"),

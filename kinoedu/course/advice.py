@@ -10,6 +10,8 @@ COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
     ("empty", "ValueError", "arg is an empty|argument is empty|zero-size array|of an empty seq"),
     ("power", "TypeError", "bitwise_xor|unsupported operand.*\\^"),
+    ("no_arrays", "TypeError", "unsupported operand.*'(tuple|list)'|can't multiply sequence"),
+    ("no_arrays", "InvalidPoint", "must be one point"),
     ("parameters", "TypeError", "positional argument|unexpected keyword"),
     ("two_indices", "TypeError", "indices must be integers or slices, not tuple"),
     ("whole", "IndexError", "only integers"),
