@@ -675,6 +675,15 @@ def test_a_default_value_that_keeps_what_earlier_calls_put_in_is_named():
     assert "is made only once: all calls of your function share it" in repr(check(dfs_path))
 
 
+def test_an_exercise_may_have_its_own_hint_for_an_error_of_the_students_own():
+    """Dijkstra's algorithm is refused for negative weights, and not for zero."""
+
+    def dijkstra(neighbours, weights, start):
+        raise ValueError("no weight may be zero")
+
+    assert "Is the error your own ValueError? Zero is not negative." in repr(check(dijkstra))
+
+
 def test_the_hint_on_one_of_several_values_does_not_speak_of_a_missing_return():
     """The line with `return` is right; one value in the list is not."""
 

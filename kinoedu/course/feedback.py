@@ -203,9 +203,10 @@ def hint_message(exercise: Exercise, failure: JudgedCase, advice: str = "") -> s
 
     An exercise may have its own hint for a Python error, in its table `advice`.
     """
-    if failure.verdict.rule == "raised" and raises_itself(failure.outcome):
-        advice = advice or "own_error"
     advice = advice or find_advice(failure.outcome)
+    has_own_hint = failure.slip or exercise.table_with("hints.raised") != exercise.shared[-1]
+    if failure.verdict.rule == "raised" and not has_own_hint and raises_itself(failure.outcome):
+        advice = "own_error"
     if advice:
         own = exercise.table_with(f"advice.{advice}")
         return get_message(f"{own}.advice.{advice}" if own else f"advice.{advice}")
