@@ -438,6 +438,10 @@ def always_the_goal(*given):
     return rrt(*given, where=lambda problem, turn, rng: problem.goal)
 
 
+last_turn_left_out = changed("kinodynamic_rrt", ("iterations + 1", "iterations"))
+last_turn_of_the_roadmap_left_out = changed("kinodynamic_prm", ("iterations + 1", "iterations"))
+
+
 @wrong("kinodynamic_rrt")
 def turns_from_zero(*given):
     """Loops over range(iterations), so that region and goal come one iteration late."""

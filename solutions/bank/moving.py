@@ -672,6 +672,11 @@ def lines_for_segments(path, discs, offsets):
     return wilson(hits.any(axis=1).mean(), len(hits))
 
 
+least_begins_with_a_thousand = changed(
+    "collision_probability", ("return min(", "return min(1000, *("), ("motions) <=", "motions)) <=")
+)
+
+
 @wrong("collision_probability")
 def centre_for_disc(path, discs, offsets):
     """Ignores the radius."""

@@ -120,6 +120,20 @@ less_than_a_step = changed("rrt_on_terrain", ("goal) <= step", "goal) < step"))
 last_step_touches = changed(
     "rrt_on_terrain", ("is_free_path(nodes[-1]", "is_semi_free_path(nodes[-1]")
 )
+hundred_points_of_the_last_step = changed(
+    "rrt_on_terrain",
+    (
+        "problem.is_free_path(nodes[-1], goal)",
+        "all(problem.is_free(nodes[-1] + t * (goal - nodes[-1])) for t in np.linspace(0, 1, 101))",
+    ),
+)
+hundred_points_of_a_step = changed(
+    "rrt_on_terrain",
+    (
+        "problem.is_free_path(nodes[near], q_new)",
+        "all(problem.is_free(q_new + t * (nodes[near] - q_new)) for t in np.linspace(0, 1, 101))",
+    ),
+)
 steps_touch = changed(
     "rrt_on_terrain", ("is_free_path(nodes[near]", "is_semi_free_path(nodes[near]")
 )

@@ -66,6 +66,12 @@ EMPTY = make_terrain_problem([], (5.5, 5.5), (34.5, 33.5))
 LEVEL = make_terrain_problem([], (3.5, 8.5), (35.5, 8.5))
 # the last step of the straight way to the goal runs along a rock
 GRAZED = make_terrain_problem([(32, 16, 33, 20)], (6.5, 20.0), (34.5, 20.0))
+# the last step of the straight way, or the one before it, cuts off a rock's corner, so little that
+# the chord fits between sampled points
+CUT = [
+    make_terrain_problem([(30, 29, 31, 30)], (6.5, 6.5), goal)
+    for goal in ((31.5, 31.495), (37.2, 37.193))
+]
 EXACT = {"step": 4.0, "spacing": 4.0}  # LEVEL is eight steps, all of which floats can hold
 
 
@@ -145,7 +151,7 @@ class RrtOnTerrain(TerrainPlanner):
     shown = staticmethod(grow_spaced)
 
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
-        """Yield the cases of both planners, then open ground and a grazed rock with goal bias 1.
+        """Yield the cases of both planners, then open ground and touched rocks with goal bias 1.
 
         The second case without a path has a smaller goal bias. On level ground every node is
         exactly the spacing from the one before it.
@@ -158,7 +164,8 @@ class RrtOnTerrain(TerrainPlanner):
         always = self.make_case("open", EMPTY, int(rng.integers(1000)))
         yield Case("open", {**always.given, "goal_bias": 1.0})
         yield Case("open", {**always.given, "problem": LEVEL, "goal_bias": 1.0, **EXACT})
-        yield Case("sealed", {**always.given, "problem": GRAZED, "goal_bias": 1.0})
+        for problem in (GRAZED, *CUT):
+            yield Case("sealed", {**always.given, "problem": problem, "goal_bias": 1.0})
 
     def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case, with fewer failures where no path exists, to end the tree's growth."""
