@@ -397,6 +397,8 @@ a_thousand_points = changed(
         "    while len(path) < 1000 and math.dist(path[-1], goal) > 0:",
     ),
 )
+# the line beyond a small obstacle is met before
+thirty_steps_at_least = changed("bug2", ("len(walk) < 5", "len(walk) < 30"))
 much_nearer_than_the_hit = changed(
     "bug2", ("math.dist(hit, goal) - step", "math.dist(hit, goal) - 12 * step")
 )

@@ -14,6 +14,7 @@ from .walking import BOX, ME145, TURNS, BugExercise, Choice, turned_world, walk_
 SPIRAL = np.array(
     [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float
 )
+SMALL = np.array([(2, -0.15), (2.4, -0.15), (2.4, 0.25), (2, 0.25)], float)  # past it in few steps
 THIN = np.array([(2, -1), (2.42, -1), (2.42, 2), (2, 2)], float)
 # open at the top
 HORSESHOE = np.array(
@@ -52,6 +53,7 @@ class Bug2(BugExercise):
         yield Case("one", world((0, 0), (6, 0), [BOX]))
         yield Case("one", world((0, 0), (60, 0), [BOX]))
         yield Case("one", world((0, 0), (6, 0), [THIN]))
+        yield Case("one", world((0, 0), (6, 0), [SMALL]))
         yield Case("many", world((0, 0), (5, 3), ME145))
         yield Case("spiral", world((7.5, 0.5), (0, 3.5), [SPIRAL]))
         yield Case("spiral", world((0, 0), (6, 0), [HORSESHOE]))
