@@ -84,6 +84,17 @@ def asking(problem):
     return input("which way? ")
 
 
+def pretending(problem):
+    """A planner that prints what the watchdog prints, and crashes."""
+    print("Timeout (0:00:02)!", flush=True)
+    os.kill(os.getpid(), 9)
+
+
+def stopping(problem):
+    """A planner that raises what nothing catches."""
+    raise KeyboardInterrupt
+
+
 def talking(problem):
     """A planner that prints."""
     print("x" * 100_000)
@@ -258,6 +269,26 @@ def test_here_what_raises_or_hangs_is_a_row_as_well(monkeypatch):
         where="here",
     )
     assert ran.column("status") == ["not run", "out of time"]
+
+
+def test_the_status_with_which_a_process_ended_is_its_own():
+    """What it printed is no time-out; one that ended by itself was not killed."""
+    planners = {"pretending": pretending, "stopping": stopping}
+    ran = run(Experiment({"rubble": PROBLEM}, planners, time_limit=2.0), workers=1)
+    assert ran.column("status") == ["not run", "not run"]
+    assert ran[0].reason.endswith("ended with status -9")
+    assert not ran[1].reason.endswith("ended with status -9")
+
+
+def test_a_message_that_is_not_unicode_is_written(tmp_path):
+    """Such as the name of a file; it does not cost the table."""
+
+    def raising(problem):
+        raise FileNotFoundError(os.fsdecode(b"caf\xe9"))
+
+    ran = run(Experiment({"rubble": PROBLEM}, {"raising": raising}), where="here", out=tmp_path)
+    assert ran[0].status == "not run"
+    assert "caf\\udce9" in (tmp_path / "results.csv").read_text(encoding="utf-8")
 
 
 def test_here_a_stopped_experiment_runs_nothing_more():

@@ -34,7 +34,8 @@ LENGTH = struct.Struct("<Q")
 LOADING, COMPILING = 10.0, 300.0  # extra seconds for the first run, and for a compilation
 IDLE = 60.0  # seconds for which a process waits for work
 SLICE = 1.0  # seconds after which a batch comes back, so that its outcomes are stored
-STOPPED = b"Timeout ("  # what the watchdog prints
+ENDING = 1.0  # seconds that a process has to end after it closed its pipes
+STOPPED, EXIT_OF_WATCHDOG = b"Timeout (", 1  # what the watchdog prints, and its status
 
 
 class ProcessEnded(Exception):
@@ -72,9 +73,11 @@ class Child:
             send_message(task, self.process.stdin)
             return Outcome(*receive_message(self.process.stdout))
         except (EOFError, OSError):
+            with suppress(subprocess.TimeoutExpired):
+                self.process.wait(ENDING)  # so that the status is its own
             status = self.kill()
             self.errors.seek(0)
-            if STOPPED in self.errors.read():
+            if status == EXIT_OF_WATCHDOG and STOPPED in self.errors.read():
                 return out_of_time(cell)
             raise ProcessEnded(f"the process of the run ended with status {status}") from None
 

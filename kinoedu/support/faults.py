@@ -60,9 +60,10 @@ def is_readers_code(file: str) -> bool:
 
 
 def shorten_message(error: BaseException) -> str:
-    """The message of an exception, on one line; "" where its own code fails."""
+    """The message of an exception, on one line that can be encoded; "" where its own code fails."""
     try:
         text = " ".join(str(error).split())
     except Exception:
         return ""
+    text = text.encode("utf-8", "backslashreplace").decode()  # such as a file's name in Latin-1
     return text if len(text) <= 200 else text[:197] + "..."
