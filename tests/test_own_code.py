@@ -471,6 +471,15 @@ planner = "rrt"
 """
 
 
+def test_a_negative_seed_of_a_world_of_ones_own_is_named(folder):
+    """As for a world of the library."""
+    (folder / "robots_of_mine.py").write_text(ROBOTS)
+    file = folder / "gardens.toml"
+    file.write_text(GARDENS.replace("seed = 1", "seed = -1"))
+    with pytest.raises(InvalidParameter, match=r"the seed \(rng\) must be 0, 1, 2, \.\.\."):
+        read_experiment(file)
+
+
 def test_a_robot_and_a_world_of_ones_own(folder, interpreted):
     """In a file, in other processes; a change of their code is another experiment."""
     (folder / "robots_of_mine.py").write_text(ROBOTS)

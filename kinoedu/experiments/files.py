@@ -53,12 +53,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..errors import InvalidParameter, KinoeduError, UnreadableScene
 from ..files.scenario_files import read_scenario_problems
 from ..files.scene_robots import ROBOTS
 from ..files.scenes import read_problem
+from ..geometry.checks import as_generator
 from ..planners.own import rng_argument
 from ..planners.registry import PLANNERS
 from ..problems import Problem, ProblemRecord
@@ -218,8 +217,8 @@ def call_own(field: Field, function: Callable[..., Any], arguments: dict[str, An
 
     A seed becomes a generator.
     """
-    random = {"rng": np.random.default_rng(arguments["rng"])} if "rng" in arguments else {}
     try:
+        random = {"rng": as_generator(arguments["rng"])} if "rng" in arguments else {}
         return function(**{**arguments, **random})
     except KinoeduError:
         raise
