@@ -280,6 +280,18 @@ def test_the_status_with_which_a_process_ended_is_its_own():
     assert not ran[1].reason.endswith("ended with status -9")
 
 
+@pytest.mark.parametrize(
+    "text", ["[" * 100_000, '{"status": "nonsense", "cost": 1.0, "seconds": 0.1}']
+)
+def test_a_damaged_outcome_is_run_again(text, tmp_path):
+    """Also where it is deeply nested, or has a status that none has."""
+    experiment = Experiment({"rubble": PROBLEM}, {"A*": ke.plan_on_grid})
+    before = run(experiment, where="here", out=tmp_path)
+    (file,) = (tmp_path / "runs").iterdir()
+    file.write_text(text)
+    assert but_for_seconds(run(experiment, where="here", out=tmp_path)) == but_for_seconds(before)
+
+
 def test_a_message_that_is_not_unicode_is_written(tmp_path):
     """Such as the name of a file; it does not cost the table."""
 

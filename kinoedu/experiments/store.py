@@ -6,7 +6,9 @@ import tempfile
 from pathlib import Path
 
 from ..support.whole_files import written_whole
-from .cells import NOT_RUN, OUT_OF_TIME, Cell, Outcome
+from .cells import FOUND, NO_PATH, OUT_OF_TIME, WRONG, Cell, Outcome
+
+STORED = (FOUND, NO_PATH, WRONG, OUT_OF_TIME)  # what could not be run is tried again
 
 
 class Store:
@@ -35,9 +37,9 @@ class Store:
         try:
             text = (self.folder / f"{cell.key}.json").read_text(encoding="utf-8")
             outcome = Outcome(**json.loads(text))
-        except (OSError, ValueError, TypeError):
+        except (OSError, ValueError, TypeError, RecursionError):
             return None
-        if not has_kinds(outcome):
+        if outcome.status not in STORED or not has_kinds(outcome):
             return None
         if outcome.status == OUT_OF_TIME:
             return outcome if outcome.seconds >= cell.time_limit else None
@@ -45,7 +47,7 @@ class Store:
 
     def write(self, cell: Cell, outcome: Outcome) -> None:
         """Store an outcome, except of a cell that could not be run. Raises OSError."""
-        if self.folder is not None and outcome.status != NOT_RUN:
+        if self.folder is not None and outcome.status in STORED:
             with written_whole(self.folder / f"{cell.key}.json") as part:
                 part.write_text(json.dumps(outcome._asdict()), encoding="utf-8")
 
