@@ -548,6 +548,10 @@ def test_a_nonsense_file_raises_a_named_error(text, tmp_path, capsys):
             lambda: Experiment({"a": PROBLEM}, {"a": partial(ke.rrt, step=3)}),
             "rrt has no argument 'step'; did you mean 'step_size'",
         ),
+        (
+            lambda: Experiment({"a": PROBLEM}, {"a": partial(ke.rrt, rng=3)}),
+            "planner 'a': leave rng out",
+        ),
         (lambda: run([1]), "run takes an Experiment"),
         (lambda: run(SMALL, where=3), "where must be"),
         (lambda: run(SMALL, workers=0), "workers must be a whole number"),
@@ -565,6 +569,13 @@ def test_wrong_arguments_raise_named_errors(wrong, words):
     """Wrong arguments raise an error before anything is run."""
     with pytest.raises(InvalidParameter, match=words):
         wrong()
+
+
+def test_a_column_of_words_has_no_values_for_figures():
+    """The error names columns that have."""
+    ran = run(Experiment({"a": PROBLEM}, {"A*": ke.plan_on_grid}), where="here")
+    with pytest.raises(InvalidParameter, match="such as 'cost' or 'motions', got 'status'"):
+        ran.values("status")
 
 
 def test_a_digest_tells_values_and_functions_apart():

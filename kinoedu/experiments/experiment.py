@@ -171,6 +171,10 @@ def check_contestant(name: str, planner: object) -> None:
             f"{shortened(planner)}"
         )
     keywords = getattr(planner, "keywords", {})
+    if "rng" in keywords:
+        raise InvalidParameter(
+            f"planner {name!r}: leave rng out; it is a generator for each of the experiment's seeds"
+        )
     parameters = inspect.signature(function).parameters if keywords else {}
     if any(p.kind is inspect.Parameter.VAR_KEYWORD for p in parameters.values()):
         return

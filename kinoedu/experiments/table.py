@@ -110,8 +110,16 @@ class Table:
 
         Cells that were not run are left out. A run without a path has infinite cost and seconds,
         since it never finished. A quantity that the planner does not count is infinite too.
+
+        Raises
+        ------
+        InvalidParameter
+            Where there is no such column, or it has words.
         """
-        self.column(column)
+        if any(isinstance(value, str) for value in self.column(column)):
+            raise InvalidParameter(
+                f"column must be one of numbers, such as 'cost' or 'motions', got {column!r}"
+            )
         groups: dict[str, list[float]] = {}
         for row in self:
             if row.status != NOT_RUN:
