@@ -883,6 +883,21 @@ def test_a_link_brings_the_same_world(page, folder):
     assert "path" in page.locator(".kinoedu-board").first.get_attribute("data-layers")
 
 
+def test_a_link_shows_its_board_at_once(chromium, folder):
+    """Also where the page's style scrolls smoothly, as the site's does."""
+    smooth = "<style>html { scroll-behavior: smooth } p { height: 900px }</style><body>"
+    text = (folder / "index.html").read_text(encoding="utf-8").replace("<body>", smooth)
+    (folder / "smooth.html").write_text(text, encoding="utf-8")
+    link = base64.urlsafe_b64encode(json.dumps({"version": 1, "key": "5-0"}).encode()).decode()
+    opened = chromium.new_page(viewport={"width": 760, "height": 400})
+    opened.add_init_script(
+        "addEventListener('DOMContentLoaded', () => { globalThis.at = scrollY; })"
+    )
+    opened.goto(f"{(folder / 'smooth.html').as_uri()}#kinoedu={link}")
+    assert opened.evaluate("at") > 0
+    opened.close()
+
+
 def test_odd_links_are_refused_and_the_last_seed_is_followed_by_the_first(page, folder):
     """Names that every object has are no planners; what a board links to can be opened."""
     link, first = page.locator(".kinoedu-live button").nth(1), (folder / "index.html").as_uri()

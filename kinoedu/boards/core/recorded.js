@@ -85,7 +85,8 @@ function begin() {
     }
   }, { rootMargin: "600px" });
   elements.forEach((element) => seen.observe(element));
-  elements[parseInt(linked()?.key, 10)]?.scrollIntoView();
+  // at once: a smooth scroll, as the site's style asks for, ends when more of the page comes
+  elements[parseInt(linked()?.key, 10)]?.scrollIntoView({ behavior: "instant" });
 }
 
 // A link that is put into the address of an open page is followed too.
