@@ -643,6 +643,34 @@ def test_what_is_not_chosen_any_more_is_not_shown(bare):
     bare.wait_for_function(NAMED, arg="prm")
 
 
+BREAKS = """(() => {
+    const Whole = Blob;
+    let workers = 0;
+    globalThis.Blob = class extends Whole {
+        constructor(parts, about) {
+            const first = about?.type === "text/javascript" && (workers += 1) === 1;
+            super(first ? [...parts, "onmessage = () => { throw new Error('no memory'); };"]
+                : parts, about);
+        } }; })()"""
+
+
+def test_a_worker_that_ended_is_replaced(chromium, folder):
+    """Its question is answered with the reason, the next one by another worker."""
+    opened = chromium.new_page(viewport={"width": 760, "height": 8000})
+    opened.add_init_script(BREAKS)
+    opened.goto((folder / "index.html").as_uri())
+    opened.wait_for_selector(".kinoedu-board[data-paints]")
+    goal, text = (opened.locator(name).first for name in (".kinoedu-thing", ".kinoedu-text"))
+    for key, says in (("ArrowUp", "no memory"), ("ArrowDown", "RRT: ")):
+        goal.press(key)
+        opened.wait_for_function(
+            "([e, says]) => e.textContent.includes(says)",
+            arg=[text.element_handle(), says],
+            timeout=20_000,
+        )
+    opened.close()
+
+
 def lab_text(name, start, goal, polygon, seed):
     """What the board of a lesson says of the same scene."""
     try:

@@ -40,6 +40,14 @@ function startWorker() {
     modules.delete(data.name);
     reject(new Error(data.error));
   };
+  made.onerror = ({ message }) => {      // it has ended, as where a module gets no memory
+    made.onmessage = null;
+    made.terminate();
+    worker = null;
+    modules.clear();
+    heard.forEach(({ reject }) => reject(new Error(message)));
+    heard.clear();
+  };
   return made;
 }
 
