@@ -12,8 +12,10 @@ from test_board import Page
 
 import kinoedu as ke
 from kinoedu.boards import (
+    Challenge,
     arm_board,
     bug_board,
+    challenge,
     curves_board,
     distance_board,
     search_board,
@@ -668,6 +670,25 @@ def test_a_worker_that_ended_is_replaced(chromium, folder):
             arg=[text.element_handle(), says],
             timeout=20_000,
         )
+    opened.close()
+
+
+def test_a_challenge_stays_when_the_page_answers(chromium, tmp_path):
+    """Its sentence does, and who can tell whether it is met."""
+    few = Challenge("Come near.", lambda board, kept: (False, "Not yet."))
+    made = challenge(distance_board(SQUARE, (8, 8)), few)
+    write_records(tmp_path, [made], page_script(describe_bodies()))
+    opened = chromium.new_page()
+    opened.goto((tmp_path / "index.html").as_uri())
+    board = opened.locator(".kinoedu-board[data-paints]")
+    before = board.get_attribute("data-answers")
+    assert board.locator(".kinoedu-goal-text").inner_text() == "Not yet."
+    board.locator(".kinoedu-thing").first.press("ArrowUp")
+    opened.wait_for_function(
+        "([e, before]) => e.dataset.answers !== before", arg=[board.element_handle(), before]
+    )
+    goal = board.locator(".kinoedu-goals li").inner_text()
+    assert "Come near." in goal and get_message("site.unjudged") in goal
     opened.close()
 
 

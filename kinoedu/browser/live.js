@@ -89,6 +89,9 @@ class Answers {
     this.scene = sceneOf(record);
     this.own = scene.handles.length;      // the number of its own handles
     this.free = scene.size ? cellsOf(bytesOf(bitmap), scene.size) : undefined;
+    // only Python knows whether a challenge is met; the page keeps its sentence
+    this.challenges = (record.drawing.challenges ?? []).map(
+      ({ sentence }) => ({ sentence, now: false, done: false, text: WORDS.unjudged }));
     Object.assign(this, { body, seed, settings, key, tell, step, beside: null, share: null });
   }
 
@@ -128,7 +131,9 @@ class Answers {
     const own = asksBeside ? [null, null] : [to, seq];
     if (second) this.showBeside(second, asksBeside ? [to, seq] : [null, null]);
     else if (asksBeside) this.beside.tell({ kind: "skipped", to, seq });
-    this.tell({ kind: "drawing", to: own[0], seq: own[1], ...message, first }, buffers);
+    const { challenges } = this;
+    const about = { kind: "drawing", to: own[0], seq: own[1], challenges, first };
+    this.tell({ ...message, ...about }, buffers);
   }
 
   showBeside({ message, buffers, image }, [to, seq]) {

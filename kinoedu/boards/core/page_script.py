@@ -9,7 +9,7 @@ from .canvas import CORE, front_messages, widget_script
 from .recorded import VERSION
 
 BROWSER = CORE.parent.parent / "browser"
-WORDS = ("recorded", "live", "seed", "share", "shared")  # the messages of `site`
+WORDS = ("recorded", "live", "seed", "share", "shared", "unjudged")  # the messages of `site`
 
 
 def page_script(live: JsonObject | None = None) -> str:
