@@ -645,6 +645,22 @@ def test_what_is_not_chosen_any_more_is_not_shown(bare):
     bare.wait_for_function(NAMED, arg="prm")
 
 
+def test_the_link_of_a_picture_goes_with_it(chromium, tmp_path):
+    """Tab finds no link without a name before a board that plays."""
+    made = distance_board(SQUARE, (8, 8))
+    write_records(tmp_path, [made], page_script(describe_bodies()))
+    file = tmp_path / "index.html"
+    picture = '<a href="board.png"><img alt="a board"></a><p class="still">'
+    text = file.read_text(encoding="utf-8").replace('<p class="still">', picture)
+    file.write_text(text, encoding="utf-8")
+    opened = chromium.new_page()
+    opened.goto(file.as_uri())
+    opened.wait_for_selector(".kinoedu-board[data-paints]")
+    opened.keyboard.press("Tab")
+    assert opened.evaluate("document.activeElement.tagName") == "BUTTON"
+    opened.close()
+
+
 BREAKS = """(() => {
     const Whole = Blob;
     let workers = 0;
