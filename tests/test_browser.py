@@ -963,6 +963,21 @@ def test_a_link_shows_its_board_at_once(chromium, folder):
     opened.close()
 
 
+def test_a_link_opens_all_pictures_of_its_board_at_its_step(page):
+    """The bug's world and the plot beside it."""
+    slider = page.locator(".kinoedu-board").nth(9).locator(".kinoedu-slider")
+    slider.press("Home")
+    slider.press("ArrowRight")
+    page.locator(".kinoedu-live").last.locator("button").last.click()
+    address = page.evaluate("location.href")
+    page.goto("about:blank")
+    page.goto(address)
+    for number in (9, 10):
+        page.wait_for_function(
+            "k => document.querySelectorAll('.kinoedu-board')[k]?.dataset.step === '1'", arg=number
+        )
+
+
 def test_odd_links_are_refused_and_the_last_seed_is_followed_by_the_first(page, folder):
     """Names that every object has are no planners; what a board links to can be opened."""
     link, first = page.locator(".kinoedu-live button").nth(1), (folder / "index.html").as_uri()

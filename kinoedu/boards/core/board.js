@@ -471,6 +471,7 @@ class Board {
     if (!refused) {
       const end = this.drawing.total, opened = this.answers === 1 ? first ?? end : end;
       this.step = scrubbed ? Math.min(this.step, end) : opened;
+      if (opened < end) this.lead();     // all pictures of a link open at its step
       if (completed) this.join();
     }
     this.emit("answered", seq);
