@@ -398,7 +398,9 @@ a_thousand_points = changed(
     ),
 )
 # the line beyond a small obstacle is met before
-thirty_steps_at_least = changed("bug2", ("len(walk) < 5", "len(walk) < 30"))
+thirty_steps_at_least = changed(
+    "bug2", (LEAVES, LEAVES.replace("not met", "len(walk) < 30 or not met"))
+)
 much_nearer_than_the_hit = changed(
     "bug2", ("math.dist(hit, goal) - step", "math.dist(hit, goal) - 12 * step")
 )
