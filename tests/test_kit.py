@@ -236,7 +236,7 @@ def test_the_kit_holds_no_secret(kit):
         assert b"@wrong(" not in text.replace(b'`@wrong("name_of_the_exercise")`', b"")
     for path, text in kit_sources().items():
         assert (kit / LESSONS / path).read_text(encoding="utf-8") == text
-    assert (kit / RESULTS).stat().st_size < 3e6
+    assert (kit / RESULTS).stat().st_size < 3.5e6  # a quarter of it are drawings
 
 
 def test_lessons_and_exercises_import_nothing_that_is_withheld():

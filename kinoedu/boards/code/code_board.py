@@ -122,7 +122,7 @@ class Steerable:
         self.look = replace(look, robot=find_robot(named.values()))
         run = CodeRun(self.function, self.look)  # raises without a source, or for wrong expressions
         check_names("parameter", fixed, signature(self.function).parameters, run)
-        check_names("variable", names_drawn(look), {*names_of(run), *look.points}, run)
+        check_names("variable", names_drawn(look), [*names_of(run), *look.points], run)
 
     @property
     def free(self) -> NDArray[np.bool_] | None:
