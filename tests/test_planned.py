@@ -48,7 +48,7 @@ def test_a_wrong_path_is_named():
         ("free", path[[0, -1]]),
         ("numbers", np.where(path == path[1], np.nan, path)),
         ("numbers", np.column_stack([path, path])),
-        ("start", path[:0]),
+        ("empty", path[:0]),
     ):
         assert find_path_fault(problem, wrong).rule == rule
 

@@ -213,10 +213,10 @@ def test_a_node_is_dragged_and_its_weights_follow(graph):
     node.focus()
     node.press("Shift+ArrowDown")
     graph.until(
-        "root.querySelector('[data-thing=handle-0]').ariaLabel === 'start at (0.00, -0.68)'"
+        "root.querySelector('[data-thing=handle-0]').ariaLabel === 'start at (0.00, -0.73)'"
     )
     place, keys = graph.label("handle-2").split("; ")
-    assert place == "node 0 at (0.00, -0.68)"
+    assert place == "node 0 at (0.00, -0.73)"
     assert keys == "press Enter to move the goal here, Shift and Enter to move the start"
     graph.settled()
 
