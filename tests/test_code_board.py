@@ -538,6 +538,7 @@ AT = ((0.0, 0.0), (1.0, 1.0), (2.0, 2.0))  # q, p1, p2
         (AT, {"most": 0}, "most"),
         (AT, {"first": -1}, "first"),
         (AT, {"fixed": ["wall"]}, "has no parameter 'wall'; it has"),
+        (AT, {"areas": ["wall"]}, "has no parameter 'wall'; it has"),
         (AT, {"lines": [("q", "nearst")]}, "has no variable 'nearst'; it has q, "),
         (AT, {"circles": {"nearst": "1.0"}}, "has no variable 'nearst'"),
         (AT, {"vectors": {"q": "nearst"}}, "has no variable 'nearst'"),

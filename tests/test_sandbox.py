@@ -254,6 +254,14 @@ def test_a_state_that_reads_memory_beyond_its_numbers_is_no_state(bits, where, m
             wire.generator_of(state)
 
 
+@pytest.mark.parametrize("bits", ["PCG64", "MT19937", "Philox", "none", [], None])
+@pytest.mark.parametrize("inner", [{}, {"state": [1]}, {"state": None}, {"state": 7}])
+def test_a_state_of_another_shape_is_no_state(bits, inner):
+    """No other exception than Unfit: it would end the process that judges."""
+    with pytest.raises(wire.Unfit, match="state of a generator"):
+        wire.set_state(np.random.default_rng(1), {"bit_generator": bits, **inner})
+
+
 def test_a_state_that_is_deeper_than_any_is_no_state():
     state: object = 1
     for _ in range(5000):

@@ -289,7 +289,8 @@ def make_argument(
         return ProblemArgument(name, value)
     if is_bitmap(value):
         return BitmapArgument(name, value)
-    if name.partition(" ")[0] in fixed:
+    parameter = name.partition(" ")[0]  # of `points 0` it is `*points`
+    if parameter in fixed:
         return Fixed(name, value)
     if is_plane_point(value):
         return PointArgument(name, value)
@@ -299,7 +300,7 @@ def make_argument(
         return GraphArgument(name, value)
     if not name_rings(name, value):
         return Fixed(name, value)
-    return AreaArgument(name, value) if name in areas else RingsArgument(name, value)
+    return AreaArgument(name, value) if parameter in areas else RingsArgument(name, value)
 
 
 def find_robot(values: Collection[Any]) -> Outlined | None:

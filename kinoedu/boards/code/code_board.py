@@ -121,7 +121,7 @@ class Steerable:
         self.arguments = make_arguments(named, fixed, areas)
         self.look = replace(look, robot=find_robot(named.values()))
         run = CodeRun(self.function, self.look)  # raises without a source, or for wrong expressions
-        check_names("parameter", fixed, signature(self.function).parameters, run)
+        check_names("parameter", [*fixed, *areas], signature(self.function).parameters, run)
         check_names("variable", names_drawn(look), [*names_of(run), *look.points], run)
 
     @property

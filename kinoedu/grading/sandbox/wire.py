@@ -161,8 +161,10 @@ def set_state(generator: np.random.Generator, state: Any) -> None:
 def check_used(state: Any) -> None:
     """Raise Unfit where a generator of this state would read memory that is not its own."""
     kind = state["bit_generator"]
-    used = {"MT19937": state["state"].get("pos"), "Philox": state.get("buffer_pos")}.get(kind, 0)
-    if type(used) is not int or not 0 <= used <= MOST_USED.get(kind, 0):
+    if kind not in MOST_USED:
+        return
+    used = state["state"]["pos"] if kind == "MT19937" else state["buffer_pos"]
+    if type(used) is not int or not 0 <= used <= MOST_USED[kind]:
         raise Unfit("not the state of a generator")
 
 
