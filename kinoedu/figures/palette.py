@@ -77,6 +77,7 @@ DARK = {
     "goal_tree": "#A4D25A",
     "roadmap": "#3F8FCB",
     "cell": "#22405C",
+    "shape": "#364152",
     "frontier": "#A8951A",
     "dear": "#7A5B3E",
     "hit": "#FF7066",
