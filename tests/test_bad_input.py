@@ -202,3 +202,14 @@ def test_a_message_about_a_long_value_stays_short(name):
     with pytest.raises(KinoeduError) as refused:
         FOR_NUMBERS[name]()
     assert len(str(refused.value)) < 300 and "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32, np.longdouble])
+def test_numbers_of_other_sizes_are_numbers(kind):
+    """A number in single precision is taken without a warning; an infinite one is refused."""
+    assert ke.worlds.hills(0, highest=kind(0.5)).max() == 0.5
+    assert ke.spaces.SE2((0, 0), (1, 1), turn_weight=kind(0.5)).weight[2] == 0.5
+    with pytest.raises(ke.errors.InvalidParameter, match="highest"):
+        ke.worlds.hills(0, highest=kind(np.inf))
+    with pytest.raises(ke.errors.InvalidParameter, match="turn_weight"):
+        ke.spaces.SE2((0, 0), (1, 1), turn_weight=kind(np.inf))

@@ -1,5 +1,6 @@
 """Checks of arguments: arrays of float64, numbers and Generators, or a named error."""
 
+import math
 from collections.abc import Callable
 from functools import partial
 from numbers import Real
@@ -134,11 +135,12 @@ def positive(value: object, name: str) -> float:
     >>> positive(2, "step")
     2.0
     """
-    if not is_real(value) or not 0.0 < value <= LIMIT or float(value) == 0.0:
+    number = as_float(value)
+    if not 0.0 < number <= LIMIT:
         raise InvalidParameter(
             f"{name} must be a positive number, at most 1e150, got {shortened(value)}"
         )
-    return float(value)
+    return number
 
 
 def nonnegative(value: object, name: str) -> float:
@@ -149,11 +151,12 @@ def nonnegative(value: object, name: str) -> float:
     InvalidParameter
         Where the value is anything else.
     """
-    if not is_real(value) or not 0.0 <= value <= LIMIT:
+    number = as_float(value)
+    if not 0.0 <= number <= LIMIT:
         raise InvalidParameter(
             f"{name} must be a number, zero or more, at most 1e150, got {shortened(value)}"
         )
-    return float(value)
+    return number
 
 
 def integer(value: object, name: str, *, least: int, most: int = 10_000_000) -> int:
@@ -173,6 +176,14 @@ def integer(value: object, name: str, *, least: int, most: int = 10_000_000) -> 
             f"{name} must be a whole number from {least} to {most:,}, got {shortened(value)}"
         )
     return int(value)
+
+
+def as_float(value: object) -> float:
+    """A real number as a float, before its size is checked; NaN for anything else."""
+    try:
+        return float(value) if is_real(value) else math.nan
+    except OverflowError:  # an integer or a fraction that no float can hold
+        return math.inf
 
 
 def is_real(value: object) -> TypeGuard[float]:
