@@ -21,6 +21,8 @@ TASK = ke.Problem(ke.Point(), WORLD, (5, 5), (9, 9))
 ARM = ke.TwoLinkArm(1, 1, 0.1)
 CAR = ke.Car(3, 1, 2)
 PARKING = ke.Problem(CAR, WORLD, (5, 5, 0), (7, 7, 0))
+CART = ke.Moving(0.5, [0, 4], [(2, 8), (8, 8)])
+TRAFFIC = ke.MovingWorld(WORLD, [CART])
 DRIVE = ke.Trajectory(CAR, (5, 5, 0), [(1, 0)], [1])
 NAN = math.nan
 NONSENSE = {
@@ -103,6 +105,8 @@ NOBODY_IN = {  # functions of one thing that is none of these
     "an arm that does not reach": lambda x: why_unreachable(x, (9, 9)),
     "a world to inflate": lambda x: inflated(x, 0.1),
     "movers at a time": lambda x: movers_at(x, 1.0),
+    "a time of movers": lambda x: movers_at(TRAFFIC, [] if x == 5 else x),
+    "a time of one mover": lambda x: CART.at([] if x == 5 else x),
     "a landscape": lambda x: landscape(x, 0),
     "how far ahead": lambda x: ke.Car(3, 1, 2).ahead((0, 0, 0), [] if x == 5 else x),
     "obstacles to grow": lambda x: translating_obstacles(SQUARE, x or None),

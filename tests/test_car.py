@@ -204,11 +204,12 @@ def test_nonsense_is_refused_by_name() -> None:
     for speeds in ((), (0,), (1, 0), [[1]]):
         with pytest.raises(InvalidRobot):
             ke.Car(30, 10, 20, speeds=speeds)
-    for v, phi, t in ((1, 1, 1), (1, 0, -1), ((1, 2), 0, 1)):
+    for v, phi, t in ((1, 1, 1), (1, 0, -1)):
         with pytest.raises(InvalidParameter):
             CAR.move((0, 0, 0), v, phi, t)
-    with pytest.raises(InvalidPoint):
-        CAR.move((0, 0), 1, 0, 1)
+    for pose, v in (((0, 0), 1), ((0, 0, 0), (1, 2)), ((0, 0, 0), np.nan)):
+        with pytest.raises(InvalidPoint):
+            CAR.move(pose, v, 0, 1)
     with pytest.raises(InvalidStart):
         ke.Problem(CAR, WORLD, (3, 50, 0), (250, 250, 0))
 

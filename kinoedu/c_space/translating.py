@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_list
+from ..geometry.checks import Array, as_list, as_number
 from ..geometry.convex import convex_hull, convex_parts
-from ..geometry.displacements import as_number
 from ..geometry.minkowski import erosion, minkowski_difference
 from ..geometry.rings import as_ring
 from ..worlds.checks import World

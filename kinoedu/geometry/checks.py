@@ -35,6 +35,14 @@ def as_row(value: ArrayLike, name: str) -> Array:
     return numbers
 
 
+def as_number(value: ArrayLike, name: str) -> float:
+    """One number of any sign; raises InvalidPoint for anything else, such as a row of one."""
+    number = as_array(value, name)
+    if number.ndim:
+        raise InvalidPoint(f"{name} must be one number, got {shortened(value)}")
+    return float(number)
+
+
 def borrow_array(value: ArrayLike, name: str) -> Array:
     """`as_array` for numbers that are only read: a float64 array is not copied.
 

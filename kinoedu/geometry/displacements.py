@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidPoint
-from .checks import Array, as_array, as_points
+from .checks import Array, as_array, as_number, as_points
 
 
 def rotation(theta: float) -> Array:
@@ -142,11 +142,3 @@ def as_displacement(value: ArrayLike) -> Array:
             "displacement(x, y, theta)"
         )
     return matrix
-
-
-def as_number(value: float, name: str) -> float:
-    """One finite number; raises InvalidPoint for anything else."""
-    number = as_array(value, name)
-    if number.ndim:
-        raise InvalidPoint(f"{name} must be one number, got shape {number.shape}")
-    return float(number)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from ..curves.arcs import drive_arc
 from ..curves.curve import as_pose
 from ..errors import InvalidParameter, InvalidRobot
-from ..geometry.checks import Array, as_array
+from ..geometry.checks import Array, as_array, as_number
 from ..geometry.parts import Parts
 from ..support.constructors import Constructor, with_type_names
 from ..support.text import shortened
@@ -64,7 +64,7 @@ class CarRobot(NamedTuple):
         Raises
         ------
         InvalidPoint
-            Where the pose is not three finite numbers.
+            Where the pose is not three finite numbers, or another value not one.
         InvalidParameter
             Where phi exceeds the largest steering angle, or t is negative.
 
@@ -93,7 +93,7 @@ class CarRobot(NamedTuple):
 
         Raises
         ------
-        InvalidPoint, InvalidParameter
+        InvalidPoint
             Where the pose is not three finite numbers, or the distance not one.
 
         Examples
@@ -109,6 +109,8 @@ class CarRobot(NamedTuple):
 
         Raises
         ------
+        InvalidPoint
+            Where phi is not one finite number.
         InvalidParameter
             Where phi exceeds the largest steering angle.
         """
@@ -129,8 +131,10 @@ class CarRobot(NamedTuple):
 
         Raises
         ------
-        InvalidPoint, InvalidParameter
-            Where the pose or phi is not valid.
+        InvalidPoint
+            Where the pose is not three finite numbers, or phi not one.
+        InvalidParameter
+            Where phi exceeds the largest steering angle.
 
         Examples
         --------
@@ -150,8 +154,8 @@ class CarRobot(NamedTuple):
 
         Raises
         ------
-        InvalidParameter
-            Where phi exceeds the largest steering angle.
+        InvalidPoint, InvalidParameter
+            As for `curvature`.
 
         Examples
         --------
@@ -188,7 +192,7 @@ class Car(CarRobot, metaclass=Constructor):
     InvalidRobot
         Where a size is not positive, an axle is not under the body, or the steering or a speed is
         not valid.
-    InvalidParameter, InvalidPoint
+    InvalidPoint
         Where a value is not one finite number.
 
     Examples
@@ -241,14 +245,6 @@ class Car(CarRobot, metaclass=Constructor):
             chosen,
             bool((chosen < 0.0).any()),
         )
-
-
-def as_number(value: float, name: str) -> float:
-    """Check one number; raise InvalidParameter otherwise."""
-    number = as_array(value, name)
-    if number.ndim:
-        raise InvalidParameter(f"{name} must be one number, got {shortened(value)}")
-    return float(number)
 
 
 def as_size(value: float, name: str) -> float:

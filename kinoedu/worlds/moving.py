@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from ..errors import InvalidWorld
-from ..geometry.checks import Array, as_array, as_list
+from ..geometry.checks import Array, as_array, as_list, as_number
 from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts, make_parts
 from ..geometry.rings import as_ring
@@ -33,8 +33,15 @@ class Mover(NamedTuple):
     places: Array
 
     def at(self, t: float) -> Array:
-        """The position of the frame's origin at time t, shape (2,)."""
-        return np.array(position_at(self.times, self.places, 0, len(self.times), float(t)))
+        """The position of the frame's origin at time t, shape (2,).
+
+        Raises
+        ------
+        InvalidPoint
+            Where t is not one finite number.
+        """
+        time = as_number(t, "t")
+        return np.array(position_at(self.times, self.places, 0, len(self.times), time))
 
 
 @with_type_names
@@ -166,15 +173,22 @@ class MovingWorld(MovingWorldRecord, metaclass=Constructor):
 def movers_at(world: MovingWorldRecord, t: float) -> list[tuple[Array, float]]:
     """The outline (n, 2) and the radius of each moving obstacle at time t.
 
-    The outline of a disc is its centre (1, 2); the radius of a polygon is 0. Raises InvalidWorld
-    for a world of another type.
+    The outline of a disc is its centre (1, 2); the radius of a polygon is 0.
+
+    Raises
+    ------
+    InvalidWorld
+        Where the world is of another type.
+    InvalidPoint
+        Where t is not one finite number.
     """
     if not isinstance(world, MovingWorldRecord):
         raise InvalidWorld(f"expected a MovingWorld, got {shortened(world)}")
+    time = as_number(t, "t")
     shown, parts = [], world.outlines
     for k in range(len(parts.radius)):
         begin, end = world.knots[np.flatnonzero(world.owner == k)[0]]
-        offset = position_at(world.times, world.places, int(begin), int(end), float(t))
+        offset = position_at(world.times, world.places, int(begin), int(end), time)
         shown.append(
             (parts.points[parts.first[k] : parts.first[k + 1]] + offset, float(parts.radius[k]))
         )
