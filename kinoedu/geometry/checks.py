@@ -54,12 +54,8 @@ def borrow_array(value: ArrayLike, name: str) -> Array:
 
 def convert(value: ArrayLike, name: str, convert_numbers: Callable[..., Array]) -> Array:
     """Convert numbers by `convert_numbers`, a function like `np.array`, and check them."""
-    try:
-        given = np.asarray(value)
-        array = convert_numbers(given, dtype=np.float64) if given.dtype.kind in "iufO" else None
-    except (TypeError, ValueError, OverflowError):
-        array = None
-    if array is None or isinstance(value, np.ma.MaskedArray):
+    array = as_floats(value, convert_numbers)
+    if array is None:
         raise InvalidPoint(
             f"{name} must be real numbers in a regular array, got {shortened(value)}"
         )
@@ -72,6 +68,20 @@ def convert(value: ArrayLike, name: str, convert_numbers: Callable[..., Array]) 
         f"{name} must not exceed 1e150 in size, got {np.abs(array).max():g}; choose a larger unit "
         "of length"
     )
+
+
+def as_floats(value: ArrayLike, convert_numbers: Callable[..., Array] = np.array) -> Array | None:
+    """Real numbers as float64, also infinite ones and NaN; None for anything else.
+
+    A masked array is something else: its hidden values would count.
+    """
+    if isinstance(value, np.ma.MaskedArray):
+        return None
+    try:
+        given = np.asarray(value)
+        return convert_numbers(given, dtype=np.float64) if given.dtype.kind in "iufO" else None
+    except (TypeError, ValueError, OverflowError):
+        return None
 
 
 def as_point(value: ArrayLike, name: str = "point") -> Array:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidWorld
-from ..geometry.checks import LIMIT, Array, as_array, as_point
+from ..geometry.checks import LIMIT, Array, as_array, as_floats, as_point
 from ..support.constructors import Constructor, with_type_names
+from ..support.text import shortened
 
 MOST_COST = 1e9
 
@@ -57,9 +58,9 @@ class Terrain(TerrainRecord, metaclass=Constructor):
     Raises
     ------
     InvalidWorld
-        Where the bitmap, the cost or the resolution is not valid.
+        Where the bitmap or the cost is not valid, or the resolution is not one positive length.
     InvalidPoint
-        Where the origin is not a point.
+        Where the origin is not a point, or the resolution is not finite numbers.
 
     Examples
     --------
@@ -81,6 +82,10 @@ class Terrain(TerrainRecord, metaclass=Constructor):
             raise InvalidWorld(
                 "a terrain needs a bitmap of shape (rows, columns), got rows of different lengths"
             ) from error
+        if isinstance(free, np.ma.MaskedArray):
+            raise InvalidWorld(
+                "a terrain needs a bitmap without a mask; free.filled(False) blocks hidden cells"
+            )
         if cells.ndim != 2 or cells.size == 0:
             raise InvalidWorld(
                 f"a terrain needs a bitmap of shape (rows, columns), got shape {cells.shape}"
@@ -92,7 +97,7 @@ class Terrain(TerrainRecord, metaclass=Constructor):
         side = as_array(resolution, "resolution")
         if side.ndim or side <= 0.0:
             raise InvalidWorld(
-                f"a terrain's resolution must be one positive length, got {resolution}"
+                f"a terrain's resolution must be one positive length, got {shortened(resolution)}"
             )
         corner = as_point(origin, "origin")
         extent = float(side) * np.array(cells.shape[::-1], np.float64)
@@ -114,12 +119,11 @@ def cell_costs(cost: ArrayLike | None, free: NDArray[np.bool_]) -> Array:
     """Check the cost of each cell; infinite where blocked, shape (0, 0) without costs."""
     if cost is None:
         return np.empty((0, 0))
-    try:
-        costs = np.array(cost, np.float64)
-    except (TypeError, ValueError, OverflowError) as error:
+    costs = as_floats(cost)
+    if costs is None:
         raise InvalidWorld(
             f"a terrain's cost must be one number for each of its cells, shape {free.shape}"
-        ) from error
+        )
     if costs.shape != free.shape:
         raise InvalidWorld(
             f"a terrain's cost must have its bitmap's shape {free.shape}, got {costs.shape}"
