@@ -127,6 +127,7 @@ REFUSED = {
     "costs that are complex": lambda: ke.Terrain([[1]], cost=[[1 + 1j]]),
     "costs that are hidden": lambda: ke.Terrain([[1]], cost=np.ma.masked_array([[1.0]], True)),
     "cells that are hidden": lambda: ke.Terrain(np.ma.masked_array([[1]], True)),
+    "an obstacle that is one number": lambda: ke.PolygonWorld(ROOM, [np.array(1.0)]),
     "rooms that are none": lambda: ke.PolygonWorld(ROOM, [(SQUARE, None)]),
     "a size that is true": lambda: ke.TwoLinkArm(True, 1, 0.1),
     "a radius that is true": lambda: ke.Disk(True),

@@ -278,6 +278,12 @@ class TestContact:
         assert not free(Point(), world, (1, 1), (1, 1))
 
 
+def test_a_radius_may_be_an_array_without_axes() -> None:
+    """As np.squeeze and np.load return one number."""
+    world = PolygonWorld(BOX, [((0, 0), np.array(5.0))])
+    assert world.obstacles.radius.tolist() == [5.0]
+
+
 def test_rooms_are_free_within_and_hold_obstacles() -> None:
     """In nested walls and rooms every wall blocks a motion and every room is free."""
     wall, room = (

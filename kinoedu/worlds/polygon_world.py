@@ -217,16 +217,19 @@ def discs_of(world: PolygonWorldRecord) -> Array:
 
 def is_pair_with_radius(obstacle: object) -> bool:
     """Whether an obstacle is a pair (centre, radius)."""
-    return (
-        isinstance(obstacle, Sequence | np.ndarray)
-        and len(obstacle) == 2
-        and np.isscalar(obstacle[1])
-    )
+    if not isinstance(obstacle, Sequence | np.ndarray) or is_scalar(obstacle):
+        return False
+    return len(obstacle) == 2 and is_scalar(obstacle[1])
+
+
+def is_scalar(value: object) -> bool:
+    """Whether a value is a number or a text, also as an array of shape ()."""
+    return bool(np.isscalar(value)) or (isinstance(value, np.ndarray) and value.ndim == 0)
 
 
 def as_disc(centre: ArrayLike, radius: float, name: str) -> Array:
     """Check a round obstacle (x, y, radius); raise InvalidWorld otherwise."""
-    if np.isscalar(centre):
+    if is_scalar(centre):
         raise InvalidWorld(
             f"{name} must be a polygon or (centre, radius), got two numbers; put a single polygon "
             "into a list"
