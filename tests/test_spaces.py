@@ -476,6 +476,14 @@ def test_invalid_spaces_are_refused(bad: Any) -> None:
         bad()
 
 
+def test_the_message_about_bounds_names_the_shape_that_they_need() -> None:
+    """Empty bounds have the same length, which is not what is wrong with them."""
+    with pytest.raises(InvalidPoint, match=r"shape \(n,\) with the same n >= 1, got \(0,\) and"):
+        Box([], [])
+    with pytest.raises(InvalidPoint, match=r"shape \(2,\), got \(3,\) and \(2,\)"):
+        SE2((0, 0, 0), (1, 1), turn_weight=1)
+
+
 def test_angles_are_wrapped() -> None:
     """To [-pi, pi), for one or many configurations; other coordinates are unchanged."""
     space = SE2((-4, 1), (3, 2), turn_weight=1)

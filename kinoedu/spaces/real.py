@@ -33,7 +33,7 @@ def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
 
     Parameters
     ----------
-    lo, hi : (n,) lower and upper bounds.
+    lo, hi : (n,) lower and upper bounds, n >= 1.
 
     Raises
     ------
@@ -49,14 +49,12 @@ def Box(lo: ArrayLike, hi: ArrayLike) -> RealSpace:
 
 
 def as_bounds(lo: ArrayLike, hi: ArrayLike, d: int | None) -> tuple[Array, Array]:
-    """The lower and the upper corner of a box of d dimensions, or of any dimension for None."""
+    """Check the corners of a box, (d,) each; None for any dimension. Raises InvalidPoint."""
     low, high = as_array(lo, "lo"), as_array(hi, "hi")
     is_size_right = low.ndim == 1 and (len(low) > 0 if d is None else len(low) == d)
     if not is_size_right or low.shape != high.shape:
-        raise InvalidPoint(
-            f"lo and hi must be {d or 'as many'} numbers each, got shapes {low.shape} and "
-            f"{high.shape}"
-        )
+        shape = "(n,) with the same n >= 1" if d is None else f"({d},)"
+        raise InvalidPoint(f"lo and hi must have shape {shape}, got {low.shape} and {high.shape}")
     if not (low < high).all():
         raise InvalidPoint(
             f"lo must be below hi in every coordinate, got {low.tolist()} and {high.tolist()}"
