@@ -128,6 +128,7 @@ def test_traps_of_ones_own():
         (lambda: check_planner(3), "needs a function"),
         (lambda: check_planner(good, traps=[]), "traps must be a list of Trap"),
         (lambda: check_planner(good, traps=[3]), "traps must be a list of Trap"),
+        (lambda: check_planner(good, traps=[Trap("none", None, False)]), "must be a Problem, got"),
         (lambda: check_planner(good, seconds=0), "seconds must be a positive"),
         (lambda: check_planner(good, seed=-1), "seed must be a whole number"),
         (lambda: check_planner(good, robot=ke.TwoLinkArm(3, 2, 0.2)), "there are traps for"),

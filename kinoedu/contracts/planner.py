@@ -132,13 +132,18 @@ def check_planner(
 
 
 def as_traps(traps: object) -> tuple[Trap, ...]:
-    """Check that there is a trap, and that all are traps. Raises InvalidParameter."""
+    """Check that there is a trap, and that all have problems. Raises InvalidParameter."""
     given = tuple(traps) if isinstance(traps, Sequence) else ()
     if not given or not all(isinstance(trap, Trap) for trap in given):
         raise InvalidParameter(
             "traps must be a list of Trap(name, problem, solvable), or None for the usual ones, "
             f"got {shortened(traps)}"
         )
+    for trap in given:
+        if not isinstance(trap.problem, ProblemRecord):
+            raise InvalidParameter(
+                f"the problem of a trap must be a Problem, got {shortened(trap.problem)}"
+            )
     return given
 
 
