@@ -189,6 +189,13 @@ def test_the_space_of_poses() -> None:
         assert whole <= 2 * diameter(space)
 
 
+def test_the_front_axle_may_be_at_the_front_end() -> None:
+    """Also where the sum of the sizes is rounded: 0.3 - 0.1 is less than 0.2."""
+    assert ke.Car(0.3, 0.1, 0.1, rear_overhang=0.2).outline[1, 0] == pytest.approx(0.1)
+    with pytest.raises(InvalidRobot, match="both axles must be under the body"):
+        ke.Car(0.3, 0.1, 0.1, rear_overhang=0.2 + 1e-9)
+
+
 def test_nonsense_is_refused_by_name() -> None:
     """Cars that cannot be, and drives that they cannot do."""
     for wrong in (
@@ -201,6 +208,8 @@ def test_nonsense_is_refused_by_name() -> None:
     ):
         with pytest.raises(InvalidRobot):
             ke.Car(**({"length": 30, "width": 10, "wheelbase": 20} | wrong))
+    with pytest.raises(InvalidParameter, match=r"at most 0.785398163\d* rad .* = 0.785398164"):
+        CAR.curvature(-math.pi / 4 - 1e-9)
     for speeds in ((), (0,), (1, 0), [[1]]):
         with pytest.raises(InvalidRobot):
             ke.Car(30, 10, 20, speeds=speeds)

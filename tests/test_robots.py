@@ -106,6 +106,14 @@ class TestArm:
             TwoLinkArm(1, 1, 0).inverse((0, 0))
         assert len(TwoLinkArm(1, 1, 0).inverse((1e-12, 0))) == 2
 
+    def test_the_reason_has_numbers_that_differ(self) -> None:
+        """Six digits where they are enough, and more for a tip that nearly reaches."""
+        arm = TwoLinkArm(2, 1, 0)
+        assert why_unreachable(arm, (10 / 3, 0)).startswith("it is 3.33333 from the base")
+        reason = why_unreachable(arm, (3.0000001, 0))
+        assert reason == "it is 3.0000001 from the base, and the links together reach only 3"
+        assert why_unreachable(arm, (0.9999999, 0)).startswith("it is 0.9999999 from the base")
+
     @pytest.mark.parametrize("other", [Disk(1), [1.0, 1.0], None])
     def test_reach_of_no_arm(self, other: Any) -> None:
         """Another robot, or only the lengths, are refused with an arm as the example."""

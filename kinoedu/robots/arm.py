@@ -15,7 +15,7 @@ from ..geometry.exact import length
 from ..geometry.parts import Parts, make_parts
 from ..spaces.angles import wrap_angle
 from ..support.constructors import Constructor, with_type_names
-from ..support.text import shortened
+from ..support.text import distinct_numbers, shortened
 
 RIM = 1e-12  # of the arm's length: a target so near to the rim of the reachable ring is on it
 
@@ -227,8 +227,9 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     'it is 4 from the base, and the links together reach only 3'
     """
     l1, l2, _, _, far = two_links(arm, p)
+    distance, inner, outer = distinct_numbers(far, abs(l1 - l2), l1 + l2)
     why = WHY_UNREACHABLE[compare_reach(l1, l2, far)]
-    return why.format(far=f"{far:g}", inner=f"{abs(l1 - l2):g}", outer=f"{l1 + l2:g}")
+    return why.format(far=distance, inner=inner, outer=outer)
 
 
 @compiled

@@ -19,8 +19,10 @@ from ..errors import InvalidParameter, InvalidRobot
 from ..geometry.checks import Array, as_array, as_number
 from ..geometry.parts import Parts
 from ..support.constructors import Constructor, with_type_names
-from ..support.text import shortened
+from ..support.text import distinct_numbers, shortened
 from .polygon import shape_of
+
+ROUNDING = 1e-12  # of a length: where the front axle is at the front end, sums are rounded
 
 
 @with_type_names
@@ -116,9 +118,9 @@ class CarRobot(NamedTuple):
         """
         steering = as_number(phi, "phi")
         if abs(steering) > self.max_steering:
+            most, given = distinct_numbers(self.max_steering, abs(steering))
             raise InvalidParameter(
-                f"this car steers at most {self.max_steering:g} rad either way, got phi = "
-                f"{steering:g}"
+                f"this car steers at most {most} rad either way, got |phi| = {given}"
             )
         return math.tan(steering) / self.wheelbase
 
@@ -221,7 +223,7 @@ class Car(CarRobot, metaclass=Constructor):
             if rear_overhang is None
             else as_number(rear_overhang, "rear_overhang")
         )
-        if not 0.0 <= behind <= size - base:
+        if not 0.0 <= behind <= (size - base) * (1.0 + ROUNDING):
             raise InvalidRobot(
                 f"both axles must be under the body: {behind:g} behind, a wheelbase of {base:g}, "
                 f"{size:g} in all"

@@ -16,6 +16,20 @@ def shortened(value: object) -> str:
     return text if len(text) <= 80 else text[:77] + "..."
 
 
+def distinct_numbers(*numbers: float) -> list[str]:
+    """Numbers in six digits, or in as many more as different numbers need to look different.
+
+    >>> distinct_numbers(3.0, 3.0000004), distinct_numbers(1 / 3, 2.0)
+    (['3', '3.0000004'], ['0.333333', '2'])
+    """
+    texts: list[str] = []
+    for digits in range(6, 18):
+        texts = [f"{number:.{digits}g}" for number in numbers]
+        if len(set(texts)) >= len(set(numbers)):
+            break
+    return texts
+
+
 def split_lines(source: str) -> list[str]:
     r"""The lines of a program with their ends, as Python counts them.
 
