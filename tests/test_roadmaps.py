@@ -379,9 +379,18 @@ def test_a_scan_refuses_what_it_cannot_see():
         ke.scan(ke.Terrain([[1, 1], [1, 1]]), (1, 1))
     with pytest.raises(InvalidPoint):
         ke.scan(WORLD, (11, 1))
-    for wrong in ({"reach": 0}, {"reach": -1.0}, {"rays": 0}, {"rays": 2.5}):
+    reaches = [{"reach": reach} for reach in (0, -1.0, np.nan, -np.inf, "far", [1.0])]
+    for wrong in (*reaches, {"rays": 0}, {"rays": 2.5}, {"rays": True}, {"rays": 10**7}):
         with pytest.raises(InvalidParameter):
             ke.scan(WORLD, (1, 1), **wrong)
+
+
+def test_a_scan_has_no_limit_by_any_infinite_number():
+    """In single precision too."""
+    everything = ke.scan(WORLD, (1, 1), rays=8).distances
+    assert np.array_equal(
+        ke.scan(WORLD, (1, 1), rays=8, reach=np.float32(np.inf)).distances, everything
+    )
 
 
 @pytest.mark.parametrize("robot", [ke.Point(), ke.Disk(0.2)], ids=["point", "disk"])

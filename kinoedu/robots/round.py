@@ -52,7 +52,9 @@ class Disk(RoundRobot, metaclass=Constructor):
     Raises
     ------
     InvalidRobot
-        Where the radius is not one positive, finite number.
+        Where the radius is not positive, or not one number.
+    InvalidPoint
+        Where it is not finite real numbers.
 
     Examples
     --------

@@ -17,7 +17,15 @@ from .terrain import Terrain
 
 
 def as_heights(heights: ArrayLike) -> Array:
-    """Check heights (rows, columns), at least 2 x 2; raise InvalidWorld otherwise."""
+    """Check heights (rows, columns), at least 2 x 2.
+
+    Raises
+    ------
+    InvalidWorld
+        Where heights do not have that shape.
+    InvalidPoint
+        Where a height is not a finite number.
+    """
     field = as_array(heights, "heights")
     if field.ndim != 2 or min(field.shape) < 2:
         raise InvalidWorld(
@@ -39,8 +47,10 @@ def slope(heights: ArrayLike, *, resolution: float = 1.0) -> Array:
 
     Raises
     ------
-    InvalidWorld
-        Where heights do not have that shape.
+    InvalidWorld, InvalidPoint
+        Where heights do not have that shape, or are not finite.
+    InvalidParameter
+        Where `resolution` is not positive.
 
     Examples
     --------
@@ -63,8 +73,8 @@ def roughness(heights: ArrayLike, *, reach: int = 1) -> Array:
 
     Raises
     ------
-    InvalidWorld
-        Where heights are not (rows, columns), or are too few for `reach`.
+    InvalidWorld, InvalidPoint
+        Where heights are not (rows, columns), are too few for `reach`, or are not finite.
     InvalidParameter
         Where `reach` is not an integer of at least 1.
 
@@ -106,6 +116,8 @@ def clearance_of_cells(free: ArrayLike, *, resolution: float = 1.0) -> Array:
     ------
     InvalidWorld
         Where `free` is not a bitmap.
+    InvalidParameter
+        Where `resolution` is not positive.
 
     Examples
     --------

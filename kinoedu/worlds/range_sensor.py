@@ -12,13 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
-from ..errors import InvalidParameter, InvalidPoint, InvalidWorld
-from ..geometry.checks import Array, as_array, as_point
+from ..errors import InvalidPoint, InvalidWorld
+from ..geometry.checks import Array, as_point, integer, is_real, positive
 from ..geometry.exact import length
 from ..geometry.polygons import locate_points
 from ..geometry.segments import shared_points
 from ..support.constructors import with_type_names
-from ..support.text import shortened
 from .checks import World
 from .polygon_world import PolygonWorldRecord, discs_of, rings_of
 
@@ -50,8 +49,8 @@ def scan(world: World, q: ArrayLike, *, rays: int = 180, reach: float = math.inf
     ----------
     world : a PolygonWorld.
     q : (x, y), inside the boundary.
-    rays : their number.
-    reach : the range of the sensor, in the world's unit of length.
+    rays : their number, at most 1,000,000.
+    reach : the range of the sensor, in the world's unit of length; infinite by default.
 
     Returns
     -------
@@ -75,23 +74,16 @@ def scan(world: World, q: ArrayLike, *, rays: int = 180, reach: float = math.inf
     """
     if not isinstance(world, PolygonWorldRecord):
         raise InvalidWorld(f"the range sensor works in a PolygonWorld, got {type(world).__name__}")
-    place = as_point(q, "q")
-    is_integer = isinstance(rays, int | np.integer) and not isinstance(rays, bool)
-    if not is_integer or not 1 <= rays <= 1_000_000:
-        raise InvalidParameter(
-            f"rays must be a whole number from 1 to 1,000,000, got {shortened(rays)}"
-        )
+    place, count = as_point(q, "q"), integer(rays, "rays", least=1, most=1_000_000)
     farthest = 2.0 * float(np.sqrt(((world.hi - world.lo) ** 2).sum()))
-    most = farthest if isinstance(reach, float) and reach == math.inf else as_array(reach, "reach")
-    if np.ndim(most) or most <= 0.0:
-        raise InvalidParameter(f"reach must be one positive length, got {shortened(reach)}")
+    is_unlimited = is_real(reach) and reach == math.inf
+    most = farthest if is_unlimited else positive(reach, "reach")
     if locate_points(place[None], rings_of(world)[0][0])[0] <= 0:
         raise InvalidPoint(f"q must lie inside the world's boundary, got {tuple(place.tolist())}")
-    angles = 2.0 * math.pi * np.arange(rays) / rays
-    within = min(float(most), farthest)
-    distances = cast_rays(world.edges, discs_of(world), place, angles, within)
+    angles = 2.0 * math.pi * np.arange(count) / count
+    distances = cast_rays(world.edges, discs_of(world), place, angles, min(most, farthest))
     hit = distances < np.inf
-    distances = np.where(hit, distances, float(most))
+    distances = np.where(hit, distances, most)
     directions = np.column_stack([np.cos(angles), np.sin(angles)])
     return Scan(place, angles, distances, hit, place + distances[:, None] * directions)
 

@@ -44,6 +44,8 @@ def scattered(
     ------
     InvalidParameter
         Where an argument is not valid, or there is no room for n obstacles.
+    InvalidPoint
+        Where `keep_free` is not finite numbers.
 
     Examples
     --------
@@ -108,7 +110,7 @@ def draw_corners(rng: np.random.Generator) -> Array:
 
 
 def as_discs(discs: Sequence[Sequence[float]]) -> Array:
-    """Check discs; rows x, y, r, shape (k, 3)."""
+    """Check discs; rows x, y, r, shape (k, 3). Raises InvalidParameter or InvalidPoint."""
     rows = as_array(discs, "keep_free")
     if rows.shape == (0,):
         return rows.reshape(0, 3)
