@@ -214,6 +214,22 @@ def test_a_message_about_a_long_value_stays_short(name):
     assert len(str(refused.value)) < 300 and "\n" not in str(refused.value)
 
 
+class Shy:
+    """A class of a reader's own, with a mistake."""
+
+    def __repr__(self):
+        return self.name
+
+
+@pytest.mark.parametrize("name", FOR_NUMBERS)
+@pytest.mark.parametrize("value", [-(10**5000), Shy()], ids=["a long number", "no repr"])
+def test_what_cannot_be_written_is_named_by_its_type(name, value, monkeypatch):
+    """Python writes no integer of more than 4,300 digits."""
+    monkeypatch.setitem(globals(), "LONG", value)
+    with pytest.raises(KinoeduError):
+        FOR_NUMBERS[name]()
+
+
 @pytest.mark.parametrize("kind", [np.float16, np.float32, np.longdouble])
 def test_numbers_of_other_sizes_are_numbers(kind):
     """A number in single precision is taken without a warning; an infinite one is refused."""

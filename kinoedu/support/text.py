@@ -11,8 +11,11 @@ CONTROLS = re.compile(
 
 
 def shortened(value: object) -> str:
-    """The repr of a value on one line of at most 80 characters."""
-    text = " ".join(repr(value).split())
+    """The repr of a value on one line of at most 80 characters; its type where it has none."""
+    try:
+        text = " ".join(repr(value).split())
+    except Exception:  # by a reader's own class, or an integer of more digits than Python writes
+        text = f"<{type(value).__name__}>"
     return text if len(text) <= 80 else text[:77] + "..."
 
 
