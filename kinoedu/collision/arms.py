@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm, compiled, inlined
-from ..errors import InvalidParameter, InvalidPoint, InvalidRobot
-from ..geometry.checks import Array, as_array
+from ..errors import InvalidPoint, InvalidRobot
+from ..geometry.checks import Array, as_array, integer
 from ..geometry.parts import Parts
 from ..geometry.separation import line_towards, nearest_corner
 from ..robots.arm import ArmRobot, check_arm
@@ -118,9 +118,8 @@ def paint_configuration_space(arm: ArmRobot, world: World, n: int = 360) -> NDAr
             "the image is for an arm of two links, one for each axis; this one has "
             f"{len(arm.lengths)}"
         )
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= 20_000:
-        raise InvalidParameter(f"n must be a whole number from 1 to 20,000, got {shortened(n)}")
-    return paint_image(arm, world, int(n), contact_size(world.lo, world.hi))
+    side = integer(n, "n", least=1, most=20_000)
+    return paint_image(arm, world, side, contact_size(world.lo, world.hi))
 
 
 @algorithm

@@ -185,11 +185,7 @@ def integer(value: object, name: str, *, least: int, most: int = 10_000_000) -> 
     InvalidParameter
         Where the value is anything else.
     """
-    if (
-        isinstance(value, bool)
-        or not isinstance(value, int | np.integer)
-        or not least <= value <= most
-    ):
+    if not is_integer(value) or not least <= value <= most:
         raise InvalidParameter(
             f"{name} must be a whole number from {least} to {most:,}, got {shortened(value)}"
         )
@@ -202,6 +198,11 @@ def as_float(value: object) -> float:
         return float(value) if is_real(value) else math.nan
     except OverflowError:  # an integer or a fraction that no float can hold
         return math.inf
+
+
+def is_integer(value: object) -> TypeGuard[int]:
+    """Whether the value is an integer of Python or numpy; True and False are not."""
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
 def is_real(value: object) -> TypeGuard[float]:
@@ -224,7 +225,7 @@ def as_generator(rng: int | np.random.Generator) -> np.random.Generator:
     """
     if isinstance(rng, np.random.Generator):
         return rng
-    if isinstance(rng, bool) or not isinstance(rng, int | np.integer) or rng < 0:
+    if not is_integer(rng) or rng < 0:
         raise InvalidParameter(
             f"the seed (rng) must be 0, 1, 2, ... or a numpy Generator, got {shortened(rng)}"
         )

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import algorithm
 from ..errors import InvalidGraph, InvalidPoint
-from ..geometry.checks import Array, as_array
+from ..geometry.checks import Array, as_array, is_integer
 from ..spaces import RealSpace, distance
 from ..spaces.interface import Space
 from ..support.text import shortened
@@ -56,7 +56,7 @@ def as_size(size: object, places: int | None) -> int:
     """
     if size is None:
         return places or 0
-    if isinstance(size, bool) or not isinstance(size, int | np.integer) or size < 0:
+    if not is_integer(size) or size < 0:
         raise InvalidGraph(
             f"size must be how many nodes there are, 0, 1, 2, ..., got {shortened(size)}; give "
             "positions as nodes="

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..compiled import algorithm, compiled, generic, record
 from ..errors import InvalidGraph
-from ..geometry.checks import Array
+from ..geometry.checks import Array, is_integer
 from ..support.constructors import with_type_names
 from ..support.text import shortened
 
@@ -199,7 +199,7 @@ def check_node(graph: Any, u: Any, name: str) -> int:
     InvalidGraph
         Where u is not a node of the graph.
     """
-    if isinstance(u, bool) or not isinstance(u, int | np.integer) or not 0 <= u < graph.size:
+    if not is_integer(u) or not 0 <= u < graph.size:
         have = (
             f"a node from 0 to {graph.size - 1}"
             if graph.size

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidGraph
-from ..geometry.checks import Array
+from ..geometry.checks import Array, is_integer
 from ..spaces.interface import Space
 from ..support.text import shortened
 from .checks import (
@@ -377,8 +377,7 @@ class Graph:
 
     def _is_number(self, u: object) -> TypeGuard[int]:
         """Whether u is the number of a node, which may have been deleted."""
-        is_integer = isinstance(u, int | np.integer) and not isinstance(u, bool)
-        return is_integer and bool(0 <= u < self.size)  # type: ignore[operator]  # an integer
+        return is_integer(u) and bool(0 <= u < self.size)
 
     def _keep_edges(self, rows: NDArray[np.int64]) -> None:
         self._edges, self._weights = Rows(self._edges.rows[rows]), Rows(self._weights.rows[rows])

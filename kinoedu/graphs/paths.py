@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidGraph
-from ..geometry.checks import Array
+from ..geometry.checks import Array, is_integer
 from ..support.constructors import with_type_names
 from ..support.text import shortened
 from .checks import holds_integers
@@ -115,12 +115,7 @@ def extract_path(parent: ArrayLike, goal: int) -> NDArray[np.int64]:
     array([0, 1, 3])
     """
     parents = np.asarray(parent)
-    if (
-        parents.ndim != 1
-        or isinstance(goal, bool)
-        or not isinstance(goal, int | np.integer)
-        or not 0 <= goal < len(parents)
-    ):
+    if parents.ndim != 1 or not is_integer(goal) or not 0 <= goal < len(parents):
         raise InvalidGraph(
             f"goal must be a node with a parent in an array of shape (n,), got {shortened(goal)} "
             f"of {parents.shape}"

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidParameter
-from ..geometry.checks import Array, integer
+from ..geometry.checks import Array, integer, is_integer
 from ..support.text import shortened
 
 # Approximate length of a block whose digits are reversed one by one; it fits the first-level cache.
@@ -134,7 +134,7 @@ def reverse_digits(numbers: NDArray[np.int64], base: int, digits: int) -> NDArra
 
 def as_first_index(start: object) -> int:
     """The first index of a sequence: an integer from 0, small enough for exact digits."""
-    if isinstance(start, bool) or not isinstance(start, int | np.integer) or not 0 <= start < EXACT:
+    if not is_integer(start) or not 0 <= start < EXACT:
         raise InvalidParameter(
             f"start must be a whole number, zero or more and below 2^53, got {shortened(start)}"
         )

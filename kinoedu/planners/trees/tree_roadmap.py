@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import InvalidParameter
-from ...geometry.checks import Array, as_array, as_generator
+from ...geometry.checks import Array, as_array, as_generator, is_integer
 from ...problems import Plan
 from ...problems.protocols import PlanningProblem, ProblemLike
 from ...spaces.buckets import GrowingTree, add
@@ -155,11 +155,7 @@ def as_expansion(answer: object, problem: PlanningProblem, tree: GrowingTree) ->
             f"{shortened(answer)}"
         )
     node, q = answer[0], as_array(answer[1], "the expansion's configuration")
-    if (
-        isinstance(node, bool)
-        or not isinstance(node, int | np.integer)
-        or not 0 <= node < tree.size[0]
-    ):
+    if not is_integer(node) or not 0 <= node < tree.size[0]:
         raise InvalidParameter(
             f"an expansion must choose a node from 0 to {tree.size[0] - 1}, got {shortened(node)}"
         )
