@@ -68,11 +68,11 @@ def compile_c(name: str) -> ctypes.CDLL:
     compiler = shutil.which("cc") or shutil.which("gcc")
     if compiler is None:
         raise Missing("no C compiler: neither cc nor gcc is on the PATH")
-    library = Path(tempfile.mkdtemp()) / f"{name}.so"
-    subprocess.run(
-        [compiler, *FLAGS, "-o", library, Path(__file__).with_name(f"{name}.c"), "-lm"], check=True
-    )
-    return ctypes.CDLL(str(library))
+    source = Path(__file__).with_name(f"{name}.c")
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        library = Path(folder) / f"{name}.so"
+        subprocess.run([compiler, *FLAGS, "-o", library, source, "-lm"], check=True)
+        return ctypes.CDLL(str(library))  # it stays loaded when its file is deleted
 
 
 def pointer(array: np.ndarray) -> ctypes.POINTER:
