@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 from typing import Self
 
-from grading_soak import below
+from processes import below, seconds_of
 
 START = 300.0  # seconds for a scheduler to write its address, on a busy computer
 
@@ -74,15 +74,3 @@ class Cluster:
         own = [process.pid for process in self.workers]
         started = [child for process in own for child in below(process)]
         return seconds_of([self.scheduler.pid]), seconds_of([*own, *started])
-
-
-def seconds_of(processes: list[int]) -> float:
-    """The processor's seconds of processes, and of children of theirs that have ended."""
-    total = 0
-    for process in processes:
-        try:
-            text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
-        except OSError:
-            continue
-        total += sum(map(int, text.rpartition(")")[2].split()[11:15]))
-    return total / os.sysconf("SC_CLK_TCK")

@@ -16,7 +16,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from grading_soak import HOUSE, SECRET, below, class_of, grader, results
+from grading_soak import HOUSE, SECRET, class_of, grader, results
+from processes import below, seconds_of
 
 from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.judge.submission import grade
@@ -29,16 +30,7 @@ def processor() -> float:
     """Seconds of the processor that this process has used, and what it started, also what has ended
     in a sandbox.
     """
-    total = time.process_time()
-    for process in below(os.getpid()):
-        try:
-            numbers = (
-                Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
-            )
-        except OSError:
-            continue
-        total += sum(map(int, numbers[11:15])) / os.sysconf("SC_CLK_TCK")
-    return total
+    return time.process_time() + seconds_of(below(os.getpid()))
 
 
 def timed(work: Callable[[], Any], times: int) -> tuple[float, float]:

@@ -13,6 +13,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from processes import below
+
 HOUSE = Path(__file__).resolve().parent.parent
 SECRET = b"a secret of the soak, no course's"
 ATTACKERS = 0.05
@@ -75,18 +77,6 @@ def grader(submissions: Path, out: Path, place: str) -> "subprocess.Popen[bytes]
 def results(out: Path) -> dict[str, bytes]:
     """What is kept so far, by its name."""
     return {file.name: file.read_bytes() for file in sorted((out / "results").glob("*.json"))}
-
-
-def below(parent: int) -> list[int]:
-    """The processes that a process started, and those that they did."""
-    found: list[int] = []
-    for task in Path("/proc").glob(f"{parent}/task/*/children"):
-        try:
-            children = [int(child) for child in task.read_text().split()]
-        except OSError:
-            continue
-        found += children + [one for child in children for one in below(child)]
-    return found
 
 
 def workers(parent: int) -> list[int]:

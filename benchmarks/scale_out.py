@@ -14,7 +14,8 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from cluster import Cluster, seconds_of
+from cluster import Cluster
+from processes import seconds_of
 from timing import run
 from waiting import PLANNING, wait
 
