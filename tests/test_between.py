@@ -72,6 +72,13 @@ def test_however_thin_an_ellipse_is_it_is_hit(d: int) -> None:
         assert (span(space, a, q) + span(space, b, q) <= length * (1 + 1e-15)).all()
 
 
+def test_a_space_may_have_many_dimensions() -> None:
+    """In 400 the gamma function of the ball's volume has no float."""
+    space, a, b = Box((0,) * 400, (1,) * 400), np.full(400, 0.2), np.full(400, 0.8)
+    q = sample_between(space, a, b, 14.0, np.random.default_rng(0))
+    assert np.linalg.norm(q - a) + np.linalg.norm(b - q) < 14.0
+
+
 def test_few_draws_are_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     """At most four for each sample in the plane, eight in space, though the ends lie in a corner;
     along a narrow corridor no more than two.

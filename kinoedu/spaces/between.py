@@ -131,7 +131,9 @@ def box_around(space: Space, ellipsoid: Ellipsoid) -> tuple[Array, Array]:
 def is_less_than_box(space: Space, ellipsoid: Ellipsoid, lo: Array, hi: Array) -> bool:
     """Whether the volume of an ellipsoid is smaller than that of a box."""
     d, box = len(lo), 1.0
-    volume = math.pi ** (0.5 * d) / math.gamma(0.5 * d + 1.0)
+    volume = 2.0 if d % 2 == 1 else 1.0  # of the unit ball in 1 dimension, or in 0
+    for k in range(2 + d % 2, d + 1, 2):
+        volume *= FULL_TURN / k  # of the unit ball in k dimensions
     for i in range(d):
         volume *= ellipsoid.long if i == 0 else ellipsoid.short
         box *= coordinate_weight(space, i) * (hi[i] - lo[i])
