@@ -134,6 +134,9 @@ def test_traps_of_ones_own():
         (lambda: check_planner(good, robot=ke.TwoLinkArm(3, 2, 0.2)), "there are traps for"),
         (lambda: check_planner(good, robot="car"), "there are traps for"),
         (lambda: check_robot(ke.Point(), motions=0), "motions must be a whole number"),
+        (lambda: check_robot(ke.Point(), 5), "expected a world such as"),
+        (lambda: check_robot(ke.Point(), ke.MovingWorld(ARM_ROOM, [])), "in a MovingWorld"),
+        (lambda: check_world(ke.MovingWorld(ARM_ROOM, [])), "in a MovingWorld"),
     ],
 )
 def test_wrong_arguments_raise_named_errors(wrong, words):

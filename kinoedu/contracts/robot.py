@@ -14,7 +14,7 @@ from ..problems.configurations import space_of
 from ..robots import Point
 from ..support.faults import describe_exception
 from ..support.text import shortened
-from ..worlds import PolygonWorld
+from ..worlds import PolygonWorld, checks
 from .motions import LAWS, Case, Law, answers, draw_case
 from .report import Finding, Report
 
@@ -51,7 +51,9 @@ def check_robot(robot: Any, world: Any = None, *, motions: int = 200, seed: int 
     Raises
     ------
     InvalidParameter
-        Where an argument is not valid.
+        Where `motions` or `seed` is not valid.
+    InvalidWorld
+        Where `world` is no world, or has moving obstacles.
 
     Examples
     --------
@@ -60,6 +62,7 @@ def check_robot(robot: Any, world: Any = None, *, motions: int = 200, seed: int 
     True
     """
     place = STAND_IN if world is None else world
+    checks.check_world(place)
     findings = [check_record(robot)]
     checked, notes = check_pair(robot, place, motions, seed)
     return Report(type(robot).__name__, (*findings, *checked), tuple(notes))
@@ -86,7 +89,9 @@ def check_world(world: Any, robot: Any = None, *, motions: int = 200, seed: int 
     Raises
     ------
     InvalidParameter
-        Where an argument is not valid.
+        Where `motions` or `seed` is not valid.
+    InvalidWorld
+        Where the world has moving obstacles, as a MovingWorld has.
 
     Examples
     --------
@@ -98,6 +103,7 @@ def check_world(world: Any, robot: Any = None, *, motions: int = 200, seed: int 
     findings = [check_record(world), corners]
     if not corners.kept:
         return Report(type(world).__name__, tuple(findings), (UNCHECKED,))
+    checks.check_world(world)
     checked, notes = check_pair(Point() if robot is None else robot, world, motions, seed)
     return Report(type(world).__name__, (*findings, *checked), tuple(notes))
 
