@@ -29,6 +29,7 @@ from kinoedu.errors import (
 )
 from kinoedu.files.scenes import read_scene, write_scene
 from kinoedu.robots import ArmChain, Disk, place_body, why_unreachable
+from kinoedu.robots.arm import RIM
 
 CASES = json.loads(
     (Path(__file__).parent / "data" / "arm" / "cases.json").read_text(encoding="utf-8")
@@ -105,6 +106,18 @@ class TestArm:
         with pytest.raises(InvalidPoint, match="infinitely many"):
             TwoLinkArm(1, 1, 0).inverse((0, 0))
         assert len(TwoLinkArm(1, 1, 0).inverse((1e-12, 0))) == 2
+
+    @pytest.mark.parametrize("equal", [False, True])
+    def test_there_is_a_reason_exactly_where_there_is_no_solution(self, equal: bool) -> None:
+        """A few floats to either side of where the rims of the reachable ring end."""
+        rng = np.random.default_rng(0)
+        for _ in range(100):
+            l1, l2 = rng.uniform(0.1, 3.0, 2)
+            arm = TwoLinkArm(l1, l1 if equal else l2, 0)
+            (l1, l2), steps = arm.lengths, np.arange(-3.0, 4.0)
+            ends = np.array([l1 + l2, abs(l1 - l2)])[:, None] + np.array([-RIM, RIM]) * (l1 + l2)
+            for x in (ends[..., None] + steps * np.spacing(np.abs(ends))[..., None]).ravel():
+                assert bool(why_unreachable(arm, (x, 0))) is not bool(arm.inverse((x, 0)))
 
     def test_the_reason_has_numbers_that_differ(self) -> None:
         """Six digits where they are enough, and more for a tip that nearly reaches."""

@@ -176,17 +176,28 @@ class ArmChain(ArmRobot, metaclass=Constructor):
         return ArmRobot(sizes, as_point(base, "base"), links)
 
 
+IN_REACH, TOO_FAR, TOO_NEAR = range(3)
+
+
+@compiled
+def compare_reach(l1: float, l2: float, far: float) -> int:
+    """IN_REACH, TOO_FAR or TOO_NEAR: a place at the distance `far` from the base of two links."""
+    if far > (l1 + l2) * (1.0 + RIM):
+        return TOO_FAR
+    return TOO_NEAR if far < abs(l1 - l2) - RIM * (l1 + l2) else IN_REACH
+
+
 @compiled
 def solve_two_links(l1: float, l2: float, x: float, y: float) -> Array:
     """The solutions of `ArmRobot.inverse` for a tip at (x, y) from the base, (k, 2)."""
     reach, heading, far = l1 + l2, math.atan2(y, x), length(x, y)
-    if abs(far - reach) <= RIM * reach:
+    if compare_reach(l1, l2, far) != IN_REACH:
+        return np.empty((0, 2))
+    if far >= reach * (1.0 - RIM):
         return np.array([wrap_angle(heading), 0.0]).reshape(1, 2)
-    if abs(far - abs(l1 - l2)) <= RIM * reach and l1 != l2:
+    if far <= abs(l1 - l2) + RIM * reach and l1 != l2:
         folded = wrap_angle(heading if l1 > l2 else heading + math.pi)
         return np.array([folded, -math.pi]).reshape(1, 2)
-    if far > reach or far < abs(l1 - l2):
-        return np.empty((0, 2))
     # half-angle formulas of the triangle base, elbow, tip: the tangents are accurate near the rims,
     # where cosines are not
     elbow = 2.0 * math.atan2(
@@ -199,7 +210,6 @@ def solve_two_links(l1: float, l2: float, x: float, y: float) -> Array:
     return np.array([wrap_angle(angle) for angle in angles]).reshape(2, 2)
 
 
-IN_REACH, TOO_FAR, TOO_NEAR = range(3)
 WHY_UNREACHABLE = (
     "",
     "it is {far} from the base, and the links together reach only {outer}",
@@ -230,14 +240,6 @@ def why_unreachable(arm: ArmRobot, p: ArrayLike) -> str:
     distance, inner, outer = distinct_numbers(far, abs(l1 - l2), l1 + l2)
     why = WHY_UNREACHABLE[compare_reach(l1, l2, far)]
     return why.format(far=distance, inner=inner, outer=outer)
-
-
-@compiled
-def compare_reach(l1: float, l2: float, far: float) -> int:
-    """IN_REACH, TOO_FAR or TOO_NEAR: a place at the distance `far` from the base of two links."""
-    if far > (l1 + l2) * (1.0 + RIM):
-        return TOO_FAR
-    return TOO_NEAR if far < abs(l1 - l2) - RIM * (l1 + l2) else IN_REACH
 
 
 def check_arm(arm: object) -> None:
