@@ -211,6 +211,7 @@ def missing(pins):
 
 
 def digest(name):
+    """The digest of a file with pins; Stop where this copy of the course lacks the file."""
     if not os.path.exists(os.path.join(HERE, name)):
         raise Stop(
             "this copy of the course is for students: %s is not in it, nor what needs it" % name
@@ -456,6 +457,7 @@ def progress(text):
 
 
 def read_log():
+    """The output of the installers."""
     with open(LOG, errors="replace") as file:
         return file.read()
 
@@ -469,6 +471,7 @@ def explain(text):
 
 
 def write_line(line):
+    """Write a line to standard error, at once."""
     sys.stderr.write(line + "\n")
     sys.stderr.flush()
 
@@ -482,6 +485,7 @@ def wait_for(lock):
 
 
 def taken(lock):
+    """Take the lock if nobody has it; whether it is ours now."""
     try:
         if os.name == "nt":
             import msvcrt

@@ -25,8 +25,8 @@ class RoundRobot(NamedTuple):
 class Point(RoundRobot, metaclass=Constructor):
     """A robot without size.
 
-    Collision tests of its motions are exact; on a terrain they are exact where positions in units
-    of cells are, as at resolution 1.
+    Collision tests of its motions are exact among polygons. On a terrain they are exact if
+    positions divided by the resolution are exact floats, as at resolution 1 with origin (0, 0).
 
     Returns
     -------
