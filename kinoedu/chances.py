@@ -4,7 +4,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .errors import InvalidParameter
-from .geometry.checks import Array, as_array
+from .geometry.checks import Array, as_array, integer
+from .support.text import shortened
 
 Z = 1.959963984540054  # 95 percent of a normal distribution lie within Z standard deviations
 
@@ -29,7 +30,7 @@ def wilson_interval(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
     Raises
     ------
     InvalidParameter
-        Where a count is negative or larger than `trials`.
+        Where a count is negative or larger than `trials`, or `trials` is no integer from 0.
     InvalidPoint
         Where `successes` are not numbers.
 
@@ -39,15 +40,15 @@ def wilson_interval(successes: ArrayLike, trials: int) -> tuple[Array, Array]:
     >>> low.round(3).tolist(), high.round(3).tolist()
     ([0.0, 0.404, 0.963], [0.037, 0.596, 1.0])
     """
-    counts = as_array(successes, "successes")
-    if trials < 0 or not ((counts >= 0) & (counts <= trials)).all():
+    counts, n = as_array(successes, "successes"), integer(trials, "trials", least=0, most=2**53)
+    if not ((counts >= 0) & (counts <= n)).all():
         raise InvalidParameter(
-            f"successes must lie between 0 and trials = {trials}, got {counts.tolist()}"
+            f"successes must lie between 0 and trials = {n}, got {shortened(successes)}"
         )
-    if trials == 0:
+    if n == 0:
         return np.zeros_like(counts), np.ones_like(counts)
-    p, square = counts / trials, Z * Z / trials
+    p, square = counts / n, Z * Z / n
     middle = (p + square / 2) / (1 + square)
-    reach = Z * np.sqrt(p * (1 - p) / trials + square / (4 * trials)) / (1 + square)
+    reach = Z * np.sqrt(p * (1 - p) / n + square / (4 * n)) / (1 + square)
     low, high = np.maximum(middle - reach, 0.0), np.minimum(middle + reach, 1.0)
-    return np.where(counts == 0, 0.0, low), np.where(counts == trials, 1.0, high)
+    return np.where(counts == 0, 0.0, low), np.where(counts == n, 1.0, high)

@@ -9,6 +9,7 @@ import pytest
 
 import kinoedu as ke
 from kinoedu.c_space import translating_obstacles
+from kinoedu.chances import wilson_interval
 from kinoedu.errors import KinoeduError
 from kinoedu.files import poses_along
 from kinoedu.robots import why_unreachable
@@ -128,6 +129,8 @@ REFUSED = {
     "costs that are hidden": lambda: ke.Terrain([[1]], cost=np.ma.masked_array([[1.0]], True)),
     "cells that are hidden": lambda: ke.Terrain(np.ma.masked_array([[1]], True)),
     "an obstacle that is one number": lambda: ke.PolygonWorld(ROOM, [np.array(1.0)]),
+    "trials in letters": lambda: wilson_interval([1], "3"),
+    "half a trial": lambda: wilson_interval([1], 1.5),
     "rooms that are none": lambda: ke.PolygonWorld(ROOM, [(SQUARE, None)]),
     "a size that is true": lambda: ke.TwoLinkArm(True, 1, 0.1),
     "a radius that is true": lambda: ke.Disk(True),
