@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,7 @@ from .exact import orientation_sign
 from .rings import as_convex_ring, ring_orientation
 
 Corner = tuple[float, float]
+T = TypeVar("T")  # a point, or its number
 
 
 def point_in_convex_polygon(q: ArrayLike, P: ArrayLike) -> bool:
@@ -253,8 +255,8 @@ def corner_tuples(ring: Array) -> list[Corner]:
     return [(x, y) for x, y in ring.tolist()]
 
 
-def directed_edges(ring: list[Corner]) -> list[tuple[Corner, Corner]]:
-    """The edges of a ring as pairs of points."""
+def directed_edges(ring: list[T]) -> list[tuple[T, T]]:
+    """The edges of a ring as pairs of points, or of the numbers of points."""
     return list(zip(ring, ring[1:] + ring[:1], strict=True))
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ...compiled import compiled
 from ...decomposition.free_space import as_polygons
 from ...geometry.checks import Array
+from ...geometry.convex import directed_edges
 from ...geometry.exact import orientation_sign
 from ...geometry.polygons import locate_points
 from ...geometry.segments import is_between, segments_meet
@@ -67,7 +68,7 @@ def corners_of(world: World, *further_places: Array) -> tuple[Corners, list[int]
 
 def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
     """The rings, cut at every corner that lies on one of their edges."""
-    ends = np.array([edge for ring in rings for edge in edges_of(ring)])
+    ends = np.array([edge for ring in rings for edge in directed_edges(ring)])
     on_edge: dict[int, list[int]] = {}
     for edge, point in points_on_edges(points, ends).reshape(-1, 2).tolist():
         on_edge.setdefault(edge, []).append(point)
@@ -82,11 +83,6 @@ def cut_at_corners(rings: list[list[int]], points: Array) -> list[list[int]]:
             edge += 1
         cut.append(corners)
     return cut
-
-
-def edges_of(ring: list[int]) -> list[tuple[int, int]]:
-    """The edges of a ring, as pairs of points."""
-    return list(zip(ring, ring[1:] + ring[:1], strict=True))
 
 
 @compiled
@@ -110,7 +106,7 @@ def points_on_edges(points: Array, ends: NDArray[np.int64]) -> NDArray[np.int64]
 
 def assign_families(rings: list[list[int]], points: Array) -> list[int]:
     """A family for each ring, chosen greedily: the first family in which it meets no other ring."""
-    ends = np.array([(p, q, i) for i, ring in enumerate(rings) for p, q in edges_of(ring)])
+    ends = np.array([(p, q, i) for i, ring in enumerate(rings) for p, q in directed_edges(ring)])
     meeting = rings_that_meet(points, ends, len(rings))
     families: list[int] = []
     for i in range(len(rings)):
