@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from submissions import notebook
 
 from kinoedu.grading.assignments.questions import draw_cases, read_assignment, spell_case
 from kinoedu.grading.judge.submission import grade
@@ -42,13 +43,6 @@ def point_line_distance(q, p1, p2):
     d = (p2 - p1) / np.linalg.norm(p2 - p1)
     return abs(d[0] * (q - p1)[1] - d[1] * (q - p1)[0])
 """
-
-
-def notebook(*sources: str) -> bytes:
-    """A notebook with these code cells."""
-    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
-    cells = [{**code, "source": source} for source in sources]
-    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
 def submission(file: Path) -> tuple[bytes, float, str]:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from submissions import notebook
 
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
@@ -32,13 +33,6 @@ HOUSE = Path(__file__).resolve().parent.parent
 SECRET = b"a secret of the tests, no course's"
 ANSWER = "def line_through_points(p1, p2):\n    pass\n"
 needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
-
-
-def notebook(*sources: str) -> bytes:
-    """A notebook with these code cells."""
-    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
-    cells = [{**code, "source": source} for source in sources]
-    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
 @pytest.fixture(scope="module")

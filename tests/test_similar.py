@@ -5,11 +5,11 @@ Code that all students were given is no sign of copying, and no score depends on
 
 import csv
 import io
-import json
 import random
 from pathlib import Path
 
 import pytest
+from submissions import notebook
 
 from kinoedu.cli import main
 from kinoedu.grading.collect.notebook import read_cells
@@ -82,13 +82,6 @@ def point_segment_distance(q, p1, p2):
     nearest = p1 + share * way
     return float(np.sqrt(((q - nearest) ** 2).sum()))
 """
-
-
-def notebook(*sources: str) -> bytes:
-    """A notebook with these code cells."""
-    code = {"cell_type": "code", "metadata": {}, "outputs": [], "execution_count": None}
-    cells = [{**code, "source": source} for source in sources]
-    return json.dumps({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": cells}).encode()
 
 
 def handed_in(student: str, *sources: str) -> Submission:
