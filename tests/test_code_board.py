@@ -255,6 +255,30 @@ def test_a_comprehension_is_one_moment():
     assert {name for moment in trace.moments for name in moment.note} == {"rows", "found"}
 
 
+def thin_out(rows):
+    while any(row > 1 for row in rows):
+        rows = tuple(row - 1 for row in rows)
+        if all(row < 3 for row in rows if row):
+            rows = rows[1:]
+    return tuple(
+        # a comment keeps the lines apart
+        row
+        for row in rows
+    )
+
+
+def test_a_question_about_all_items_is_one_moment():
+    """In every version of Python, and the condition says whether it was true."""
+    trace, _ = traced(thin_out, (4, 3, 2))
+    said = [(moment.line, moment.holds) for moment in trace.moments][:9]
+    assert said == [
+        *[(1, True), (2, None), (3, False)],
+        *[(1, True), (2, None), (3, True), (4, None)],
+        *[(1, False), (5, None)],
+    ]
+    assert {moment.line for moment in trace.moments[8:]} <= {5, 7, 8} and len(trace.moments) < 13
+
+
 def halves(n):
     total = 0.0
     for i in range(n):

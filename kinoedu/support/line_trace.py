@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import dis
 import inspect
 import sys
 import textwrap
@@ -17,6 +18,7 @@ from .text import shortened, split_lines
 
 Variables = dict[str, Any]
 RETURNED, RAISED = "returned", "raised"
+JUMP_BACKWARD = dis.opmap["JUMP_BACKWARD"]  # to the next item of a loop
 
 
 class Enough(BaseException):
@@ -31,7 +33,8 @@ class Source(NamedTuple):
     code : what Python made of it.
     conditions : the lines with the condition of an `if` or a `while`, each with the first lines
         below it.
-    comprehensions : the offsets of the instructions inside a comprehension, each with its lines.
+    comprehensions : the offsets of the instructions inside a comprehension, each with its lines;
+        and of those that go to the next item of a generator for `any`, `all` or `tuple`.
     """
 
     lines: tuple[str, ...]
@@ -184,7 +187,8 @@ class CallTrace:
     def lines_of_comprehension(self, frame: FrameType, line: int) -> range:
         """The lines of the comprehension that runs, or has just run in this line; else none.
 
-        From Python 3.12 on each of its items is an event of the function that it is in.
+        From Python 3.12 on each of its items is an event of the function that it is in, and from
+        3.14 on so is each item of a generator expression in `any(...)`, `all(...)` or `tuple(...)`.
         """
         found = self.trace.source.comprehensions.get(frame.f_lasti)
         return found or (self.within if line in self.within else range(0))
@@ -212,13 +216,18 @@ def find_comprehensions(
 ) -> dict[int, range]:
     """The `comprehensions` of a source whose lines were indented by some columns."""
     kinds = ast.ListComp | ast.SetComp | ast.DictComp
-    found = [node for node in ast.walk(parse_lines(lines)) if isinstance(node, kinds)]
+    nodes = list(ast.walk(parse_lines(lines)))
+    found: list[ast.expr] = [node for node in nodes if isinstance(node, kinds)]
+    calls = [node for node in nodes if isinstance(node, ast.Call)]
+    # Python gives the loop over a generator's items the place of the name before the brackets
+    names = [c.func for c in calls if c.args and isinstance(c.args[0], ast.GeneratorExp)]
     inside = {}
+    operations = code.co_code[::2]
     for number, (line, last, column, end) in enumerate(code.co_positions()):
         if line is None or last is None or column is None or end is None:
             continue
         begin, stop = (line - first + 1, column - indent), (last - first + 1, end - indent)
-        for node in found:
+        for node in found + names if operations[number] == JUMP_BACKWARD else found:
             last_line, last_column = node.end_lineno or 0, node.end_col_offset or 0
             if (node.lineno, node.col_offset) <= begin and stop <= (last_line, last_column):
                 inside[2 * number] = range(node.lineno - 1, last_line)
