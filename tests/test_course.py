@@ -634,6 +634,7 @@ def complaint(code):
         ("q.append(1)", "An array has no append"),
         ("return q + np.zeros(3)", "Print the .shape of both"),
         ("return q @ np.zeros(3)", "Print the .shape of both"),
+        ("return np.cross(q[:1], p1[:1])", "np.cross is for vectors of three numbers"),
         ("a, b = p1, p2, q", "as many values as names"),
         ("a, b, c = q", "as many values as names"),
         ("a, b = 3.0", "as many values as names"),

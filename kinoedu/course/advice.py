@@ -14,6 +14,7 @@ COMMON_ERRORS = (
     ("no_arrays", "InvalidPoint", "must be one point"),
     ("one_number", "TypeError", "arrays can be converted"),
     ("no_append", "AttributeError", "ndarray' object has no attribute 'append'"),
+    ("cross", "ValueError", "3-dimensional vectors|dimensions for cross product"),
     ("shapes", "ValueError", "could not be broadcast|mismatch in its core dimension"),
     ("unpack", "ValueError", "values to unpack"),
     ("unpack", "TypeError", "cannot unpack non-iterable"),
