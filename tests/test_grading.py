@@ -20,11 +20,12 @@ from kinoedu.grading.collect.notebook import (
     MOST_BYTES,
     Cell,
     UnreadableSubmission,
+    python_of,
     read_cells,
 )
 from kinoedu.grading.collect.notebook_python import PythonReader
 from kinoedu.grading.collect.submissions import collect
-from kinoedu.grading.judge.submission import grade
+from kinoedu.grading.judge.submission import find_syntax_errors, grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
 
@@ -113,6 +114,40 @@ def test_a_syntax_error_is_called_one_in_its_own_question(box):
 
 
 @needs_sandbox
+@pytest.mark.parametrize(("more", "is_newer"), [(0, False), (1, True), (-1, False)])
+def test_a_syntax_error_may_be_what_a_newer_python_knows(more, is_newer):
+    """Such as quotes of one kind in those of an f-string; the notebook says its Python."""
+    major, minor = sys.version_info[:2]
+    book = json.loads(notebook("def line_through_points(p):\n    return (p\n"))
+    book["metadata"] = {"language_info": {"version": f"{major}.{minor + more}.1"}}
+    data = json.dumps(book).encode()
+    (message,) = find_syntax_errors(read_cells(data), python_of(data)).values()
+    assert (f"graded again with Python {major}.{minor + more}." in message) == is_newer
+
+
+@needs_sandbox
+@pytest.mark.parametrize("more", [0, 1])
+def test_a_grade_of_what_a_newer_python_wrote_names_the_python_that_graded(box, more):
+    """So that another Python grades it again."""
+    major, minor = sys.version_info[:2]
+    book = {**json.loads(notebook(ANSWER)), "metadata": {"language_info": {}}}
+    book["metadata"]["language_info"]["version"] = f"{major}.{minor + more}.0"
+    result = grade(json.dumps(book).encode(), read_assignment("01_geometry"), SECRET, box)
+    assert result.get("python") == (f"{major}.{minor}" if more else None)
+
+
+@pytest.mark.parametrize(
+    "metadata",
+    [5, {}, {"language_info": []}, {"language_info": {"version": 3.14}}]
+    + [
+        {"language_info": {"version": text}} for text in ("", "new", "3", "9" * 5000 + ".1", "3.1٣")
+    ],
+)
+def test_a_notebook_that_does_not_say_its_python_is_read(metadata):
+    data = json.dumps({"nbformat": 4, "cells": [], "metadata": metadata}).encode()
+    assert python_of(data) in ((), (3, 1))
+
+
 def test_what_is_asked_for_is_not_lent_and_a_message_says_so(box):
     result = graded(
         box,

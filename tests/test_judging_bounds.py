@@ -138,6 +138,13 @@ def test_judging_is_stopped(monkeypatch):
     assert [is_settled(whole, patience) for patience in (1.0, 2.0, 3.0)] == [True, True, False]
 
 
+def test_what_a_newer_python_wrote_is_graded_again_by_another_one():
+    """The Python that graded it may have taken for an error what it does not know."""
+    whole = {"questions": [], "cells": []}
+    assert is_settled(whole, 1.0) and is_settled({**whole, "python": submission.PYTHON}, 1.0)
+    assert not is_settled({**whole, "python": "3.10"}, 1.0)
+
+
 def test_time_of_a_thread_counts_whatever_it_calls():
     """Sleeping is free for a while; computing is not, also in functions of the library."""
     assert run_within_thread_time(0.2, lambda: time.sleep(0.5) or 7) == 7

@@ -5,6 +5,7 @@ The file may be empty, cut off, not a notebook, or made to break its reader.
 
 import json
 import os
+import re
 import stat
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -113,6 +114,27 @@ def parse_notebook(data: bytes) -> JsonObject:
             "and save it as version 4"
         )
     return book
+
+
+def python_of(data: bytes) -> tuple[int, ...]:
+    """The version of Python, such as (3, 13), that a notebook was last run with; () if unknown.
+
+    Raises
+    ------
+    UnreadableSubmission
+        Where it is no notebook of version 4.
+
+    Examples
+    --------
+    >>> about = b'{"language_info": {"version": "3.13.0"}}'
+    >>> python_of(b'{"nbformat": 4, "cells": [], "metadata": ' + about + b"}")
+    (3, 13)
+    """
+    told: Any = parse_notebook(data)
+    for name in ("metadata", "language_info", "version"):
+        told = told.get(name) if isinstance(told, dict) else None
+    found = re.match(r"(\d{1,3})\.(\d{1,3})(?!\d)", told if isinstance(told, str) else "", re.ASCII)
+    return tuple(map(int, found.groups())) if found else ()
 
 
 def extract_source(cell: JsonObject) -> str:

@@ -28,7 +28,7 @@ from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
 from ..sandbox.sandbox import NoSandbox, Sandbox
 from .contracts import apply_contracts
-from .submission import Grade, grade, is_cut_off, is_late
+from .submission import PYTHON, Grade, grade, is_cut_off, is_late
 
 AHEAD = 256  # notebooks submitted at a time, since a cluster's scheduler holds them in memory
 TRIES = 5
@@ -131,7 +131,9 @@ def make_job(one: Submission, key: str, secret: bytes, trusted: bool, patience: 
 
 
 def is_settled(record: Grade, patience: float) -> bool:
-    """Whether more patience would not change a result."""
+    """Whether more patience, or a newer Python, would not change a result."""
+    if record.get("python", PYTHON) != PYTHON:
+        return False
     return not is_cut_off(record) or patience <= record.get("patience", 1.0)
 
 

@@ -1,5 +1,6 @@
 """Grade a submission: run it in the sandbox, judge the outcomes, record scores and reasons."""
 
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -17,7 +18,7 @@ from ..assignments.questions import (
     draw_trivial_kinds,
 )
 from ..collect.left_out import find_left_out
-from ..collect.notebook import Cell, UnreadableSubmission, read_cells
+from ..collect.notebook import Cell, UnreadableSubmission, python_of, read_cells
 from ..sandbox.cells import Failure, find_names, parse_cell
 from ..sandbox.sandbox import Sandbox
 from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
@@ -27,6 +28,8 @@ UNANSWERED, LATE, STOPPED, SYNTAX = "not answered", "too late", "stopped", "synt
 JUDGING = 60.0  # seconds of processor time in which the answers to a question are judged
 MEMORY = 2**31  # bytes that judging may use beyond those that are in use
 JUDGED_TOO_LONG = "rules.judging"
+OURS = sys.version_info[:2]  # of Python; a newer one may know more
+PYTHON = ".".join(map(str, OURS))
 Grade = dict[str, Any]  # JSON data: the record of a graded submission or question
 
 
@@ -39,7 +42,8 @@ def grade(
     -------
     dict
         "status", "message", "questions", "cells" and "left_out". Each question has its score, what
-        the student may read, and the case that failed if everybody has seen that case.
+        the student may read, and the case that failed if everybody has seen that case. "python" is
+        the version that graded, if the notebook was run with a newer one.
 
     Raises
     ------
@@ -61,8 +65,9 @@ def grade(
     cases = [draw_cases(*whose) for whose in drawn_from]
     to_run = [Question(exercise, *drawn) for exercise, drawn in zip(exercises, cases, strict=True)]
     answers = run_program(sandbox, cells, to_run, task.lent, patience=patience)
-    errors = find_syntax_errors(cells)
-    return {
+    theirs = python_of(data)
+    errors = find_syntax_errors(cells, theirs)
+    return ({"python": PYTHON} if theirs > OURS else {}) | {
         "status": "graded",
         "message": "",
         "questions": [
@@ -97,9 +102,14 @@ def make_blank_record(question: AssignmentQuestion) -> Grade:
     }
 
 
-def find_syntax_errors(cells: list[Cell]) -> dict[str, str]:
-    """The functions whose last definition is not Python, each with its place and the reason."""
+def find_syntax_errors(cells: list[Cell], theirs: tuple[int, ...] = ()) -> dict[str, str]:
+    """The functions whose last definition is not Python, each with its place and the reason.
+
+    theirs : the version of Python that the notebook was run with.
+    """
     found: dict[str, str] = {}
+    versions = {"theirs": ".".join(map(str, theirs)), "ours": PYTHON}
+    newer = f" {get_message('grading.newer_python', **versions)}" if theirs > OURS else ""
     for cell in cells:
         for part in parse_cell(cell.source, f"cell {cell.number}"):
             names = part.names if isinstance(part, Failure) else find_names(part)
@@ -108,7 +118,8 @@ def find_syntax_errors(cells: list[Cell]) -> dict[str, str]:
             if isinstance(part, Failure):
                 reason = part.error.msg if isinstance(part.error, SyntaxError) else str(part.error)
                 place = {"cell": cell.number, "line": part.line, "reason": reason}
-                found |= {name: get_message("grading.syntax", name=name, **place) for name in names}
+                for name in names:
+                    found[name] = get_message("grading.syntax", name=name, **place) + newer
     return found
 
 
