@@ -55,6 +55,7 @@ if TYPE_CHECKING:  # shows type checkers the names of the table below
         GoalRegion,
         KClosest,
         Radius,
+        Refinement,
         after_change,
         alternative_routes,
         best_within,
@@ -112,8 +113,8 @@ ROOMS = {
     "files": "read_mesh read_plan read_problem read_scene read_world write_plan write_scene",
     "graphs": "Graph astar bfs_path bfs_tree dfs_path dijkstra",
     "planners": (
-        "ComponentKClosest Drives GoalBias GoalRegion KClosest Radius after_change "
-        "alternative_routes best_within bug0 bug1 bug2 bug2_prelim bug_base "
+        "ComponentKClosest Drives GoalBias GoalRegion KClosest Radius Refinement "
+        "after_change alternative_routes best_within bug0 bug1 bug2 bug2_prelim bug_base "
         "build_roadmap cells_with_headings changed_box changing_roadmap grid_roadmap "
         "hybrid_astar informed_rrt_star kinodynamic_prm kinodynamic_rrt path_cost "
         "plan_by_cells_with_headings plan_by_decomposition plan_by_visibility "

@@ -16,7 +16,7 @@ from kinoedu.collision import is_free_trajectory
 from kinoedu.curves import integrators
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.planners.driving.common import as_car_problem, begin_tree, closest_step
-from kinoedu.planners.driving.parameters import as_drives
+from kinoedu.planners.driving.parameters import RefinementRecord, as_drives
 from kinoedu.planners.driving.sst import Sparse, add_witness, cheapest_near, nearest_witness
 from kinoedu.planners.problem_input import new_tree
 from kinoedu.spaces.angles import angle_difference
@@ -216,29 +216,52 @@ def test_longer_search_is_cheaper() -> None:
     assert costs[2] < 110
 
 
+def test_a_finer_tree_reaches_a_tight_goal() -> None:
+    """Nodes lie closer near the goal, drives are shorter, and more seeds find a path."""
+    problem = ke.Problem(CAR, WORLD, (60, 240, 0), (180, 210, 0))
+    finer = {"refinement": ke.Refinement(radius=0.05, duration=0.25)}
+    found, near, longest = [], [], []
+    for options in ({}, finer):
+        plans = [ke.sst(problem, max_iterations=1000, rng=seed, **options) for seed in range(6)]
+        trees = [plan.tree for plan in plans]
+        from_goal = [np.hypot(*(tree.nodes[:, :2] - problem.goal[:2]).T) for tree in trees]
+        found.append(sum(plan.path is not None for plan in plans))
+        near.append(sum(int((d < 30.0).sum()) for d in from_goal))
+        into = [tree.durations[1:][d[tree.parent[1:]] < 20.0] for tree, d in zip(trees, from_goal)]
+        longest.append(np.concatenate(into).max())
+        for plan in plans:
+            check_driven(plan, problem, SOLID)
+    assert found[1] > found[0] and near[1] > near[0]
+    assert longest[1] <= 60.0 * 0.5 < longest[0]
+
+
 @pytest.mark.parametrize("m", [1, 5, 300])
 def test_the_nearest_witness_and_the_cheapest_node_near_it_are_what_brute_force_finds(m) -> None:
-    """By buckets of any size; a node is within a radius of its witness."""
+    """By buckets of any size; a node is within a radius of its witness. Near the goal the radius
+    and the reach are smaller.
+    """
     rng, problem = np.random.default_rng(m), as_car_problem(EASY, "sst", None)
-    weight = problem.space.weight[2]
+    weight, finer = problem.space.weight[2], RefinementRecord(80.0, 0.2, 0.5)
     for radius, reach, buckets in ((90.0, 100.0, 1), (30.0, 60.0, m), (60.0, 1.0, 4 * m)):
         witnesses = np.array([problem.sample(rng) for _ in range(m)])
         off = 0.57 * radius * rng.uniform(-1, 1, (m, 3)) / (1, 1, weight)
         nodes, cost = witnesses + off, rng.random(m)
         growth = begin_tree(problem, m + 1)
-        sparse = Sparse(new_tree(problem, m, buckets), np.zeros(m, np.int64), cost, radius, reach)
+        trees = new_tree(problem, m, buckets), np.zeros(m, np.int64)
+        sparse = Sparse(*trees, cost, radius, reach, finer)
         growth.tree.nodes[:m] = nodes
         for node in range(m):
             add_witness(sparse, witnesses[node], node)
         for _ in range(60):
             q = problem.sample(rng)
+            share = np.clip(problem.distance(q, problem.goal) / 80.0, 0.2, 1.0)
             apart = np.array([problem.distance(one, q) for one in nodes])
-            within = np.where(apart <= reach, cost, np.inf)
+            within = np.where(apart <= share * reach, cost, np.inf)
             expected = within.argmin() if np.isfinite(within).any() else apart.argmin()
             assert cheapest_near(problem, growth, sparse, q) == expected
             apart = np.array([problem.distance(one, q) for one in witnesses])
             found = nearest_witness(problem, sparse, q)
-            assert found == (apart.argmin() if apart.min() <= radius else -1)
+            assert found == (apart.argmin() if apart.min() <= share * radius else -1)
 
 
 @pytest.mark.parametrize("share", [0.6, 2 / 3, 0.4, 0.1, 1 / 150])
@@ -382,6 +405,9 @@ def test_nonsense_is_refused_by_name() -> None:
         (ke.GoalBias, "region_turn", "wide"),
         (ke.GoalRegion, "tolerance", -1),
         (ke.GoalRegion, "turn_tolerance", np.nan),
+        (ke.Refinement, "region", 0),
+        (ke.Refinement, "radius", 0),
+        (ke.Refinement, "duration", 1.01),
     ):
         with pytest.raises(InvalidParameter, match=f"^{name} must be"):
             record(**{name: value})
@@ -395,6 +421,8 @@ def test_nonsense_is_refused_by_name() -> None:
     ):
         with pytest.raises(InvalidParameter, match=words):
             ke.kinodynamic_rrt(PROBLEM, rng=0, **{name: value})
+    with pytest.raises(InvalidParameter, match=r"refinement must be Refinement\(...\), got 0.05"):
+        ke.sst(PROBLEM, refinement=0.05, rng=0)
     for planner in (ke.kinodynamic_rrt, ke.kinodynamic_prm, ke.sst):
         with pytest.raises(InvalidParameter, match="Car"):
             planner(ke.Problem(ke.Point(), WORLD, (20, 20), (280, 280)), rng=0)

@@ -1,7 +1,7 @@
-"""Parameters that planners of drives share: how drives are tried, the goal bias, the goal region.
+"""Parameters of planners of drives: how drives are tried, and what changes near the goal.
 
-A reader gives `Drives`, `GoalBias` and `GoalRegion`. A parameter that is None depends on the car;
-`as_drives`, `as_goal_bias` and `as_goal_region` return the numbers for one car, for compiled code.
+A reader gives `Drives`, `GoalBias`, `GoalRegion` and `Refinement`. A parameter that is None depends
+on the car; `as_drives` and the like return the numbers for one car, for compiled code.
 """
 
 import math
@@ -120,6 +120,43 @@ class GoalRegion:
         nonnegative(self.turn_tolerance, "turn_tolerance")
 
 
+@dataclass(frozen=True)
+class Refinement:
+    """How much finer a sparse tree is near the goal, so that a car can shift to and fro there.
+
+    Within a region round the goal, radii and drives shrink in proportion to the distance from it,
+    but not below a share. With shares of 1, the defaults, they do not shrink.
+
+    Parameters
+    ----------
+    region : the radius of the region, in the distance of SE(2); by default 4 wheelbases.
+    radius : the least share of the radius and the reach, in (0, 1].
+    duration : the least share of the duration, in (0, 1].
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range.
+
+    Examples
+    --------
+    >>> Refinement(radius=0.05, duration=0.25)
+    Refinement(region=None, radius=0.05, duration=0.25)
+    """
+
+    region: float | None = None
+    radius: float = 1.0
+    duration: float = 1.0
+
+    def __post_init__(self) -> None:
+        if self.region is not None:
+            positive(self.region, "region")
+        for name in ("radius", "duration"):
+            share = positive(getattr(self, name), name)
+            if share > 1.0:
+                raise InvalidParameter(f"{name} must be a share in (0, 1], got {share:g}")
+
+
 class DrivesRecord(NamedTuple):
     """`Drives` of one car: each drive is simulated for up to `steps` time steps."""
 
@@ -146,6 +183,14 @@ class GoalRegionRecord(NamedTuple):
 
     tolerance: float
     turn_tolerance: float
+
+
+class RefinementRecord(NamedTuple):
+    """`Refinement` of one car."""
+
+    region: float
+    radius: float
+    duration: float
 
 
 def as_drives(problem: Any, drives: Drives) -> DrivesRecord:
@@ -196,6 +241,19 @@ def as_goal_region(problem: Any, goal_region: GoalRegion) -> GoalRegionRecord:
     given = check_kind(goal_region, GoalRegion, "goal_region")
     distance = 0.25 * problem.robot.wheelbase if given.tolerance is None else float(given.tolerance)
     return GoalRegionRecord(distance, float(given.turn_tolerance))
+
+
+def as_refinement(problem: Any, refinement: Refinement) -> RefinementRecord:
+    """The numbers of `Refinement` for the problem's car.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a `Refinement`.
+    """
+    given = check_kind(refinement, Refinement, "refinement")
+    region = 4.0 * problem.robot.wheelbase if given.region is None else float(given.region)
+    return RefinementRecord(region, float(given.radius), float(given.duration))
 
 
 def check_kind(given: Any, kind: type[Parameters], name: str) -> Parameters:
