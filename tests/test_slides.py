@@ -264,6 +264,15 @@ def test_two_fingers_zoom_and_do_not_turn_the_slide(tmp_path):
         assert not turns(*swipe)
 
 
+def test_a_slide_is_whole_on_a_telephone(tmp_path):
+    """There the page is first as wide as the slide was before it was made smaller."""
+    with shown_slides(tmp_path, is_mobile=True) as page:
+        for _ in range(3):
+            place = page.locator("section:not([hidden]) .slide").bounding_box()
+            assert place["x"] >= 0 and place["x"] + place["width"] <= 800
+            page.keyboard.press("ArrowRight")
+
+
 def test_an_exported_notebook_has_boards_that_play(tmp_path):
     """nbconvert's page shows the stored picture until the board itself is there."""
     needs_chromium()

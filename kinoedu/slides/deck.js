@@ -4,9 +4,15 @@
   const byId = (id) => document.getElementById(id);
   let at = 0, hasNotes = false, speaker = null;
 
+  // The size of the window. On a telephone `innerWidth` is that of a slide that is still too wide.
+  function sizeOfWindow() {
+    const { clientWidth, clientHeight } = document.documentElement;
+    return Math.min(clientWidth / 1280, clientHeight / 720);
+  }
+
   // A slide gets the size of the window. One whose content is too high is made smaller, until it
   // fits.
-  function fit(slide = slides[at], size = Math.min(innerWidth / 1280, innerHeight / 720)) {
+  function fit(slide = slides[at], size = sizeOfWindow()) {
     const box = slide.querySelector(".slide"), row = box.querySelector(".row");
     box.style.zoom = size;
     let small = 1;
