@@ -171,7 +171,9 @@ def test_docstrings_are_plain_text(monkeypatch):
 
 
 def test_formulas_are_spaced_as_in_print():
-    """A sign is no difference, a quotient is narrow, a function keeps off its argument."""
+    """A sign is no difference, a quotient is narrow, a function keeps off its argument, and := is
+    one sign.
+    """
     assert '<mo form="prefix">' in to_mathml(
         "v = -1", "inline"
     ) and '<mo form="prefix">' in to_mathml("(-20, 20)", "inline")
@@ -179,6 +181,8 @@ def test_formulas_are_spaced_as_in_print():
         "(a) - 1", "inline"
     )
     assert 'lspace="0"' in to_mathml(r"\pi/2", "inline")
+    assert "<mo>:=</mo>" in to_mathml(r"q_\text{new} :=", "inline")
+    assert 'rspace="0.278em">:<' in to_mathml(r"\{a : a > 0\}", "inline")
     assert to_mathml(r"r\sin\theta", "inline").count("<mspace") == 2 and "<mspace" not in to_mathml(
         r"\sin(x)", "inline"
     )

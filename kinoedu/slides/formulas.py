@@ -14,6 +14,8 @@ SPACED = [
         r'\1<mo form="prefix">',
     ),
     (r"<mo>(?=&#x0002F;)", '<mo lspace="0" rspace="0">'),  # a/b
+    ("<mi>:</mi><mo>&#x0003D;</mo>", "<mo>:=</mo>"),
+    ("<mi>:</mi>", '<mo lspace="0.278em" rspace="0.278em">:</mo>'),  # {a : a > 0}
     (r"(<mi>[a-z]{2,}</mi>)(?=<m(?:[in]|sub|sup)>)", rf"\1{THIN}"),  # sin x
     (r"(?<=</m[in]>)(?=<mi>[a-z]{2,}</mi>)", THIN),  # r sin
 ]
