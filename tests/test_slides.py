@@ -216,6 +216,19 @@ def test_every_slide_fills_its_sheet_of_paper(tmp_path):
         assert section.count() == 1 and section.bounding_box()["width"] == 800
 
 
+BROKEN = """() => [...document.querySelectorAll(".beside > .code pre")].filter((code) => {
+    const lines = code.textContent.trimEnd().split("\\n").length;
+    return code.clientHeight > (lines + 0.5) * parseFloat(getComputedStyle(code).lineHeight); })"""
+
+
+def test_lines_of_code_are_not_broken(tmp_path):
+    """A line that is too long to stand beside a text has the width of the slide."""
+    with shown_slides(tmp_path) as page:
+        page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        page.emulate_media(media="print")
+        assert page.evaluate(BROKEN) == []
+
+
 FITS = """() => {
     const row = document.querySelector("section:not([hidden]) .row");
     return row.scrollHeight - row.clientHeight <= 2; }"""

@@ -31,6 +31,7 @@ MOST_LINES = 8  # of code that is shown with what it prints
 LONGEST_CODE = 16  # lines of code that is shown for itself
 MOST_PRINTED = 12  # lines of printed text
 WIDE = 1.7  # of a picture that stands below its text: width by height
+LONG = 56  # letters of a line of code that does not fit beside a text: it stands below it
 NOT_SHOWN = re.compile(r"^(import |from \S+ import |# NBVAL|plt\.show|%)")
 ASKS = re.compile(r'ke\.ask\("(\w+)"\)')
 
@@ -145,7 +146,9 @@ def code_html(code: str, folded: bool) -> str:
     from pygments.lexers import PythonLexer
 
     formatter = HtmlFormatter(noclasses=True, nobackground=True, style="friendly")
-    page = f'<div class="code">{highlight(code, PythonLexer(), formatter)}</div>'
+    is_long = any(len(line) > LONG for line in code.splitlines())
+    shown = highlight(code, PythonLexer(), formatter)
+    page = f'<div class="code{" long" if is_long else ""}">{shown}</div>'
     if not folded:
         return page
     return f"<details><summary>{escape(get_message('slides.code'))}</summary>{page}</details>"
