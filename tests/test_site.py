@@ -307,6 +307,29 @@ def test_boards_of_lessons_answer(browser_page, lesson):
     keep(page, f"site_live_{lesson[:2]}")
 
 
+def test_a_link_leads_to_its_section(browser_page):
+    """Also past boards, which take more room than their pictures."""
+    page, address = browser_page
+    for part in ("two-trees", "a-world-that-is-only-seen"):
+        page.goto(f"{address}/notebooks/09_trees.html#{part}", wait_until="load")
+        page.wait_for_selector(".kinoedu-board[data-paints]", state="attached")
+        place = "part => Math.abs(document.getElementById(part).getBoundingClientRect().top) < 100"
+        page.wait_for_function(place, arg=part)
+        page.wait_for_timeout(500)
+        assert page.evaluate(place, part)
+
+
+def test_a_lesson_is_whole_on_paper(browser_page):
+    """No line of code is cut off, and nothing stands over the text."""
+    page, address = browser_page
+    page.goto(f"{address}/notebooks/09_trees.html", wait_until="load")
+    page.emulate_media(media="print")
+    assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre')].every(
+        (code) => code.scrollWidth <= code.clientWidth)""")
+    assert not page.locator(".skip-to-content").is_visible()
+    page.emulate_media(media="screen")
+
+
 def test_words_are_found(browser_page):
     """Search answers with the lesson, the exercises and the place in the reference."""
     page, address = browser_page

@@ -777,6 +777,7 @@ class View {
     this.look();
     this.stage.style.width = `${this.width}px`;
     this.stage.style.height = `${this.height}px`;
+    this.stage.style.aspectRatio = `${this.width} / ${this.height}`;   // for paper
     this.growth.style.maxWidth = `${Math.max(this.width, 320)}px`;
     this.request();
   }

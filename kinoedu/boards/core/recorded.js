@@ -5,6 +5,8 @@
 // The page's script begins with `WORDS`, `PALETTE`, `VERSION` (of records), `widget`, what board.js
 // exports, and `LIVE`, the bodies that the page has. A record of another version keeps its picture.
 
+const ARRIVING = 5000;        // ms in which the boards near a part of the page come
+
 // A model as anywidget gives it. It answers "hello" with the recorded drawing, and a scene that was
 // moved only where the board is live.
 //
@@ -87,10 +89,27 @@ function begin() {
   elements.forEach((element) => seen.observe(element));
   // at once: a smooth scroll, as the site's style asks for, ends when more of the page comes
   elements[parseInt(linked()?.key, 10)]?.scrollIntoView({ behavior: "instant" });
+  keepPlace();
+}
+
+// Boards take more or less room than their pictures. The part of the page that its address names
+// stays in its place meanwhile, unless the reader does something.
+function keepPlace() {
+  const part = document.getElementById(location.hash.slice(1));
+  if (!part) return;
+  const grown = new ResizeObserver(() => part.scrollIntoView({ behavior: "instant" }));
+  const end = () => grown.disconnect();
+  document.querySelectorAll(".kinoedu-record").forEach((element) => grown.observe(element));
+  ["wheel", "touchstart", "pointerdown", "keydown"].forEach(
+    (event) => addEventListener(event, end, { once: true, passive: true }));
+  setTimeout(end, ARRIVING);
 }
 
 // A link that is put into the address of an open page is followed too.
-addEventListener("hashchange", () => { if (linked()) location.reload(); });
+addEventListener("hashchange", () => {
+  if (linked()) location.reload();
+  else keepPlace();
+});
 
 if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
 else begin();
