@@ -71,7 +71,7 @@ function script(file) {
     const element = document.createElement("script");
     element.src = new URL(file, HERE);
     element.onload = resolve;
-    element.onerror = () => reject(new Error(`${file} is not beside this page`));
+    element.onerror = () => reject(new Error(`${file} did not load`));
     document.head.append(element);
   });
 }
