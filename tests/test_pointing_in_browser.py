@@ -272,6 +272,30 @@ def test_what_is_dragged_is_not_put_back_by_a_scene_of_before(light):
         assert moved == [["handle", 1, goal]] and page.evaluate(PLACES) == [[2, 3], goal]
 
 
+def test_no_ring_stays_behind_what_is_dragged(light):
+    """The ring of the focus is at a thing; during a drag, which leaves it behind, there is none."""
+    with browser() as page:
+        page.goto(light)
+        root = shown(page)
+        page.evaluate(WITH_KERNEL, "0-0")
+        page.evaluate("kernel.start()")
+        page.mouse.move(*place(root, 0.3, 0.3))  # painted again, with buttons
+        goal = root.locator(".kinoedu-thing[data-thing='handle-1']")
+        goal.press("ArrowUp")
+        shows = "button => Number(getComputedStyle(button).opacity)"
+        assert goal.evaluate(shows) == 1
+        box = goal.bounding_box()
+        page.mouse.move(box["x"] + 14, box["y"] + 14)
+        page.mouse.down()
+        page.mouse.move(*place(root, 0.6, 0.6), steps=5)
+        frames(page)
+        assert page.evaluate("kernel.board.isDragged()") and goal.evaluate(shows) == 0
+        page.mouse.up()
+        page.wait_for_function(
+            f"button => ({shows})(button) === 1", arg=goal.element_handle(), timeout=10_000
+        )
+
+
 def press_both_and_leave(page, x, y, away):
     """Drag from a point, press the right button too, and release the left outside a picture."""
     page.mouse.move(x, y)

@@ -867,6 +867,7 @@ class View {
     this.grabs.set(event.pointerId, { ...held, clientX, clientY, still: true });
     if (thing.kind === "vertex") this.enter(thing.i);
     this.focus(thing);
+    this.stage.classList.add("kinoedu-held");    // its button stays where it is, without a ring
     this.request();
   }
 
@@ -911,6 +912,7 @@ class View {
 
   drop(event) {                          // end a drag; a browser may end one without a release
     if (!this.grabs.delete(event.pointerId)) return;
+    this.stage.classList.toggle("kinoedu-held", this.grabs.size > 0);
     this.canvas.style.cursor = "";
     this.board.settle();
     this.placeButtons();
