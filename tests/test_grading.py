@@ -159,6 +159,23 @@ def test_what_is_asked_for_is_not_lent_and_a_message_says_so(box):
     assert "not lent" in failed["failure"]["outcome"]["message"]
 
 
+def test_a_solution_lends_what_it_imports_in_whatever_form(tmp_path):
+    """In parentheses, under another name, and beside a command; nothing that an answer imports."""
+    (tmp_path / "solutions").mkdir()
+    book = notebook(
+        "from kinoedu.geometry import (\n    point_in_polygon,\n    convex_hull as hull,  # c\n)",
+        "%matplotlib inline\nfrom kinoedu.graphs import Graph  # given",
+        "from kinoedu.course import check\nfrom kinoedu.figures.flowcharts import Step",
+        "def answer(polygon):\n    from kinoedu.geometry import cross_sign\n",
+    )
+    (tmp_path / "solutions" / "16_own.ipynb").write_bytes(book)
+    assert read_assignment("16_own", tmp_path).lent == (
+        "kinoedu.geometry:point_in_polygon",
+        "kinoedu.geometry:convex_hull",
+        "kinoedu.graphs:Graph",
+    )
+
+
 NEVER_BEYOND = """
 import numpy as np
 def point_segment_distance(q, p1, p2):

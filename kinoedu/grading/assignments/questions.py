@@ -5,14 +5,15 @@ course's secret, which is kept outside the repository. So judges and solutions m
 reveal no case.
 """
 
+import ast
 import functools
 import hashlib
 import hmac
 import json
 import logging
 import os
-import re
 import secrets
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -25,7 +26,6 @@ from ...course.release import HOUSE, solution_path
 from ...course.trivial import find_trivial_kinds
 from ...errors import InvalidParameter
 
-IMPORT = re.compile(r"^from (kinoedu(?:\.\w+)+) import (\w+(?: *, *\w+)*)$", re.MULTILINE)
 # these only show something in a notebook, and do nothing in the sandbox
 FOR_NOTEBOOKS = ("kinoedu.course:", "kinoedu.figures", "kinoedu.boards")
 ANNOUNCED = "kinoedu: the course's secret was made, once, in %s; keep it, and keep it to yourself"
@@ -75,13 +75,11 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
         if not mark.get("solution")
     }
     by_hand = {mark["grade_id"]: float(mark["points"]) for mark in graded if mark.get("solution")}
-    sources = "".join(
-        "".join(cell["source"]) + "\n" for cell in book["cells"] if cell["cell_type"] == "code"
-    )
     imported = (
-        f"{home}:{thing}"
-        for home, things in IMPORT.findall(sources)
-        for thing in things.replace(" ", "").split(",")
+        place
+        for cell in book["cells"]
+        if cell["cell_type"] == "code"
+        for place in list_imports("".join(cell["source"]))
     )
     lent = tuple(place for place in imported if not place.startswith(FOR_NOTEBOOKS))
     return Assignment(
@@ -90,6 +88,23 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
         by_hand,
         lent,
     )
+
+
+def list_imports(source: str) -> Iterator[str]:
+    """Yield what a cell of a solution imports from modules of kinoedu, as "module:name".
+
+    >>> list(list_imports("from kinoedu.geometry import (\\n    point_in_polygon as inside,\\n)"))
+    ['kinoedu.geometry:point_in_polygon']
+    """
+    try:
+        tree = ast.parse(source)
+    except SyntaxError:  # a cell with a command such as %time
+        from IPython.core.inputtransformer2 import TransformerManager
+
+        tree = ast.parse(TransformerManager().transform_cell(source))
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("kinoedu."):
+            yield from (f"{node.module}:{one.name}" for one in node.names)
 
 
 def read_course_secret(file: Path) -> bytes:
