@@ -18,6 +18,7 @@ from kinoedu.course.release import (
     files_for_students,
     release,
     remove_answers,
+    require_released,
 )
 from kinoedu.errors import InvalidParameter
 
@@ -136,7 +137,10 @@ def test_a_model_answer_is_left_out_as_a_whole(house):
 def test_a_notebook_without_solution_is_not_packed(house, monkeypatch):
     """A copy of an exercise, in which the teacher has written answers, stays with the teacher."""
     places = [house / "exercises" / name for name in ("01_geometry.ipynb", "README.md")]
-    copies = [house / "exercises" / name for name in ("01_geometry-Copy1.ipynb", "old/a.ipynb")]
+    copies = [
+        house / "exercises" / name
+        for name in ("01_geometry-Copy1.ipynb", "01_geometry.zip", "old/a.ipynb")
+    ]
     (house / "exercises" / "old").mkdir()
     for place in places + copies:
         place.write_text("{}")
@@ -146,6 +150,29 @@ def test_a_notebook_without_solution_is_not_packed(house, monkeypatch):
     packed = [house / name for name in files_for_students(house) if name != "README.md"]
     assert packed == places
     assert exercises_without_solution(house) == copies
+
+
+def test_an_exercise_with_answers_in_it_is_not_packed(house):
+    """A teacher who tries an exercise, saves it, and releases another one with --zip."""
+    name, exercise = "01_geometry", house / "exercises" / "01_geometry.ipynb"
+    require_released(name, house)  # there is none
+    nbformat.write(remove_answers(house / "solutions" / f"{name}.ipynb"), exercise)
+    require_released(name, house)
+    shutil.copy(house / "solutions" / f"{name}.ipynb", exercise)
+    with pytest.raises(InvalidParameter, match="may have answers in it: release 01_geometry too"):
+        require_released(name, house)
+
+
+def test_a_zip_of_one_exercise_is_refused_where_another_has_answers(tmp_path, monkeypatch, capsys):
+    """Before anything is released."""
+
+    def refuse(name):
+        raise InvalidParameter(f"{name} may have answers in it")
+
+    monkeypatch.setattr(release_module, "assignments", lambda: ["01_a", "02_b"])
+    monkeypatch.setattr(release_module, "require_released", refuse)
+    assert main(["release", "01_a", "--zip", str(tmp_path / "course.zip")]) == 2
+    assert "02_b may have answers in it" in capsys.readouterr().err
 
 
 def test_release_refuses_what_it_cannot_make(house):

@@ -90,7 +90,13 @@ def add_release(commands: Commands) -> None:
 def run_release(arguments: argparse.Namespace) -> int:
     """Make the exercises, and print where they are."""
     from ..course.lessons import EXERCISES
-    from ..course.release import assignments, exercises_without_solution, pack_course, release
+    from ..course.release import (
+        assignments,
+        exercises_without_solution,
+        pack_course,
+        release,
+        require_released,
+    )
     from ..course.section import choose_for_section
 
     refuse_useless_options(arguments)
@@ -108,6 +114,10 @@ def run_release(arguments: argparse.Namespace) -> int:
     if importlib.util.find_spec("nbgrader") is None:
         raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
 
+    if arguments.zip is not None:
+        for other in assignments():
+            if other not in names:
+                require_released(other)
     for name in names:
         with show_stage(f"releasing {name}"):
             made = release(name)

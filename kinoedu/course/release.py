@@ -127,6 +127,25 @@ def remove_answers(file: Path) -> Any:
     return book
 
 
+def require_released(name: str, house: Path = HOUSE) -> None:
+    """Raise InvalidParameter where exercises/NAME.ipynb has other cells than its solution makes.
+
+    Somebody may have tried it and left answers in it. Without such a file nothing is wrong.
+    """
+    import nbformat
+
+    exercise = house / "exercises" / f"{name}.ipynb"
+    if not exercise.exists():
+        return
+    books = (nbformat.read(exercise, as_version=4), remove_answers(solution_path(name, house)))
+    found, made = ([(cell.cell_type, cell.source) for cell in book.cells] for book in books)
+    if found != made:
+        raise InvalidParameter(
+            f"exercises/{name}.ipynb is not what its solution makes, and may have answers in it: "
+            f"release {name} too"
+        )
+
+
 def is_model_answer(cell: Any) -> bool:
     """Whether a code cell holds only a solution and has no nbgrader metadata.
 
@@ -227,10 +246,11 @@ def files_for_students(house: Path = HOUSE) -> dict[str, bytes]:
 
 
 def exercises_without_solution(house: Path = HOUSE) -> list[Path]:
-    """Notebooks among the exercises that no solution makes, such as a copy with answers in it."""
+    """Notebooks and zips in exercises that no solution makes, such as a copy with answers."""
     made = [house / "exercises" / f"{name}.ipynb" for name in assignments(house)]
-    found = sorted((house / "exercises").rglob("*.ipynb"))
-    return [file for file in found if file not in made and not is_generated(file)]
+    found = sorted((house / "exercises").rglob("*"))
+    drafts = [file for file in found if file.suffix.lower() in (".ipynb", ".zip")]
+    return [file for file in drafts if file not in made and not is_generated(file)]
 
 
 def students_readme(house: Path = HOUSE) -> str:
