@@ -21,11 +21,13 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.cli.export import read_back_from_nbgrader
 from kinoedu.compiled.store import try_lock
+from kinoedu.course.assignments import list_assignments
 from kinoedu.course.lessons import EXERCISES, find
 from kinoedu.course.release import assignments
 from kinoedu.errors import InvalidParameter
 from kinoedu.grading import class_grading
 from kinoedu.grading.assignments.questions import read_assignment
+from kinoedu.grading.collect import handing_in
 from kinoedu.grading.collect.found import METADATA
 from kinoedu.grading.collect.handing_in import hand_in
 from kinoedu.grading.collect.marks import count_shared, find_questions
@@ -547,6 +549,34 @@ def test_what_cannot_be_graded_is_not_packed(tmp_path):
         with pytest.raises(wrong):
             hand_in(tmp_path / name, tmp_path / "z.zip", NOW)
     assert not (tmp_path / "z.zip").exists()
+
+
+def test_an_assignment_may_have_exercises_of_several_lessons(tmp_path, monkeypatch):
+    """It is handed in under its own name, with its own exercises; one without exercises too."""
+    asked = {NAME: ["exposing_case"], "homework": ["exposing_case", "bfs_tree"], "essay": ["why"]}
+    monkeypatch.setattr(handing_in, "list_assignments", lambda: asked)
+    for name, notebook_name in (("homework", "Homework-1"), ("homework", "mine"), (NAME, NAME)):
+        cells = [{"cell_type": "code", "source": f"check({one})"} for one in asked[name]]
+        file = tmp_path / f"{notebook_name}.ipynb"
+        file.write_text(json.dumps({"nbformat": 4, "cells": cells}), encoding="utf-8")
+        receipt = hand_in(file, tmp_path / "z.zip", NOW)
+        assert (receipt.assignment, [*receipt.answers]) == (name, asked[name])
+        assert zipfile.ZipFile(tmp_path / "z.zip").namelist()[0] == f"{name}.ipynb"
+    mark = {"grade_id": "why", "grade": True, "solution": True}
+    cell = {"cell_type": "markdown", "source": "PRM", "metadata": {"nbgrader": mark}}
+    file.write_text(json.dumps({"nbformat": 4, "cells": [cell]}), encoding="utf-8")
+    essay = file.rename(tmp_path / "essay.ipynb")
+    assert hand_in(essay, tmp_path / "z.zip", NOW).answers == {"why": (True, "")}
+
+
+def test_assignments_are_known_with_and_without_solutions(tmp_path):
+    """By the solutions; else by the list of a kit; else each lesson is one."""
+    known, by_lesson = list_assignments(), list_assignments(tmp_path)
+    assert list(known) == list(by_lesson) == assignments()
+    for name in known:
+        assert {*known[name]} & {*EXERCISES} == {*by_lesson[name]}
+    (tmp_path / "list.json").write_text('{"homework": ["bug1"]}')
+    assert list_assignments(HOUSE, tmp_path / "list.json") == {"homework": ["bug1"]}
 
 
 def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_path):

@@ -15,6 +15,7 @@ import pytest
 from judged_programs import judge_all, wrong_programs
 
 from kinoedu.course import EXERCISES
+from kinoedu.course.assignments import list_assignments
 from kinoedu.course.kit import (
     NAMED_PROGRAMS,
     compress_results,
@@ -290,6 +291,15 @@ def test_the_kit_has_results_of_the_fixed_cases_alone(kit):
     assert lines[2] == "[1.]"
     assert "order_of_error" in lines[3]
     assert "'rrt'" not in lines[3]  # the library's RRT is shown
+
+
+def test_the_kit_knows_what_each_assignment_asks(kit):
+    """As the whole course does from the solutions."""
+    code = (
+        "from kinoedu.course.assignments import list_assignments as f; import json; "
+        "print(json.dumps(f()))"
+    )
+    assert json.loads(run_in(kit, "-c", code)) == list_assignments()
 
 
 def test_the_kit_judges_as_the_whole_project_does(kit):

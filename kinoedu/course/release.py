@@ -17,6 +17,8 @@ from typing import Any, NamedTuple
 from ..errors import InvalidParameter
 from ..messages import get_message
 from ..support.whole_files import written_whole
+from .assignments import FILE as LIST
+from .assignments import read_solutions
 from .kit import compress_results, record_results, take_out_answers
 from .questions.asking import ASKED, Questions
 from .questions.question import Question, hold_back, parse_questions, read_questions
@@ -46,6 +48,7 @@ LINK = re.compile(r"(?<=\]\()(?!#|\w+:)[^)]+")  # in Markdown, to another file o
 LESSONS = "kinoedu/course/lessons/"
 QUESTIONS = "kinoedu/course/questions/"
 RESULTS = f"kinoedu/course/{FILE.name}"
+ASSIGNMENTS = f"kinoedu/course/{LIST.name}"
 CHECKED, UNANSWERED = "kinoedu-check", "kinoedu-unanswered"  # in the HTML of a check's feedback
 ZIP_DATE = (2020, 1, 1, 0, 0, 0)  # of every file, so that the same course makes the same zip
 
@@ -210,7 +213,8 @@ def pack_course(
 ) -> int:
     """Pack the files for students into a zip, without solutions, banks, tests and answers.
 
-    In place of the answers in the lessons' code there are recorded results (`kit.py`).
+    In place of the answers in the lessons' code there are recorded results (`kit.py`), and in place
+    of the solutions a list of what each assignment asks (`assignments.py`).
 
     Parameters
     ----------
@@ -227,6 +231,7 @@ def pack_course(
         files |= hold_questions_back(lesson, files)
     if letter:
         files |= vary_exercises(files, letter)
+    files[ASSIGNMENTS] = (json.dumps(read_solutions(house), indent=1) + "\n").encode()
     files[RESULTS] = compress_results(record_results())
     write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
     return len(files)

@@ -4,11 +4,11 @@ import ast
 import hashlib
 import re
 import zipfile
-from collections import Counter
 from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from ...course.assignments import list_assignments
 from ...course.lessons import EXERCISES
 from ...errors import InvalidParameter
 from ...messages import get_message
@@ -89,15 +89,15 @@ def find_assignment(file: Path, data: bytes) -> str:
     """
     is_notebook = file.suffix.lower() == ".ipynb"
     questions = find_questions(data) if is_notebook else set()
-    lessons = sorted({exercise.lesson for exercise in EXERCISES.values()})
-    shared = Counter(EXERCISES[name].lesson for name in questions if name in EXERCISES)
+    known = list_assignments()
+    shared = {name: len(questions & {*asked}) for name, asked in known.items()}
     best = choose_most_shared(shared)
-    starts = [lesson for lesson in lessons if file.stem.lower().startswith(lesson)]
+    starts = [name for name in known if file.stem.lower().startswith(name.lower())]
     named = max(starts, key=len, default=best)
     if not is_notebook or not named:
         raise InvalidParameter(
             f"{file.name} is named like no exercise, and has no cells of one; its name should "
-            f"begin with one of: {', '.join(lessons)}"
+            f"begin with one of: {', '.join(known)}"
         )
     if not shared[named]:
         fault = f"its cells are those of {best}" if best else "it has none of its functions"
@@ -116,7 +116,7 @@ def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
     written, broken = find_functions(read_cells(data))
     book = parse_notebook(data)["cells"]
     messages = read_check_messages(book)
-    names = [name for name, exercise in EXERCISES.items() if exercise.lesson == assignment]
+    names = [name for name in list_assignments()[assignment] if name in EXERCISES]
     answers = {
         name: (True, messages.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
         for name in names
