@@ -342,7 +342,10 @@ def test_canvas_gets_its_own_table_back(tmp_path):
         },
     )
     (tmp_path / "template.csv").write_text(CANVAS, encoding="utf-8-sig")
-    unknown = export_canvas(write_all(of), tmp_path / "template.csv", tmp_path / "out.csv")
+    rows = write_all(of)
+    rows.append(rows[0]._replace(assignment="02_bugs"))
+    unknown, left_out = export_canvas(rows, tmp_path / "template.csv", tmp_path / "out.csv")
+    assert left_out == ["02_bugs"]
     before, after = (
         list(csv.reader(io.StringIO(text)))
         for text in (CANVAS, (tmp_path / "out.csv").read_text(encoding="utf-8"))

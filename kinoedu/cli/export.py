@@ -169,9 +169,14 @@ def write_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
             "--to canvas needs --template FILE, your export of Canvas's gradebook (Grades, Export "
             "Entire Gradebook)"
         )
-    unknown = export_canvas(rows, arguments.template, arguments.out, arguments.column)
+    unknown, left = export_canvas(rows, arguments.template, arguments.out, arguments.column)
+    no_column = (
+        f"; no column is named like {', '.join(left)}: choose one with --assignment and --column"
+        if left
+        else ""
+    )
     missing = f"; Canvas does not have: {one_line(', '.join(unknown))}" if unknown else ""
-    return f"wrote {arguments.out}{missing}"
+    return f"wrote {arguments.out}{no_column}{missing}"
 
 
 def write_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:

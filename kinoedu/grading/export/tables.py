@@ -41,7 +41,9 @@ def format_complete_total(total: Total | None) -> str:
     return "" if total is None or total.waiting else number(total.score)
 
 
-def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "") -> list[str]:
+def export_canvas(
+    rows: list[Row], template: Path, file: Path, column: str = ""
+) -> tuple[list[str], list[str]]:
     """Fill in the assignments' columns of a gradebook that was exported from Canvas.
 
     A column belongs to the assignment of its name. Cells of students with a question that has no
@@ -54,8 +56,8 @@ def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "")
 
     Returns
     -------
-    list of str
-        The students in the grades who are not in Canvas.
+    list of str, list of str
+        The students in the grades who are not in Canvas, and the assignments without a column.
 
     Raises
     ------
@@ -64,9 +66,8 @@ def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "")
     """
     lines = read_canvas(template)
     head, found = lines[0], sum_totals(rows)
-    places = find_canvas_columns(
-        head, sorted({name for _, name in found if name}), column, template
-    )
+    names = sorted({name for _, name in found if name})
+    places = find_canvas_columns(head, names, column, template)
     known = find_canvas_students(lines)
     missing: list[str] = []
     for (student, assignment), total in found.items():
@@ -81,7 +82,7 @@ def export_canvas(rows: list[Row], template: Path, file: Path, column: str = "")
     csv.writer(stream, lineterminator="\n").writerows(lines)
     with written_whole(file) as part:
         part.write_text(stream.getvalue(), encoding="utf-8")
-    return sorted(set(missing))
+    return sorted(set(missing)), [name for name in names if name not in places]
 
 
 def find_canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
