@@ -21,6 +21,7 @@ from kinoedu import (
     torus_distance,
 )
 from kinoedu.collision import is_free, is_free_path
+from kinoedu.compiled import COMPILED_FIRST, running
 from kinoedu.errors import InvalidParameter, InvalidPoint
 from kinoedu.geometry import configuration, displaced, displacement, inverse, rotation
 from kinoedu.geometry.checks import as_generator
@@ -495,6 +496,13 @@ def test_angles_are_wrapped() -> None:
     for angle in (-1e6, -PI, 0.3, PI, 7.0, 1e6):
         assert -PI <= wrap_angle(angle) < PI
         assert circle_distance(wrap_angle(angle), angle) < 1e-9
+
+
+def test_huge_angles_are_wrapped_alike_in_compiled_code() -> None:
+    """Where whole turns are more than its integers can count."""
+    with running(COMPILED_FIRST):
+        for angle in (5.8e19, -5.9e19, 1e25, -1e40, 1e149):
+            assert wrap_angle(angle) == wrap_angle.py_func(angle)
 
 
 # ---- displacements -----------------------------------------------------------------------------

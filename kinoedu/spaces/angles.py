@@ -24,7 +24,8 @@ def wrap_angle(angle: float) -> float:
     """The same direction in [-pi, pi); an angle in this interval is returned unchanged."""
     if -math.pi <= angle < math.pi:
         return angle
-    inside = angle - FULL_TURN * math.floor((angle + math.pi) / FULL_TURN)
+    # not math.floor: in compiled code its integers end at 2^63
+    inside = float(angle - FULL_TURN * np.floor((angle + math.pi) / FULL_TURN))
     return inside if -math.pi <= inside < math.pi else -math.pi
 
 
