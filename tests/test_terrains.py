@@ -55,6 +55,16 @@ def test_the_integral_is_exact(body):
         assert body(cost, *a, *b) == pytest.approx(exact_integral(cost, a, b), rel=1e-12)
 
 
+@pytest.mark.parametrize("body", [integral, integral.py_func])
+@pytest.mark.parametrize("far", [2.0, 1e6, 1e15, 1e19, 1e140])
+def test_a_motion_far_outside_costs_infinitely_much_at_once(body, far):
+    """No matter how many cells it would cross."""
+    cost = np.ones((2, 3))
+    for a, b in (((0.5, 0.5), (3.0 + far, 1.0)), ((-far, 0.5), (-1.5 * far, 0.7))):
+        assert body(cost, *a, *b) == body(cost, *b, *a) == np.inf
+    assert body(cost, far, far, far, far) == 0.0
+
+
 def test_the_integral_is_additive_and_no_less_than_the_length():
     """RRT* and A* rely on these laws."""
     rng = np.random.default_rng(1)

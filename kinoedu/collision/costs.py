@@ -74,8 +74,12 @@ def integral(cost: Array, ax: float, ay: float, bx: float, by: float) -> float:
     ray tracing" (1987).
     """
     dx, dy = bx - ax, by - ay
+    if dx == 0.0 and dy == 0.0:
+        return 0.0
+    if is_far_out(cost, ax, ay) or is_far_out(cost, bx, by):
+        return np.inf
     i, j, t, total = first_cell(ax, dx), first_cell(ay, dy), 0.0, 0.0
-    while t < 1.0 and (dx != 0.0 or dy != 0.0):
+    while t < 1.0:
         leaves_column, leaves_row = crossing(ax, dx, i), crossing(ay, dy, j)
         after = min(leaves_column, leaves_row, 1.0)
         if after > t:
@@ -88,6 +92,13 @@ def integral(cost: Array, ax: float, ay: float, bx: float, by: float) -> float:
         if leaves_row <= after:
             j += 1 if dy > 0.0 else -1
     return total * math.sqrt(dx * dx + dy * dy)
+
+
+@compiled
+def is_far_out(cost: Array, x: float, y: float) -> bool:
+    """Whether a point is more than a cell outside, where no cells need to be crossed to know it."""
+    rows, columns = cost.shape
+    return not (-1.0 <= x <= columns + 1.0 and -1.0 <= y <= rows + 1.0)
 
 
 @compiled
