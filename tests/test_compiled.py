@@ -894,11 +894,16 @@ def test_a_change_in_a_callee_is_never_ignored(tmp_path: Path) -> None:
 
 @needs_compiler
 def test_damaged_code_is_not_run(compiled_once: Path, tmp_path: Path) -> None:
-    """A truncated file, or one of another computer, is removed, and the call is interpreted."""
+    """A file with a wrong bit, a truncated one, or one of another computer is removed.
+
+    The call is interpreted.
+    """
     shutil.copytree(compiled_once, tmp_path, dirs_exist_ok=True)
     (file,) = tmp_path.rglob("*.code")
     whole = file.read_bytes()
-    for damaged in (whole[:1000], b"", b"x" * 100, whole.replace(b"0.", b"9.", 1)):
+    middle = len(whole) // 2
+    flipped = whole[:middle] + bytes([whole[middle] ^ 1]) + whole[middle + 1 :]
+    for damaged in (whole[:1000], b"", b"x" * 100, whole.replace(b"0.", b"9.", 1), flipped):
         file.write_bytes(damaged)
         assert orient(cache=tmp_path, code=PATIENT)[:2] == [1, False]
         assert not file.exists()

@@ -4,6 +4,7 @@ In a user's process only one thread (numba_thread.py) works with numba, so that 
 another thread never leaves numba's lock held.
 """
 
+import hashlib
 import pickle
 from pathlib import Path
 from typing import Any
@@ -60,17 +61,21 @@ def compatibility_key() -> tuple[Any, ...]:
 
 
 def to_bytes(result: CompileResult) -> bytes:
-    """Machine code as bytes for a file."""
-    return pickle.dumps(compatibility_key()) + dumps(result._reduce())
+    """Machine code as bytes for a file, behind their digest: damaged code could end a process."""
+    code = dumps(result._reduce())
+    return pickle.dumps((compatibility_key(), hashlib.sha256(code).digest())) + code
 
 
 def load(dispatcher: Any, file: Path) -> None:
     """Add the machine code in a file to a dispatcher; raises where it cannot be used."""
     with open(file, "rb") as stream:
-        if pickle.load(stream) != compatibility_key():
-            raise ValueError(f"{file.name} is for another computer")
-        parts = pickle.load(stream)
-    add_machine_code(dispatcher, parts)
+        computer, digest = pickle.load(stream)
+        code = stream.read()
+    if computer != compatibility_key():
+        raise ValueError(f"{file.name} is for another computer")
+    if hashlib.sha256(code).digest() != digest:
+        raise ValueError(f"{file.name} is damaged")
+    add_machine_code(dispatcher, pickle.loads(code))
 
 
 @global_compiler_lock
