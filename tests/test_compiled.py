@@ -711,6 +711,38 @@ print(json.dumps([found, loaded, call.is_loaded, orientation((0, 0), (1, 0), (0,
     ]
 
 
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there are no forks")
+def test_a_fork_waits_until_machine_code_is_loaded() -> None:
+    """Otherwise the child would have half of numba, and no machine code from then on.
+
+    Parent and child can both use the thread afterwards, and the thread can itself fork.
+    """
+    code = """
+import json, os, threading, time
+from kinoedu.compiled.numba_thread import NUMBA_THREAD
+
+def fork_and_wait():
+    child = os.fork()
+    if child == 0:
+        NUMBA_THREAD.run_and_wait(lambda: done.append("child"))
+        os._exit(len(done))
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+def import_slowly():
+    begun.set()
+    time.sleep(0.5)
+    done.append("import")
+
+done, begun = [], threading.Event()
+NUMBA_THREAD.submit(import_slowly)
+begun.wait()
+codes = [fork_and_wait(), fork_and_wait()]
+NUMBA_THREAD.run_and_wait(lambda: codes.append(fork_and_wait()))
+print(json.dumps([codes, done]))
+"""
+    assert run(code) == [[2, 2, 2], ["import"]]
+
+
 @needs_compiler
 def test_an_expensive_call_is_compiled_by_another_process(tmp_path: Path) -> None:
     """A call over its budget requests machine code, which the same process then runs."""

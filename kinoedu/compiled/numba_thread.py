@@ -23,6 +23,7 @@ log = logging.getLogger(__name__)
 WAITING_FILES.add(__file__)
 POLL_INTERVAL = 0.1  # seconds between two checks of the watched calls
 IDLE_INTERVAL = 5.0  # seconds between two checks after as many seconds without work
+LONGEST_WAIT = 60.0  # seconds for which a fork waits until this thread is between two jobs
 
 
 class MachineCodeLoaded(BaseException):
@@ -84,6 +85,21 @@ class NumbaThread:
         self.thread: threading.Thread | None = None
         self.is_idle = True
         self.starting = threading.Lock()
+        self.working = threading.Lock()  # held during each job, and during a fork
+        self.is_paused = False
+
+    def pause(self) -> None:
+        """Wait before a fork until no job is done: the child would get a half-imported numba."""
+        if threading.current_thread() is not self.thread and self.working.acquire(
+            timeout=LONGEST_WAIT
+        ):
+            self.is_paused = True
+
+    def resume(self) -> None:
+        """Go on in the parent after a fork."""
+        if self.is_paused:
+            self.is_paused = False
+            self.working.release()
 
     def ensure_running(self) -> None:
         """Start the thread unless it runs, and end its idle state."""
@@ -146,7 +162,7 @@ class NumbaThread:
             self.is_idle = False
             if job is not None or self.watches:
                 last = time.monotonic()
-                with short_turns():
+                with self.working, short_turns():
                     self.work(job)
 
     def work(self, job: Callable[[], None] | None) -> None:
@@ -166,4 +182,8 @@ class NumbaThread:
 
 NUMBA_THREAD = NumbaThread()
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=NUMBA_THREAD.reset)
+    os.register_at_fork(
+        before=NUMBA_THREAD.pause,
+        after_in_parent=NUMBA_THREAD.resume,
+        after_in_child=NUMBA_THREAD.reset,
+    )
