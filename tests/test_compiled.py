@@ -965,6 +965,24 @@ def test_what_cannot_be_compiled_stays_interpreted(tmp_path: Path, monkeypatch) 
 
 
 @needs_compiler
+def test_where_nothing_can_be_requested_a_call_that_waits_is_interpreted(tmp_path) -> None:
+    """The disk was full, say; the user's call gets its answer."""
+    full = """
+from kinoedu.compiled import requests
+
+def no_space(*_):
+    raise OSError(28, "No space left on device")
+
+requests.write_request = no_space
+"""
+    assert orient(cache=tmp_path, mode="first", code=full + ORIENT)[:3] == [
+        1,
+        False,
+        False,
+    ]
+
+
+@needs_compiler
 @pytest.mark.parametrize("error", [OSError(28, "No space left on device"), MemoryError, SystemExit])
 def test_what_stops_a_worker_from_outside_refuses_no_request(tmp_path, monkeypatch, error) -> None:
     """After a full disk, little memory or Ctrl-C, however often, a function is still compiled."""

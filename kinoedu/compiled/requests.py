@@ -46,7 +46,10 @@ def request_compilation(place: Path, queue: str, request: Request) -> bool:
 
 def compile_and_wait(place: Path, request: Request) -> bool:
     """Request machine code and wait; returns whether it was compiled."""
-    return not compile_all(place, AWAITED, [request], workers=1)
+    try:
+        return not compile_all(place, AWAITED, [request], workers=1)
+    except OSError:  # processes are not possible, or the disk is full
+        return False
 
 
 def compile_all(
