@@ -58,6 +58,28 @@ def sees_the_last_obstacle_only(start, goal, obstacles, step):
 
 
 @wrong("bug_base")
+def sees_two_obstacles_only(start, goal, obstacles, step):
+    """Looks at obstacles[0] and obstacles[1]."""
+    return bug_base(start, goal, obstacles[:2], step).walk.points
+
+
+@wrong("bug_base")
+def sees_the_obstacle_nearest_to_the_start(start, goal, obstacles, step):
+    """Takes for granted that the nearest obstacle is the one that is hit."""
+    nearest = sorted(obstacles, key=lambda wall: point_polygon_distance(start, wall))[:1]
+    return bug_base(start, goal, nearest, step).walk.points
+
+
+# the usual step in place of the given one
+hits_at_a_fixed_distance = changed("bug_base", ("wall) < step", "wall) < 0.05"))
+moves_by_a_fixed_step = changed("bug_base", ("goal, step))", "goal, 0.05))"))
+first_bug_of_fixed_steps = changed(
+    "bug1", ("    def round_trip", "    step = 0.05\n\n    def round_trip")
+)
+second_bug_of_fixed_steps = changed("bug2", ("    def side", "    step = 0.05\n\n    def side"))
+
+
+@wrong("bug_base")
 def where_it_ends(start, goal, obstacles, step):
     """Returns the last point, not the path."""
     return bug_base(start, goal, obstacles, step).path[-1] if not obstacles else start

@@ -243,6 +243,12 @@ def nan_for_a_point(q, p1, p2):
 
 
 @wrong("point_segment_distance")
+def tries_many_places(q, p1, p2):
+    """Takes the nearest of 2001 places."""
+    return min(at_share(q, p1, p2, t) for t in np.linspace(0, 1, 2001))
+
+
+@wrong("point_segment_distance")
 def never_ends(q, p1, p2):
     """Halves an interval forever."""
     lo, hi = 0.0, 1.0

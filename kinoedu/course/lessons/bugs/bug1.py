@@ -15,6 +15,7 @@ from ...exercise import Case, Given
 from .walking import (
     BOX,
     ME145,
+    SMALL_STEPS,
     TURNS,
     BugExercise,
     Choice,
@@ -43,6 +44,8 @@ class Bug1(BugExercise):
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("free", {**SMALL_STEPS, "obstacles": []})
+        yield Case("one", SMALL_STEPS)
         yield Case("one", world((0, 0), (60, 0), [BOX]))
         yield Case("one", world((0, 0), (6, 0), [WIDE]))
         yield Case("one", world((0, 0), (6, 0), [SMALL]))

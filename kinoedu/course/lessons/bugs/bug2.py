@@ -9,7 +9,17 @@ from ....planners import bug2
 from ....planners.bugs.bug2 import bug2_walk
 from ....problems import Plan
 from ...exercise import Case, Given
-from .walking import BOX, ME145, TURNS, BugExercise, Choice, turned_world, walk_with_choices, world
+from .walking import (
+    BOX,
+    ME145,
+    SMALL_STEPS,
+    TURNS,
+    BugExercise,
+    Choice,
+    turned_world,
+    walk_with_choices,
+    world,
+)
 
 SPIRAL = np.array(
     [(1, -3), (9, -3), (9, 3), (3, 3), (3, 2), (8, 2), (8, -2), (2, -2), (2, 3.5), (1, 3.5)], float
@@ -51,6 +61,8 @@ class Bug2(BugExercise):
         for goal in ((3, 4), (-2, 0.5), (0, 1.02)):
             yield Case("free", world((0, 0), goal, []))
         yield Case("one", world((0, 0), (6, 0), [BOX]))
+        yield Case("free", {**SMALL_STEPS, "obstacles": []})
+        yield Case("one", SMALL_STEPS)
         yield Case("one", world((0, 0), (60, 0), [BOX]))
         yield Case("one", world((0, 0), (6, 0), [THIN]))
         yield Case("one", world((0, 0), (6, 0), [SMALL]))

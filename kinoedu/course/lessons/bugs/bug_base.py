@@ -9,10 +9,12 @@ from ....geometry.checks import Array
 from ....planners import bug_base
 from ....problems import Plan
 from ...exercise import Case, Given
-from .walking import BOX, ME145, BugExercise, random_world, world
+from .walking import BOX, ME145, SMALL_STEPS, BugExercise, random_world, world
 from .walks import Violation
 
 UP = np.array([0.0, 1.0])
+# the one to be hit is neither among the first two, nor the nearest to the start
+FOUR = [BOX - (5.0, 0.0), BOX + 5.0 * UP, BOX, BOX - 6.0 * UP]
 
 
 class BugBase(BugExercise):
@@ -29,6 +31,9 @@ class BugBase(BugExercise):
         yield Case("passes", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX - 5.0 * UP]))
         yield Case("hit", world((0, 0), (6, 0), [BOX + 4.0 * UP, BOX]))
         yield Case("hit", world((0, 0), (5, 3), ME145, 0.1))
+        yield Case("hit", world((0, 0), (6, 0), FOUR))
+        yield Case("free", {**SMALL_STEPS, "obstacles": []})
+        yield Case("hit", SMALL_STEPS)
         yield Case("free", world((0, 0), (60, 45), []))
         for n in (1, 2, 3) * 4:
             case = self.random_case(rng, "hit", 1)

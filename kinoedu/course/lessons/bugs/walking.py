@@ -47,6 +47,10 @@ def world(start: ArrayLike, goal: ArrayLike, obstacles: list[Array], step: float
     }
 
 
+# a program that has the usual step in it, in place of the one that is given, fails here
+SMALL_STEPS = world((0, 0), (2.4, 0), [np.round(0.4 * BOX, 2)], 0.02)
+
+
 class BugExercise(WalkExercise):
     """A bug algorithm, compared with the exact walks of all its variants.
 

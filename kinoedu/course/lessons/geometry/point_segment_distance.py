@@ -58,6 +58,7 @@ class PointSegmentDistance(DistanceExercise):
             ("beyond_p1", (-3, 4), (0, 0), (4, 0)),
             ("on", (3, 0), (0, 0), (4, 0)),
             ("on", (4, 0), (0, 0), (4, 0)),
+            ("on", (1.23457, 0), (0, 0), (4, 0)),  # between the places that a program may try
             ("point", (3, 4), (0, 0), (0, 0)),
             ("beside", (2, 3), (0, 0), (0, 4)),
             ("beyond_p2", (0, 7), (0, 0), (0, 4)),
