@@ -507,6 +507,10 @@ def one_iteration_too_many(problem, step, goal_bias, iterations, rng):
     return grown(problem, step, goal_bias, iterations + 1, rng)
 
 
+the_usual_step = changed("rrt_for_polygon", ("q_rand, step)", "q_rand, 2.0)"))
+goal_within_the_usual_step = changed("rrt_for_polygon", ("goal) <= step", "goal) <= 2.0"))
+
+
 @wrong("rrt_for_polygon")
 def asks_about_ends(problem, *given):
     """Checks only whether the new configuration is free."""

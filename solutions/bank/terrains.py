@@ -116,6 +116,8 @@ def no_spacing(*given):
     return rrt(problem, step, 0.0, goal_bias, 8, rng)
 
 
+half_a_step_for_the_spacing = changed("rrt_on_terrain", (">= spacing", ">= step / 2"))
+the_usual_spacing = changed("rrt_on_terrain", (">= spacing", ">= 3.0"))
 less_than_a_step = changed("rrt_on_terrain", ("goal) <= step", "goal) < step"))
 last_step_touches = changed(
     "rrt_on_terrain", ("is_free_path(nodes[-1]", "is_semi_free_path(nodes[-1]")

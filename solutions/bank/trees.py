@@ -156,6 +156,8 @@ ten_iterations_too_many = changed(
 one_iteration_too_many = changed("rrt", ("i < iterations and ", ""))
 one_iteration_too_few = changed("rrt", ("range(iterations + 1)", "range(iterations - 1)"))
 nearer_than_a_step = changed("rrt", ("goal) <= step", "goal) < step"))
+the_usual_step = changed("rrt", ("    goal, nodes", "    step = 1.0\n    goal, nodes"))
+goal_within_the_usual_step = changed("rrt", ("goal) <= step", "goal) <= 1.0"))
 
 
 @wrong("rrt")
@@ -225,6 +227,7 @@ second_half_reversed = changed("rrt_connect", (HALF, HALF + "[::-1]"))
 from_goal_to_start = changed("rrt_connect", ("*trees[1], path", "*trees[1], path[::-1]"))
 up_to_the_meeting_place = changed("rrt_connect", (" + " + HALF, ""))
 chance_without_seed = changed("rrt_connect", (SEED, "default_rng()"))
+both_with_the_usual_step = changed("rrt_connect", ("    trees =", "    step = 1.0\n    trees ="))
 one_seed_for_all = changed("rrt_connect", (SEED, "default_rng(7)"))
 steps_twice_as_long = changed(
     "rrt_connect",

@@ -11,12 +11,13 @@ from ...exercise import Case
 from ...shapes import Value
 from ..shared.planned import StudentProblem
 from ..shared.small_problems import SQUARE, box
-from ..trees.rrt import Rrt, aim_at_goal, grow_tree, with_bias
+from ..trees.rrt import Rrt, aim_at_goal, grow_tree, with_bias, with_step
 
 STICK = RigidPolygon([(-1.0, -0.2), (1.0, -0.2), (1.0, 0.2), (-1.0, 0.2)])
 NEEDLE = RigidPolygon([(-0.5, -0.002), (0.5, -0.002), (0.5, 0.002), (-0.5, 0.002)])
 TILE = RigidPolygon([(-0.25, -0.25), (0.25, -0.25), (0.25, 0.25), (-0.25, 0.25)])
 STEP, BIAS, OFTEN = 2.0, 0.2, 0.5
+LONG = 3.0  # another step
 
 
 def make_problem(
@@ -76,6 +77,10 @@ class RrtForPolygon(Rrt):
         yield aim_at_goal(self.make_case("sealed", GRAZED, rng))
         # the goal is exactly one step away
         yield aim_at_goal(self.make_case("room", make_problem((3, 5, 0), (5, 5, 0)), rng))
+        yield with_step(self.make_case("room", TASKS["room"], rng), LONG)
+        # the goal is more than the usual step away, and less than this one
+        near = self.make_case("room", make_problem((3, 5, 0), (5.5, 5, 0)), rng)
+        yield with_step(aim_at_goal(near), LONG)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether anything is drawn: the goal is more than a step away."""

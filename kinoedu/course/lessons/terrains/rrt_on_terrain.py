@@ -37,6 +37,7 @@ from ..shared.planned import (
 from .attempts import LOG, find_attempt_fault
 
 STEP, SPACING, FAILURES = 6.0, 3.0, 400
+WIDE = 5.0  # a larger spacing
 SELDOM = 0.3  # a goal bias that is not one half
 KINDS = ("same", "open", "thin", "bag", "sealed")
 LEAST = 45  # nodes of a tree that fills the terrain outside the sealed corner: 60 and more
@@ -166,6 +167,8 @@ class RrtOnTerrain(TerrainPlanner):
         yield Case("open", {**always.given, "problem": LEVEL, "goal_bias": 1.0, **EXACT})
         for problem in (GRAZED, *CUT):
             yield Case("sealed", {**always.given, "problem": problem, "goal_bias": 1.0})
+        # the spacing is not half a step
+        yield Case("open", {**always.given, "spacing": WIDE})
 
     def make_case(self, kind: str, problem: StudentProblem, rng: int) -> Case:
         """Return a case, with fewer failures where no path exists, to end the tree's growth."""

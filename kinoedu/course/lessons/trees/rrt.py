@@ -32,6 +32,7 @@ from ..shared.replayed import Regrown, find_rrt_fault
 from ..shared.small_problems import box, in_room
 from ..shared.tree_exercise import BIAS, ENOUGH, PARENTS, STEP, TreeExercise
 
+LONG = 2.5  # a step; a program that has the usual one in it fails
 OFTEN = 0.5  # a goal bias at which a test of its share is sharp
 BESIDE = in_room((4, 5), (4.6, 5.3))
 # less than a step apart, with a wall between that fits between sampled points
@@ -118,6 +119,9 @@ class Rrt(Watched, TreeExercise):
             case = self.make_case(kind, in_room((2, 3), (x, 3)), rng)
             yield aim_at_goal(case, iterations)
         yield aim_at_goal(self.make_case("sealed", TOUCHED, rng))
+        yield with_step(self.make_case("room", TRAPS["room"], rng), LONG)
+        # the goal is more than the usual step away, and less than this one
+        yield with_step(aim_at_goal(self.make_case("room", in_room((2, 3), (4, 3)), rng)), LONG)
 
     def uses_chance(self, case: Case) -> bool:
         """Whether another seed gives another answer.
@@ -179,6 +183,11 @@ class Rrt(Watched, TreeExercise):
 def with_bias(case: Case, goal_bias: float, **others: Value) -> Case:
     """Return the case with another goal bias, and other arguments."""
     return case._replace(given={**case.given, "goal_bias": goal_bias, **others})
+
+
+def with_step(case: Case, step: float) -> Case:
+    """Return the case with another step."""
+    return case._replace(given={**case.given, "step": step})
 
 
 def aim_at_goal(case: Case, iterations: int = 20) -> Case:

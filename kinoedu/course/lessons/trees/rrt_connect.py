@@ -30,6 +30,7 @@ from ..shared.planned import (
 from ..shared.replayed import Regrown, find_connect_fault
 from ..shared.small_problems import in_room
 from ..shared.tree_exercise import ENOUGH, PARENTS, STEP, TreeExercise
+from .rrt import LONG, with_step
 
 FAR = in_room((0.5, 0.5), (9.5, 9.5))
 NEARLY = 0.01
@@ -82,7 +83,7 @@ class RrtConnect(Watched, TreeExercise):
         """Yield every trap twice, walls with a random gap, and a long run.
 
         Then comes a long run that nearly arrives, and needs one more very short step. An arm's runs
-        lead across pi.
+        lead across pi. Last comes a run with longer steps.
         """
         yield from super().cases(rng)
         yield self.make_case("room", FAR, rng)
@@ -92,6 +93,7 @@ class RrtConnect(Watched, TreeExercise):
         yield case
         for _ in range(2):
             yield self.make_case("room", ARM, rng)
+        yield with_step(self.make_case("room", FAR, rng), LONG)
 
     def make_case(self, kind: str, problem: StudentProblem, rng: np.random.Generator) -> Case:
         """Return a case with more iterations than the trap needs."""
