@@ -54,6 +54,20 @@ def test_a_misconception_that_is_the_usual_form_has_a_message_of_its_own(exercis
             assert table.endswith(f".{exercise.variant}"), slip.key
 
 
+def test_an_iteration_too_few_is_not_a_wrong_goal_bias():
+    """A tree that goes straight to the goal, and ends early, is told that iterations are left."""
+    exercise = EXERCISES["rrt_for_polygon"]
+    solutions = Solutions(HOUSE / "solutions" / "11_polygons_in_the_plane.ipynb")
+    change = ("range(iterations + 1)", "range(iterations)")
+    program = solutions.run_changed(exercise.name, [change])[exercise.name]
+    (case,) = (
+        case
+        for case in exercise.fixed_cases
+        if case.kind == "room" and case.given["goal_bias"] == 1.0 and case.given["iterations"] < 20
+    )
+    assert exercise.judge(case, run_case(exercise, program, case)).rule == "missed"
+
+
 def turned(vector, quarters):
     """A vector turned to the left by quarter turns."""
     for _ in range(quarters):
