@@ -120,7 +120,7 @@ circles_where_there_is_no_root = changed(  # else the last node of a walk round 
 )
 
 
-@wrong("extract_path")
+@wrong("extract_path", slip="any_circle")
 def any_circle_in_the_list(parent, goal):
     """Returns None where any node, not only the goal, is on a circle."""
     paths = [right["extract_path"](parent, u) for u in range(len(parent))]

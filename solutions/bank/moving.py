@@ -595,6 +595,17 @@ def all_for_any(path, discs, offsets):
     return wilson(hits.all(axis=1).mean(), len(hits))
 
 
+independent_discs = changed(
+    "collision_probability",
+    (
+        "p = sum(any(map(touches, discs, scenario)) for scenario in offsets) / n",
+        "hits = np.array([list(map(touches, discs, scenario)) for scenario in offsets])\n"
+        "    p = 1 - np.prod(1 - hits.mean(axis=0))",
+    ),
+    slip="independent",
+)
+
+
 @wrong("collision_probability", slip="missed")
 def chance_to_get_through(path, discs, offsets):
     """Returns the probability of no contact."""

@@ -36,6 +36,14 @@ class ExtractPath(GraphExercise):
             "parents",
             lambda parent, goal: [parent[u] for u in followed(parent, goal) or []] or None,
         ),
+        Slip(
+            "any_circle",
+            lambda parent, goal: (
+                None
+                if any(followed(parent, u) is None for u in range(len(parent)))
+                else followed(parent, goal)
+            ),
+        ),
     )
 
     @staticmethod

@@ -139,6 +139,10 @@ class CollisionProbability(ValueExercise):
         Slip("per_disc", count_by(lambda hits: float(hits.sum() / len(hits)))),
         Slip("pairs", count_by(lambda hits: float(hits.mean()))),
         Slip("every_disc", count_by(lambda hits: float(hits.all(axis=1).mean()))),
+        Slip(
+            "independent",
+            count_by(lambda hits: 1.0 - float(np.prod(1.0 - hits.mean(axis=0)))),
+        ),
         Slip("missed", count_by(lambda hits: 1.0 - float(hits.any(axis=1).mean()))),
         Slip("normal", use_normal_interval),
         Slip(
