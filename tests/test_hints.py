@@ -68,6 +68,17 @@ def test_an_iteration_too_few_is_not_a_wrong_goal_bias():
     assert exercise.judge(case, run_case(exercise, program, case)).rule == "missed"
 
 
+def test_sorted_random_points_are_not_called_moved_ones():
+    """Sorted points of two seeds are alike, but they are not the same points, moved."""
+    exercise = EXERCISES["uniform_random"]
+    case = next(case for case in exercise.fixed_cases if case.kind == "line")
+
+    def draw_sorted(n, d, rng):
+        return np.sort(np.random.default_rng(rng).random((n, d)), axis=0)
+
+    assert exercise.judge(case, run_case(exercise, draw_sorted, case)).rule == "sorted"
+
+
 def turned(vector, quarters):
     """A vector turned to the left by quarter turns."""
     for _ in range(quarters):

@@ -254,6 +254,12 @@ def searches_up_to_fifty(n, d):
 
 
 @wrong("uniform_random")
+def in_order(n, d, rng):
+    """Sorts the random points."""
+    return np.sort(np.random.default_rng(rng).random((n, d)), axis=0)
+
+
+@wrong("uniform_random")
 def k_for_n(n, d, rng):
     """Draws only as many numbers as a grid has along a side."""
     return np.random.default_rng(rng).random((math.ceil(math.sqrt(n)), d))

@@ -130,7 +130,9 @@ def find_randomness_fault(points: Array) -> str:
     if n < MANY:
         return ""
     off = measure_unevenness(points)
-    return "uneven" if off > UNEVEN else "too_even" if off < EVEN else ""
+    if not EVEN <= off <= UNEVEN:
+        return "uneven" if off > UNEVEN else "too_even"
+    return "sorted" if is_in_order(points) else ""
 
 
 def share_points(first: Array, other: Array) -> bool:
@@ -146,6 +148,12 @@ def share_points(first: Array, other: Array) -> bool:
 def count_repeated(points: Array) -> int:
     """Return how many coordinates are equal to another one, or to 1 minus another one."""
     return points.size - len(np.unique(np.minimum(points, 1.0 - points)))
+
+
+def is_in_order(points: Array) -> bool:
+    """Whether a coordinate never falls, or never grows, from one point to the next."""
+    steps = np.diff(points, axis=0)
+    return bool(((steps >= 0.0).all(axis=0) | (steps <= 0.0).all(axis=0)).any())
 
 
 def move_together(first: Array, other: Array) -> bool:
