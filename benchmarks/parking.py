@@ -85,7 +85,7 @@ def shrinking_sst(problem: ProblemRecord, turn: int, rng: np.random.Generator) -
         radius=radius,
         reach=2 * radius,
         goal_bias=ke.GoalBias(goal_every=10, region_every=3, region=base, region_turn=0.5),
-        refinement=ke.Refinement(radius=0.05, duration=0.25),
+        refinement=ke.Refinement(),
         max_iterations=5000 * turn,
         rng=rng,
     )

@@ -219,7 +219,7 @@ def test_longer_search_is_cheaper() -> None:
 def test_a_finer_tree_reaches_a_tight_goal() -> None:
     """Nodes lie closer near the goal, drives are shorter, and more seeds find a path."""
     problem = ke.Problem(CAR, WORLD, (60, 240, 0), (180, 210, 0))
-    finer = {"refinement": ke.Refinement(radius=0.05, duration=0.25)}
+    finer = {"refinement": ke.Refinement()}
     found, near, longest = [], [], []
     for options in ({}, finer):
         plans = [ke.sst(problem, max_iterations=1000, rng=seed, **options) for seed in range(6)]

@@ -125,7 +125,7 @@ class Refinement:
     """How much finer a sparse tree is near the goal, so that a car can shift to and fro there.
 
     Within a region round the goal, radii and drives shrink in proportion to the distance from it,
-    but not below a share. With shares of 1, the defaults, they do not shrink.
+    but not below a share.
 
     Parameters
     ----------
@@ -140,13 +140,13 @@ class Refinement:
 
     Examples
     --------
-    >>> Refinement(radius=0.05, duration=0.25)
-    Refinement(region=None, radius=0.05, duration=0.25)
+    >>> Refinement(radius=0.1)
+    Refinement(region=None, radius=0.1, duration=0.25)
     """
 
     region: float | None = None
-    radius: float = 1.0
-    duration: float = 1.0
+    radius: float = 0.05
+    duration: float = 0.25
 
     def __post_init__(self) -> None:
         if self.region is not None:
@@ -243,14 +243,16 @@ def as_goal_region(problem: Any, goal_region: GoalRegion) -> GoalRegionRecord:
     return GoalRegionRecord(distance, float(given.turn_tolerance))
 
 
-def as_refinement(problem: Any, refinement: Refinement) -> RefinementRecord:
-    """The numbers of `Refinement` for the problem's car.
+def as_refinement(problem: Any, refinement: Refinement | None) -> RefinementRecord:
+    """The numbers of `Refinement` for the problem's car; of None, shares of 1.
 
     Raises
     ------
     InvalidParameter
         Where it is not a `Refinement`.
     """
+    if refinement is None:
+        return RefinementRecord(1.0, 1.0, 1.0)
     given = check_kind(refinement, Refinement, "refinement")
     region = 4.0 * problem.robot.wheelbase if given.region is None else float(given.region)
     return RefinementRecord(region, float(given.radius), float(given.duration))

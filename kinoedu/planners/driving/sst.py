@@ -164,7 +164,7 @@ def sst(
     reach: float | None = None,
     goal_bias: GoalBias = GoalBias(goal_every=10),
     goal_region: GoalRegion = GoalRegion(),
-    refinement: Refinement = Refinement(),
+    refinement: Refinement | None = None,
     turn_weight: float | None = None,
     max_iterations: int = 20_000,
     rng: int | np.random.Generator,
@@ -184,8 +184,7 @@ def sst(
         0.8 wheelbases.
     goal_bias : by default `GoalBias(goal_every=10)`.
     refinement : how much finer the tree is near the goal; by default it is not. With
-        `Refinement(radius=0.05, duration=0.25)` it reaches tight goals sooner, but its drives
-        become shorter more slowly.
+        `Refinement()` it reaches tight goals sooner, but its drives become shorter more slowly.
     turn_weight : by default half a wheelbase, so that headings differ by at most about 45 degrees
         from that of their witness.
     max_iterations : how many drives are tried; the planner does not stop at the first path.
