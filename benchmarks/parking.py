@@ -82,8 +82,7 @@ def shrinking_sst(problem: ProblemRecord, turn: int, rng: np.random.Generator) -
     radius = 0.4 * base * 0.9 ** np.log2(turn)
     return ke.sst(
         problem,
-        radius=radius,
-        reach=2 * radius,
+        sparsity=ke.Sparsity(radius),
         goal_bias=ke.GoalBias(goal_every=10, region_every=3, region=base, region_turn=0.5),
         refinement=ke.Refinement(),
         max_iterations=5000 * turn,

@@ -56,6 +56,7 @@ if TYPE_CHECKING:  # shows type checkers the names of the table below
         KClosest,
         Radius,
         Refinement,
+        Sparsity,
         after_change,
         alternative_routes,
         best_within,
@@ -113,7 +114,7 @@ ROOMS = {
     "files": "read_mesh read_plan read_problem read_scene read_world write_plan write_scene",
     "graphs": "Graph astar bfs_path bfs_tree dfs_path dijkstra",
     "planners": (
-        "ComponentKClosest Drives GoalBias GoalRegion KClosest Radius Refinement "
+        "ComponentKClosest Drives GoalBias GoalRegion KClosest Radius Refinement Sparsity "
         "after_change alternative_routes best_within bug0 bug1 bug2 bug2_prelim bug_base "
         "build_roadmap cells_with_headings changed_box changing_roadmap grid_roadmap "
         "hybrid_astar informed_rrt_star kinodynamic_prm kinodynamic_rrt path_cost "

@@ -405,6 +405,8 @@ def test_nonsense_is_refused_by_name() -> None:
         (ke.GoalBias, "region_turn", "wide"),
         (ke.GoalRegion, "tolerance", -1),
         (ke.GoalRegion, "turn_tolerance", np.nan),
+        (ke.Sparsity, "radius", 0),
+        (ke.Sparsity, "reach", np.nan),
         (ke.Refinement, "region", 0),
         (ke.Refinement, "radius", 0),
         (ke.Refinement, "duration", 1.01),
@@ -421,8 +423,10 @@ def test_nonsense_is_refused_by_name() -> None:
     ):
         with pytest.raises(InvalidParameter, match=words):
             ke.kinodynamic_rrt(PROBLEM, rng=0, **{name: value})
-    with pytest.raises(InvalidParameter, match=r"refinement must be Refinement\(...\), got 0.05"):
-        ke.sst(PROBLEM, refinement=0.05, rng=0)
+    for name in ("sparsity", "refinement"):
+        words = rf"{name} must be {name.capitalize()}\(...\), got 0.05"
+        with pytest.raises(InvalidParameter, match=words):
+            ke.sst(PROBLEM, rng=0, **{name: 0.05})
     for planner in (ke.kinodynamic_rrt, ke.kinodynamic_prm, ke.sst):
         with pytest.raises(InvalidParameter, match="Car"):
             planner(ke.Problem(ke.Point(), WORLD, (20, 20), (280, 280)), rng=0)

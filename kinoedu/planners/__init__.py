@@ -11,7 +11,7 @@ from .bugs.bug_base import bug_base
 from .driving.hybrid_astar import hybrid_astar
 from .driving.kinodynamic_prm import kinodynamic_prm
 from .driving.kinodynamic_rrt import kinodynamic_rrt
-from .driving.parameters import Drives, GoalBias, GoalRegion, Refinement
+from .driving.parameters import Drives, GoalBias, GoalRegion, Refinement, Sparsity
 from .driving.sst import sst
 from .driving.trajectories import trajectory_along
 from .exact.by_decomposition import plan_by_decomposition
@@ -42,6 +42,7 @@ __all__ = [
     "KClosest",
     "Radius",
     "Refinement",
+    "Sparsity",
     "after_change",
     "alternative_routes",
     "best_within",

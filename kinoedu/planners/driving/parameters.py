@@ -1,7 +1,7 @@
 """Parameters of planners of drives: how drives are tried, and what changes near the goal.
 
-A reader gives `Drives`, `GoalBias`, `GoalRegion` and `Refinement`. A parameter that is None depends
-on the car; `as_drives` and the like return the numbers for one car, for compiled code.
+A reader gives `Drives`, `GoalBias`, `GoalRegion`, `Sparsity` and `Refinement`. A parameter that is
+None depends on the car; `as_drives` and the like return the numbers for one car, for compiled code.
 """
 
 import math
@@ -121,6 +121,38 @@ class GoalRegion:
 
 
 @dataclass(frozen=True)
+class Sparsity:
+    """How sparse a tree is: each witness keeps the cheapest node only.
+
+    Parameters
+    ----------
+    radius : delta_s, within which a witness keeps one node; by default 0.4 wheelbases. The smaller
+        it is, the shorter the drives become in the end.
+    reach : delta_BN, the radius round a target within which the cheapest node is chosen; by default
+        twice the radius.
+
+    Raises
+    ------
+    InvalidParameter
+        Where a parameter is out of its range.
+
+    Examples
+    --------
+    >>> Sparsity(radius=0.5)
+    Sparsity(radius=0.5, reach=None)
+    """
+
+    radius: float | None = None
+    reach: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.radius is not None:
+            positive(self.radius, "radius")
+        if self.reach is not None:
+            positive(self.reach, "reach")
+
+
+@dataclass(frozen=True)
 class Refinement:
     """How much finer a sparse tree is near the goal, so that a car can shift to and fro there.
 
@@ -185,6 +217,13 @@ class GoalRegionRecord(NamedTuple):
     turn_tolerance: float
 
 
+class SparsityRecord(NamedTuple):
+    """`Sparsity` of one car."""
+
+    radius: float
+    reach: float
+
+
 class RefinementRecord(NamedTuple):
     """`Refinement` of one car."""
 
@@ -241,6 +280,19 @@ def as_goal_region(problem: Any, goal_region: GoalRegion) -> GoalRegionRecord:
     given = check_kind(goal_region, GoalRegion, "goal_region")
     distance = 0.25 * problem.robot.wheelbase if given.tolerance is None else float(given.tolerance)
     return GoalRegionRecord(distance, float(given.turn_tolerance))
+
+
+def as_sparsity(problem: Any, sparsity: Sparsity) -> SparsityRecord:
+    """The numbers of `Sparsity` for the problem's car.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not a `Sparsity`.
+    """
+    given = check_kind(sparsity, Sparsity, "sparsity")
+    radius = 0.4 * problem.robot.wheelbase if given.radius is None else float(given.radius)
+    return SparsityRecord(radius, 2.0 * radius if given.reach is None else float(given.reach))
 
 
 def as_refinement(problem: Any, refinement: Refinement | None) -> RefinementRecord:

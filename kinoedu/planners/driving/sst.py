@@ -36,9 +36,11 @@ from .parameters import (
     GoalRegionRecord,
     Refinement,
     RefinementRecord,
+    Sparsity,
     as_goal_bias,
     as_goal_region,
     as_refinement,
+    as_sparsity,
 )
 
 ROUNDING = 1e-9  # of a distance, so that no witness is lost
@@ -160,8 +162,7 @@ def sst(
     problem: ProblemRecord | Recorder,
     *,
     duration: float | None = None,
-    radius: float | None = None,
-    reach: float | None = None,
+    sparsity: Sparsity = Sparsity(),
     goal_bias: GoalBias = GoalBias(goal_every=10),
     goal_region: GoalRegion = GoalRegion(),
     refinement: Refinement | None = None,
@@ -178,10 +179,7 @@ def sst(
     ----------
     duration : the longest drive; each drive lasts for a random fraction of it. By default a drive
         at top speed covers 3 wheelbases.
-    radius : delta_s, within which a witness keeps one node; by default 0.4 wheelbases. The smaller
-        it is, the shorter the drives become in the end.
-    reach : delta_BN, the radius round a target within which the cheapest node is chosen; by default
-        0.8 wheelbases.
+    sparsity : the radius of a witness, and the reach round a target.
     goal_bias : by default `GoalBias(goal_every=10)`.
     refinement : how much finer the tree is near the goal; by default it is not. With
         `Refinement()` it reaches tight goals sooner, but its drives become shorter more slowly.
@@ -216,13 +214,13 @@ def sst(
     base, fastest = car_problem.robot.wheelbase, float(np.abs(car_problem.robot.speeds).max())
     longest = 3.0 * base / fastest if duration is None else positive(duration, "duration")
     limit = integer(max_iterations, "max_iterations", least=0)
-    delta_s = 0.4 * base if radius is None else positive(radius, "radius")
+    delta_s, delta_bn = as_sparsity(car_problem, sparsity)
     sparse = Sparse(
         witnesses=new_tree(car_problem, limit + 1, expected_witnesses(car_problem, delta_s, limit)),
         cheapest=np.empty(limit + 1, np.int64),
         cost=np.zeros(limit + 1),
         radius=delta_s,
-        reach=0.8 * base if reach is None else positive(reach, "reach"),
+        reach=delta_bn,
         refinement=as_refinement(car_problem, refinement),
     )
     growth, before = begin_tree(car_problem, limit + 1), count_checks(car_problem)
