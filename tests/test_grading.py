@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import shutil
 import sys
 import zipfile
@@ -14,6 +15,7 @@ from submissions import notebook
 
 from kinoedu.course.lessons import find
 from kinoedu.course.release import assignments
+from kinoedu.errors import InvalidParameter
 from kinoedu.grading.assignments.questions import draw_cases, read_assignment
 from kinoedu.grading.collect.left_out import find_left_out
 from kinoedu.grading.collect.notebook import (
@@ -174,6 +176,24 @@ def test_a_solution_lends_what_it_imports_in_whatever_form(tmp_path):
         "kinoedu.geometry:convex_hull",
         "kinoedu.graphs:Graph",
     )
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import kinoedu as ke",
+        "from kinoedu import rrt",
+        "import kinoedu.geometry",
+        "from kinoedu.graphs import *",
+    ],
+)
+def test_a_solution_with_an_import_that_lends_nothing_is_refused(tmp_path, line):
+    """Right answers that use it would get no points, though `check` accepts them."""
+    (tmp_path / "solutions").mkdir()
+    book = notebook("import kinoedu.figures", "import numpy as np\n" + line)
+    (tmp_path / "solutions" / "16_own.ipynb").write_bytes(book)
+    with pytest.raises(InvalidParameter, match=re.escape(line)):
+        read_assignment("16_own", tmp_path)
 
 
 NEVER_BEYOND = """

@@ -21,6 +21,7 @@ from kinoedu.course.release import (
     require_released,
 )
 from kinoedu.errors import InvalidParameter
+from kinoedu.grading.assignments import questions
 
 HOUSE = Path(__file__).resolve().parent.parent
 
@@ -173,6 +174,18 @@ def test_a_zip_of_one_exercise_is_refused_where_another_has_answers(tmp_path, mo
     monkeypatch.setattr(release_module, "require_released", refuse)
     assert main(["release", "01_a", "--zip", str(tmp_path / "course.zip")]) == 2
     assert "02_b may have answers in it" in capsys.readouterr().err
+
+
+def test_release_refuses_what_could_not_be_graded(monkeypatch, capsys):
+    """Such as a solution with imports that lend nothing to graded programs."""
+
+    def refuse(name):
+        raise InvalidParameter(f"{name} has an import that lends nothing")
+
+    monkeypatch.setattr(questions, "read_assignment", refuse)
+    monkeypatch.setattr(release_module, "release", lambda name: Path(name))
+    assert main(["release", "01_geometry"]) == 2
+    assert "01_geometry has an import that lends nothing" in capsys.readouterr().err
 
 
 def test_release_refuses_what_it_cannot_make(house):

@@ -98,6 +98,7 @@ def run_release(arguments: argparse.Namespace) -> int:
         require_released,
     )
     from ..course.section import choose_for_section
+    from ..grading.assignments.questions import read_assignment
 
     refuse_useless_options(arguments)
     if arguments.variants is not None:
@@ -118,6 +119,8 @@ def run_release(arguments: argparse.Namespace) -> int:
         for other in assignments():
             if other not in names:
                 require_released(other)
+    for name in names:
+        read_assignment(name)  # refuse what could not be graded
     for name in names:
         with show_stage(f"releasing {name}"):
             made = release(name)

@@ -62,7 +62,7 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
     Raises
     ------
     InvalidParameter
-        Where there is no such assignment.
+        Where there is no such assignment, or its solution imports what cannot be lent.
     """
     book = json.loads(solution_path(name, house).read_text(encoding="utf-8"))
     marks = [
@@ -75,12 +75,14 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
         if not mark.get("solution")
     }
     by_hand = {mark["grade_id"]: float(mark["points"]) for mark in graded if mark.get("solution")}
-    imported = (
-        place
-        for cell in book["cells"]
-        if cell["cell_type"] == "code"
-        for place in list_imports("".join(cell["source"]))
-    )
+    sources = ["".join(cell["source"]) for cell in book["cells"] if cell["cell_type"] == "code"]
+    refused = next((line for source in sources for line in list_whole_imports(source)), None)
+    if refused is not None:
+        raise InvalidParameter(
+            f"solutions/{name}.ipynb has {refused!r}, which gives graded programs nothing; name "
+            "the module and what it lends, as in 'from kinoedu.geometry import convex_hull'"
+        )
+    imported = (place for source in sources for place in list_imports(source))
     lent = tuple(place for place in imported if not place.startswith(FOR_NOTEBOOKS))
     return Assignment(
         name,
@@ -96,15 +98,43 @@ def list_imports(source: str) -> Iterator[str]:
     >>> list(list_imports("from kinoedu.geometry import (\\n    point_in_polygon as inside,\\n)"))
     ['kinoedu.geometry:point_in_polygon']
     """
-    try:
-        tree = ast.parse(source)
-    except SyntaxError:  # a cell with a command such as %time
-        from IPython.core.inputtransformer2 import TransformerManager
-
-        tree = ast.parse(TransformerManager().transform_cell(source))
-    for node in tree.body:
+    for node in parse_cell(source).body:
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("kinoedu."):
             yield from (f"{node.module}:{one.name}" for one in node.names)
+
+
+def list_whole_imports(source: str) -> Iterator[str]:
+    """Yield the imports in a cell of a solution that name no thing of a module of kinoedu.
+
+    Nothing is lent for them: a whole module holds also what programs must not reach. Those of
+    modules that only show something do no harm.
+
+    >>> list(list_whole_imports("import kinoedu as ke, numpy\\nimport kinoedu.figures"))
+    ['import kinoedu as ke']
+    """
+    for node in parse_cell(source).body:
+        if isinstance(node, ast.Import):
+            lines = [(one.name, f"import {ast.unparse(one)}") for one in node.names]
+        elif isinstance(node, ast.ImportFrom) and (
+            node.module == "kinoedu" or node.names[0].name == "*"
+        ):
+            lines = [(node.module or "", ast.unparse(node))]
+        else:
+            continue
+        for module, line in lines:
+            is_ours = module.partition(".")[0] == "kinoedu"
+            if is_ours and not f"{module}:".startswith(FOR_NOTEBOOKS):
+                yield line
+
+
+def parse_cell(source: str) -> ast.Module:
+    """The syntax tree of a cell, which may have commands such as %time."""
+    try:
+        return ast.parse(source)
+    except SyntaxError:
+        from IPython.core.inputtransformer2 import TransformerManager
+
+        return ast.parse(TransformerManager().transform_cell(source))
 
 
 def read_course_secret(file: Path) -> bytes:

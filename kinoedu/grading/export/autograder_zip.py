@@ -83,8 +83,8 @@ def pack_autograder(
         Where there is no such assignment, or no variant of that letter.
     """
     options = " --trust-container" if container_is_wall else ""
+    exercises = [one.exercise for one in read_assignment(name, house).questions]
     if letter:
-        exercises = [one.exercise for one in read_assignment(name, house).questions]
         choose_for_section(exercises, letter)
         options += f" --variant {letter}"
     run = RUN.replace("ASSIGNMENT", name).replace("OPTIONS", options)
