@@ -375,7 +375,8 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
         {"ann": record(share=0.0), "bob": record(), "cy": record(), "eve": record(share=0.0)},
     )
     after = a_class(
-        tmp_path / "new", {"ann": record(), "bob": record(), "dee": record(), "eve": record()}
+        tmp_path / "new",
+        {"ann": record(), "bob": record(), "dee": record(), "eve": record(), "fay": None},
     )
     entries = [
         entry._replace(digest="another" if entry.student == "eve" else entry.digest)
@@ -394,7 +395,7 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
         "handed in since",
         "another file was handed in since",
     )
-    assert "bob" not in why
+    assert "bob" not in why and "fay" not in why  # who has no score before and after
     assert [change.question for change in found if change.decided] == ["exposing_case"]
 
 

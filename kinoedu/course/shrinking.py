@@ -17,6 +17,7 @@ SECONDS = 2.0  # in which obstacles are left out; then what is found so far is s
 def shrink(exercise: Exercise, failure: JudgedCase, run: Callable[[Case], Outcome]) -> JudgedCase:
     """Leave out each obstacle without which the program breaks the same rule.
 
+    One stays, since the case's kind may name it.
     A case that the right answer does not solve is none of this exercise and is not taken.
 
     Parameters
@@ -27,6 +28,8 @@ def shrink(exercise: Exercise, failure: JudgedCase, run: Callable[[Case], Outcom
         return failure
     end = time.monotonic() + SECONDS
     for number in reversed(range(len(failure.case.given.get("obstacles", ())))):
+        if len(failure.case.given["obstacles"]) == 1:
+            break
         case = failure.case._replace(given=leave_out(failure.case.given, number))
         if time.monotonic() > end:
             break

@@ -99,7 +99,7 @@ def find_changes(before: Class, after: Class, decisions: Decisions) -> Iterator[
     for whose in sorted({*was, *now}):
         old, new = was.get(whose), now.get(whose)
         scores = (old.score if old else None, new.score if new else None)
-        if scores[0] != scores[1] or old is None or new is None:
+        if scores[0] != scores[1]:
             why = explain_change(old, new, files_before.get(whose[:2]), files_after.get(whose[:2]))
             decision = decisions.get(whose)
             decided = number(decision.score) if decision is not None else ""
