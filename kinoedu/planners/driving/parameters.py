@@ -60,6 +60,8 @@ class Drives:
 class GoalBias:
     """How often targets are drawn near the goal.
 
+    To park in a tight place, draw more from the region: `GoalBias(goal_every=10, region_every=2)`.
+
     Parameters
     ----------
     goal_every, region_every : every so many iterations the target is the goal, or is drawn from a
