@@ -12,6 +12,7 @@ import pytest
 from kinoedu.cli import main
 from kinoedu.course import EXERCISES
 from kinoedu.course import release as release_module
+from kinoedu.course.assignments import list_assignments
 from kinoedu.course.release import (
     assignments,
     exercises_without_solution,
@@ -20,8 +21,11 @@ from kinoedu.course.release import (
     remove_answers,
     require_released,
 )
-from kinoedu.errors import InvalidParameter
+from kinoedu.errors import InvalidParameter, UnreadableScene
 from kinoedu.grading.assignments import questions
+from kinoedu.grading.assignments.questions import read_assignment
+from kinoedu.grading.judge.variants import write_section
+from kinoedu.slides import make_slides
 
 HOUSE = Path(__file__).resolve().parent.parent
 
@@ -253,3 +257,33 @@ def test_a_zip_that_cannot_be_written_is_refused_before_anything_is_released(
     monkeypatch.setattr(os, "access", lambda place, mode: False)
     assert main(["release", "--zip", str(tmp_path / "course.zip")]) == 2
     assert "nothing can be written in" in capsys.readouterr().err
+
+
+DAMAGED = {
+    "merge": b'<<<<<<< HEAD\n{"cells": []}\n',
+    "cut off": b'{"cells": [{"cell_type": "code", "sour',
+    "empty": b"",
+    "a list": b"[]",
+    "no cells": b"{}",
+    "half a cell": b'{"cells": [{"cell_type": "code", "metadata": {}}]}',
+    "UTF-16": '{"cells": []}'.encode("utf-16"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGED)
+def test_a_damaged_notebook_of_the_course_is_named(house, damage):
+    """Every command reads all solutions, so one damaged file must not end them without its name."""
+    for room in ("solutions", "exercises"):
+        (house / room / "09_cut.ipynb").write_bytes(DAMAGED[damage])
+    readers = [
+        lambda: list_assignments(house, house / "no_list"),
+        lambda: read_assignment("09_cut", house),
+        lambda: remove_answers(house / "solutions" / "09_cut.ipynb"),
+        lambda: require_released("09_cut", house),
+        lambda: write_section(["09_cut"], "B", house / "out", house),
+        lambda: make_slides("09_cut", house / "slides", house / "solutions"),
+    ]
+    for read in readers:
+        with pytest.raises(UnreadableScene, match=r"09_cut\.ipynb: expected"):
+            read()
+    assert read_assignment("01_geometry", house).questions

@@ -8,6 +8,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from ..support.notebooks import read_notebook
 from .lessons import EXERCISES
 
 FILE = Path(__file__).with_name("assignments.json")  # only in the kit
@@ -25,6 +26,11 @@ def list_assignments(house: Path = HOUSE, file: Path = FILE) -> Assignments:
     ----------
     house : the folder of the course.
     file : the list that a kit has.
+
+    Raises
+    ------
+    UnreadableScene
+        Where a solution is damaged.
     """
     if file.exists():
         found: Assignments = json.loads(file.read_text(encoding="utf-8"))
@@ -41,7 +47,7 @@ def list_assignments(house: Path = HOUSE, file: Path = FILE) -> Assignments:
 def read_solutions(house: Path) -> Assignments:
     """What each solution notebook has graded."""
     files = sorted((house / "solutions").glob("*.ipynb"))
-    return {file.stem: list_graded(json.loads(file.read_text("utf-8"))) for file in files}
+    return {file.stem: list_graded(read_notebook(file)) for file in files}
 
 
 def list_graded(book: Any) -> list[str]:

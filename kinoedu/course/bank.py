@@ -6,12 +6,13 @@ of a right answer, made with `Solutions.changed`. It also has a right program fo
 has another right answer, made with `Solutions.varied`.
 """
 
-import json
 import runpy
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from ..support.notebooks import read_notebook
 
 
 class Wrong(NamedTuple):
@@ -58,7 +59,7 @@ class Solutions:
     """
 
     def __init__(self, notebook: str | PathLike[str]) -> None:
-        cells = json.loads(Path(notebook).read_text("utf-8"))["cells"]
+        cells = read_notebook(Path(notebook))["cells"]
         code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
         self.imports = code[0]
         self.sources = {

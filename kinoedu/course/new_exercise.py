@@ -23,7 +23,7 @@ from ..support.whole_files import written_whole
 from .lessons import EXERCISES
 from .plain_function import ANSWERS, PlainFunction, example_of
 from .plain_slips import PlainSlip, usual_slips
-from .release import HOUSE, run_notebook
+from .release import HOUSE, read_notebook_node, run_notebook
 
 TEMPLATES = "solutions/new_exercise"  # not for students: they contain right and wrong answers
 PLACES = {  # the file that each template becomes
@@ -324,11 +324,10 @@ def add_to_list(text: str, name: str) -> str:
 
 def add_cells(file: Path, name: str, lesson: str, statement: str, answer: str) -> Any:
     """Solution notebook with the exercise added at its end; a new notebook where there is none."""
-    import nbformat
     from nbformat import v4
 
     if file.exists():
-        book = nbformat.read(file, as_version=4)
+        book = read_notebook_node(file)
     else:
         title = lesson.replace("_", " ").capitalize()
         first = f"# {title}\n\nEdit: what holds for all exercises of this lesson."

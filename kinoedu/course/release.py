@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 from ..errors import InvalidParameter
 from ..messages import get_message
+from ..support.notebooks import read_notebook
 from ..support.whole_files import written_whole
 from .assignments import FILE as LIST
 from .assignments import read_solutions
@@ -117,10 +118,9 @@ def remove_answers(file: Path) -> Any:
     InvalidParameter
         Where nbgrader rejects the notebook.
     """
-    import nbformat
     from nbgrader.preprocessors import ClearHiddenTests, ClearOutput, ClearSolutions, LockCells
 
-    book = nbformat.read(file, as_version=4)
+    book = read_notebook_node(file)
     book.cells = [cell for cell in book.cells if not is_model_answer(cell)]
     for preprocessor in (ClearOutput, LockCells, ClearSolutions, ClearHiddenTests):
         try:
@@ -130,17 +130,24 @@ def remove_answers(file: Path) -> Any:
     return book
 
 
+def read_notebook_node(file: Path) -> Any:
+    """A notebook as nbformat has it. Raises UnreadableScene where it is damaged."""
+    import nbformat
+
+    read_notebook(file)
+    return nbformat.read(file, as_version=4)
+
+
 def require_released(name: str, house: Path = HOUSE) -> None:
     """Raise InvalidParameter where exercises/NAME.ipynb has other cells than its solution makes.
 
     Somebody may have tried it and left answers in it. Without such a file nothing is wrong.
     """
-    import nbformat
 
     exercise = house / "exercises" / f"{name}.ipynb"
     if not exercise.exists():
         return
-    books = (nbformat.read(exercise, as_version=4), remove_answers(solution_path(name, house)))
+    books = (read_notebook_node(exercise), remove_answers(solution_path(name, house)))
     found, made = ([(cell.cell_type, cell.source) for cell in book.cells] for book in books)
     if found != made:
         raise InvalidParameter(

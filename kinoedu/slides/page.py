@@ -11,6 +11,7 @@ from ..boards.core.page_script import CORE, page_script
 from ..errors import InvalidParameter
 from ..lab import COURSE
 from ..messages import get_message
+from ..support.notebooks import read_notebook
 from ..support.whole_files import written_whole
 from .markdown import to_html
 from .rule import Slide, cut_into_slides
@@ -72,6 +73,8 @@ def make_slides(
     ------
     InvalidParameter
         Where there is no such notebook, or formulas cannot be converted.
+    UnreadableScene
+        Where the notebook is damaged.
     """
     file = Path(notebooks) / f"{lesson}.ipynb"
     if not file.is_file():
@@ -79,7 +82,7 @@ def make_slides(
         raise InvalidParameter(get_message("slides.no_notebook", name=repr(lesson), names=names))
     if find_spec("latex2mathml") is None:
         raise InvalidParameter(get_message("slides.needs_formulas"))
-    book = json.loads(file.read_text(encoding="utf-8"))
+    book = read_notebook(file)
     made = Path(folder) / f"{lesson}.html"
     made.parent.mkdir(parents=True, exist_ok=True)
     with written_whole(made) as part:

@@ -25,6 +25,7 @@ from ...course.lessons import find
 from ...course.release import HOUSE, solution_path
 from ...course.trivial import find_trivial_kinds
 from ...errors import InvalidParameter
+from ...support.notebooks import read_notebook
 
 # these only show something in a notebook, and do nothing in the sandbox
 FOR_NOTEBOOKS = ("kinoedu.course:", "kinoedu.figures", "kinoedu.boards")
@@ -63,8 +64,10 @@ def read_assignment(name: str, house: Path = HOUSE) -> Assignment:
     ------
     InvalidParameter
         Where there is no such assignment, or its solution imports what cannot be lent.
+    UnreadableScene
+        Where the solution is damaged.
     """
-    book = json.loads(solution_path(name, house).read_text(encoding="utf-8"))
+    book = read_notebook(solution_path(name, house))
     marks = [
         cell["metadata"]["nbgrader"] for cell in book["cells"] if "nbgrader" in cell["metadata"]
     ]

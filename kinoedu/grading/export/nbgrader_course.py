@@ -17,6 +17,7 @@ from ...course.release import solution_path
 from ...support.csv_cells import escape_formula, number, write_rows
 from ...support.file_names import file_name
 from ...support.json_fields import JsonObject
+from ...support.notebooks import read_notebook
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.notebook import UnreadableSubmission, join_text, parse_notebook
@@ -97,7 +98,7 @@ def read_unchanged(entries: list[Entry]) -> Iterator[tuple[Entry, bytes]]:
 
 def read_marks(name: str) -> Marks:
     """nbgrader's metadata of an assignment's cells, from its solution."""
-    book = json.loads(solution_path(name).read_text(encoding="utf-8"))
+    book = read_notebook(solution_path(name))
     marked = [
         (cell, cell["metadata"]["nbgrader"])
         for cell in book["cells"]

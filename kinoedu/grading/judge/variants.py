@@ -1,6 +1,5 @@
 """Write notebooks whose statements and checks hold the contracts of a student or of a section."""
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +8,7 @@ from ...course.section import choose_for_section, format_notebook, insert_contra
 from ...errors import InvalidParameter
 from ...support.csv_cells import escape_formula, write_rows
 from ...support.file_names import file_name
+from ...support.notebooks import read_notebook
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from .contracts import choose_contracts
@@ -69,9 +69,9 @@ def write_section(names: list[str], letter: str, out: Path, house: Path = HOUSE)
 
 
 def read_released(name: str, house: Path) -> Any:
-    """The exercise as it was released. Raises InvalidParameter."""
+    """The exercise as it was released. Raises InvalidParameter, UnreadableScene."""
     solution_path(name, house)
     file = house / "exercises" / f"{name}.ipynb"
     if not file.is_file():
         raise InvalidParameter(f"exercises/{name}.ipynb is not there: release {name} first")
-    return json.loads(file.read_text(encoding="utf-8"))
+    return read_notebook(file)
