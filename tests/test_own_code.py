@@ -260,6 +260,17 @@ def test_a_file_that_changed_after_its_import_is_refused(folder, monkeypatch):
     (folder / "mine.py").write_text(MINE.replace("corner(3)", "corner(2)"))
     with pytest.raises(InvalidParameter, match=r"mine\.py has changed since it was imported"):
         run(experiment, where="here")
+    for half_written in ("def half(", "\0"):
+        (folder / "mine.py").write_text(MINE + half_written)
+        with pytest.raises(InvalidParameter, match=r"mine\.py has changed since it was imported"):
+            run(experiment, where="here")
+
+
+def test_a_file_with_a_dot_in_its_name_is_refused_by_name(folder):
+    """Python would look for a module v2 in a package mine, and say that there is none."""
+    (folder / "mine.v2.py").write_text(MINE)
+    with pytest.raises(InvalidParameter, match=r"mine\.v2\.py: .* no dot before \.py"):
+        load_function("mine.v2.py:around", folder)
 
 
 def test_a_worker_with_another_version_does_not_answer(folder):

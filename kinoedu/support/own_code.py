@@ -67,6 +67,10 @@ def load_function(text: str, folder: Path) -> Callable[..., Any]:
     before, colon, name = text.rpartition(":")
     if colon:
         file = (folder / before).resolve()
+        if "." in file.stem:
+            raise InvalidParameter(
+                f"{file}: a file that Python can import has no dot before .py; rename it"
+            )
         module = load_module(file.stem, file.parent, must_exist=file)
     else:
         module_name, _, name = text.rpartition(".")
@@ -224,8 +228,11 @@ def check_unchanged(module: ModuleType) -> None:
         raise changed_error(file)
     if type(module.__loader__) is not SourceFileLoader:  # such as that of pytest, which rewrites
         return
-    text = file.read_bytes()
-    codes = set(codes_in(compile(text, str(file), "exec", dont_inherit=True)))
+    try:
+        compiled = compile(file.read_bytes(), str(file), "exec", dont_inherit=True)
+    except (SyntaxError, ValueError):  # such as a line that is only half written
+        raise changed_error(file) from None
+    codes = set(codes_in(compiled))
     for thing in vars(module).values():
         code = thing.__code__ if isinstance(thing, FunctionType) else None
         if code is not None and code.co_filename == module.__file__ and code not in codes:
