@@ -83,6 +83,14 @@ def test_numbers_with_exponents_stay_numbers(tiny):
     assert positions_of(yaml.safe_load(ros_path_text(plan))) == [(tiny, 0.0), (tiny, 1.0)]
 
 
+def test_a_pose_where_the_robot_waits_looks_where_it_goes_next():
+    """Or at the goal where it came from; a motion of length 0 has no direction of its own."""
+    path = np.array([(1, 1), (1, 1), (4, 4), (4, 4), (4, 9), (4, 9), (4, 9)], float)
+    headings = poses_along(ke.Plan(path, 10.0))[:, 2]
+    assert headings.tolist() == [np.pi / 4] * 2 + [np.pi / 2] * 5
+    assert poses_along(ke.Plan(path[:2], 0.0)).tolist() == [[1.0, 1.0, 0.0]] * 2
+
+
 def test_poses_are_as_close_as_asked():
     """On the path's motions, its own points among them."""
     poses = poses_along(PLAN, 0.2)

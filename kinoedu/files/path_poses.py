@@ -94,9 +94,14 @@ def spread(problem: Any, points: Array, step: float) -> Array:
 
 
 def with_headings(points: Array) -> Array:
-    """Positions with the direction to the next one; the last keeps its direction."""
-    if len(points) == 1:
-        return np.append(points, [[0.0]], axis=1)
+    """Positions with the direction of the next motion; after the last motion, with its direction.
+
+    A position that repeats the one before is no motion. Without any motion the direction is 0.
+    """
     steps = np.diff(points, axis=0)
-    headings = [math.atan2(dy, dx) for dx, dy in steps]
-    return np.column_stack([points, [*headings, headings[-1]]])
+    moving = np.flatnonzero(steps.any(axis=1))
+    if len(moving) == 0:
+        return np.column_stack([points, np.zeros(len(points))])
+    headings = np.array([math.atan2(dy, dx) for dx, dy in steps[moving]])
+    following = np.searchsorted(moving, np.arange(len(points))).clip(max=len(moving) - 1)
+    return np.column_stack([points, headings[following]])
