@@ -19,7 +19,7 @@ from children import forks, started
 
 import kinoedu as ke
 from kinoedu.cli import main
-from kinoedu.errors import InvalidParameter, KinoeduError
+from kinoedu.errors import InvalidParameter, KinoeduError, UnreadableScene
 from kinoedu.experiments import (
     Experiment,
     as_text,
@@ -39,6 +39,7 @@ from kinoedu.experiments.places import run_in_this_process
 from kinoedu.experiments.plots import save_plots
 from kinoedu.experiments.summaries import success_fraction
 from kinoedu.experiments.table import Row, Table
+from kinoedu.files.benchmr import is_polygon_map
 from kinoedu.problems import Plan
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -859,3 +860,11 @@ def test_a_run_that_was_stopped_takes_no_planner_from_the_curves():
     nodes, costs = Table(tuple(rows)).growth()["rrt"]
     assert nodes.tolist() == [11.0, 100.5]
     assert costs.tolist() == [[9.0] * 3, [6.0, 6.0, math.inf]]
+
+
+@pytest.mark.parametrize("read", [read_experiment, is_polygon_map, ke.read_problem])
+@pytest.mark.parametrize("path", [None, 5])
+def test_what_is_no_path_is_refused_by_name(read, path):
+    """As by all readers of files."""
+    with pytest.raises(UnreadableScene, match="expected the path of a file"):
+        read(path)

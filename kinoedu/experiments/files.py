@@ -50,7 +50,6 @@ import itertools
 import os
 import tomllib
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from ..errors import InvalidParameter, KinoeduError, UnreadableScene
@@ -65,7 +64,7 @@ from ..robots import Point
 from ..support.faults import describe_exception
 from ..support.json_fields import Field
 from ..support.own_code import load_function, names_code
-from ..support.reading import read_text
+from ..support.reading import as_path, naming, read_text
 from .arguments import arguments_from
 from .experiment import Experiment, ExperimentRecord, Planner, bind_arguments
 from .worlds import GENERATORS
@@ -83,15 +82,10 @@ def read_experiment(path: str | os.PathLike[str]) -> ExperimentRecord:
     UnreadableScene
         Or another error of kinoedu, with the file's name and the key at fault.
     """
-    file = Path(path)
-    try:
-        return experiment_from(
-            Field("experiment", parse_toml(read_text(file)), file.parent), file.stem
-        )
-    except KinoeduError as error:
-        raise type(error)(
-            f"{file}: {error}" if str(file) not in str(error) else str(error)
-        ) from error
+    file = as_path(path)
+    with naming(file):
+        table = Field("experiment", parse_toml(read_text(file)), file.parent)
+        return experiment_from(table, file.stem)
 
 
 def parse_toml(text: str) -> Any:

@@ -17,7 +17,6 @@ repairs.
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +26,7 @@ from ..errors import UnknownFormat
 from ..geometry.checks import Array, as_array
 from ..support.constructors import with_type_names
 from ..support.json_fields import Field, read_json
-from ..support.reading import regular_file
+from ..support.reading import as_path, regular_file
 from ..worlds.polygon_world import PolygonWorld, PolygonWorldRecord
 from .mending import mend_polygons
 from .outlines import rectangle
@@ -77,7 +76,9 @@ def is_polygon_map(path: str | os.PathLike[str]) -> bool:
         Where the file is missing or damaged.
     """
     return read_json(
-        Path(path), "map", lambda field: isinstance(field.value, dict) and "polygons" in field.value
+        as_path(path),
+        "map",
+        lambda field: isinstance(field.value, dict) and "polygons" in field.value,
     )
 
 
