@@ -50,10 +50,11 @@ from ...messages import get_message
 from ...support.json_fields import JsonObject
 from .challenge import Posed
 from .drawing import Drawing
-from .printed import Bitmap, fit_page, print_board
-from .recorded import RECORD, pack_records, record_drawing
+from .printed import Bitmap, print_board
+from .recorded import record_drawing
 from .reply import Message, Reply
 from .scene import Scene, list_places, move_parts
+from .stored import Stored
 
 CORE = Path(__file__).parent
 ARROWS = ("ArrowLeft", "ArrowUp", "ArrowDown", "ArrowRight")
@@ -91,7 +92,7 @@ def widget_style(*files: Path) -> str:
     return "".join(part.read_text(encoding="utf-8") for part in parts)
 
 
-class Canvas(anywidget.AnyWidget):
+class Canvas(Stored, anywidget.AnyWidget):
     """A scene to drag, and the drawing that answers it.
 
     Parameters
@@ -312,9 +313,6 @@ class Canvas(anywidget.AnyWidget):
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.drawing.message})"
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[JsonObject, JsonObject] | None:
-        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
-
 
 def front_messages(
     table: str = "board.front", front: Mapping[str, Sequence[str]] = FRONT
@@ -331,15 +329,3 @@ def pack_bitmap(bitmap: Bitmap | None) -> bytes:
     if bitmap is None:
         return b""
     return bytes(np.packbits(bitmap).tobytes() if bitmap.dtype == np.bool_ else bitmap.tobytes())
-
-
-def add_picture(bundle: Any, widget: object, canvas: Any) -> tuple[JsonObject, JsonObject] | None:
-    """Add a picture and a record, for readers without a kernel, to what a notebook stores."""
-    data, about = bundle if isinstance(bundle, tuple) else (bundle, {})
-    if data is None:
-        return None
-    picture, size = fit_page(canvas.picture())
-    records = canvas.record()
-    recorded = {RECORD: pack_records(records)} if records else {}
-    stored = {"text/plain": repr(widget), "image/png": base64.b64encode(picture).decode("ascii")}
-    return {**data, **stored, **recorded}, {**about, "image/png": size}

@@ -12,11 +12,12 @@ from ...messages import get_message, has_message
 from ...planners.registry import Planner
 from ...planners.tuning import positive
 from ...support.json_fields import JsonObject
-from .canvas import Canvas, add_picture
+from .canvas import Canvas
 from .printed import join_pictures
+from .stored import Stored
 
 
-class Pictured(widgets.Box):
+class Pictured(Stored, widgets.Box):
     """A widget that a notebook stores with the text and the picture of its `canvas`."""
 
     canvas: Canvas
@@ -41,9 +42,6 @@ class Pictured(widgets.Box):
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.canvas.drawing.message})"
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
 
 
 def find_canvases(box: widgets.Box) -> list[Canvas]:

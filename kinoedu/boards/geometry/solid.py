@@ -31,8 +31,9 @@ from ...geometry.rings import as_ring
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import shortened
-from ..core.canvas import add_picture, front_messages, widget_script, widget_style
+from ..core.canvas import front_messages, widget_script, widget_style
 from ..core.printed import SHARP, render
+from ..core.stored import Stored
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -148,7 +149,7 @@ def workspace_section(robot: Array, obstacle: Array, theta: float, place: Array)
     }
 
 
-class SolidBoard(anywidget.AnyWidget):
+class SolidBoard(Stored, anywidget.AnyWidget):
     """The widget that `solid_board` returns.
 
     Set `theta` and `place` to move the plane and the point.
@@ -281,12 +282,5 @@ class SolidBoard(anywidget.AnyWidget):
         ax.set_title(text, fontsize=palette.TEXT_SIZE)
         return as_png(keep_few_colours(render(figure).convert("RGB")))
 
-    def record(self) -> list[JsonObject]:
-        """Nothing: pages without a kernel show the picture."""
-        return []
-
     def __repr__(self) -> str:
         return f"SolidBoard({self.section['text']})"
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        return add_picture(super()._repr_mimebundle_(**kwargs), self, self)
