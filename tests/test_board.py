@@ -109,6 +109,7 @@ def test_every_planner_draws_its_growth_in_order():
 def test_controls_answer_anew_for_every_page():
     """Another seed sends another plan to all pages; only the planner's own controls are shown."""
     made = board(walled())
+    assert made.step_size.layout.display is None and made.samples.layout.display == "none"
     page, before = Page(made.canvas), made.plan
     made.seed.value = 5
     ((content, _),) = page.sent

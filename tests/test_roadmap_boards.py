@@ -137,6 +137,7 @@ def test_a_roadmap_grows_node_by_node_and_counts_its_components():
 def test_the_rule_is_switched_live():
     """The plan is prm's with that rule; only its number is shown; a forest has few edges."""
     made = roadmap_board(problem_of(), n=80)
+    assert made.controls.k.layout.display is None and made.controls.r.layout.display == "none"
     made.controls.rule.value = "radius"
     assert made.controls.k.layout.display == "none" and made.controls.r.layout.display is None
     made.controls.r.value = 2.0

@@ -129,7 +129,6 @@ class CarBoard(Framed):
         self._drive, self._ends = start_drive(problem), (problem.start, problem.goal)
         self._home = self._good = make_car_scene(problem)
         self._drawing = Drawing()
-        self._dress()
         canvas = make_canvas(problem.world, self._home, self.answer, self.hold)
         controls = [self.planner, self.iterations, self.seed, self.view, self.code]
         super().__init__(controls, [canvas])
@@ -278,7 +277,7 @@ class CarBoard(Framed):
             control.layout.display = "none" if self.planner.value == YOU else None
 
     def _changed(self, change: Any) -> None:
-        self._dress()
+        """Answer again; another planner begins with its own number of iterations."""
         if change["owner"] is self.planner and change["new"] != YOU:
             self.iterations.unobserve(self._changed, "value")
             self.iterations.value = ON_BOARD[change["new"]].car_board

@@ -70,10 +70,15 @@ class Framed(Pictured, widgets.VBox):
         )
         for control in controls:
             control.observe(self._changed, "value")
+        self._dress()
 
     def _changed(self, _: object) -> None:
         """Answer again, because a control has another value."""
+        self._dress()
         self.canvas.refresh()
+
+    def _dress(self) -> None:
+        """Show the controls that apply to what is chosen; by default all of them."""
 
     def picture(self) -> bytes:
         """The board as it is now, as a PNG."""

@@ -108,7 +108,6 @@ class Board(Framed):
         self.planner = self._menu(chosen)
         self.seed, self.step_size, self.samples = self._sliders(step_size, samples, rng)
         self.code = make_code_box()
-        self._dress()
         controls = [self.planner, self.seed, self.step_size, self.samples, self.code]
         super().__init__(controls, [make_problem_canvas(problem, self.answer, self.write_code)])
 
@@ -180,10 +179,6 @@ class Board(Framed):
     def _settings(self) -> dict[str, Any]:
         """The values of the controls, by the names of the planners' settings."""
         return {name: getattr(self, control).value for control, name in SETTINGS.items()}
-
-    def _changed(self, change: object) -> None:
-        self._dress()
-        super()._changed(change)
 
     def _dress(self) -> None:
         """Show the controls that apply to the chosen planner."""

@@ -166,9 +166,9 @@ class RaceBoard(Framed):
         for canvas in self.canvases:
             canvas.scene = change.new
 
-    def _changed(self, _: object) -> None:
-        self._scene = {}
-        self.canvas.refresh()
+    def _changed(self, change: object) -> None:
+        self._scene = {}  # so that all planners run again
+        super()._changed(change)
 
 
 def list_lines(planners: Sequence[Callable[..., object]]) -> list[tuple[str, str]]:

@@ -109,9 +109,8 @@ class PropertiesBoard(Framed):
         self.survey = survey_roadmap(problem, roadmap, n=n, shortest=shortest, rng=rng)
         return draw_survey(problem, roadmap, self.survey, exact)
 
-    def _changed(self, change: object) -> None:
+    def _dress(self) -> None:
         self.controls.dress()
-        super()._changed(change)
 
 
 def knows_shortest_paths(problem: ProblemRecord) -> bool:

@@ -48,7 +48,6 @@ class RoadmapControls:
         self.n = make_counter("roadmap_board.n", integer(n, "n", least=1), 1, 1000)
         self.seed = make_counter("roadmap_board.seed", integer(rng, "rng", least=0), 0, 99)
         self.all = (self.rule, self.k, self.r, self.sampler, self.n, self.seed)
-        self.dress()
 
     def dress(self) -> None:
         """Show the number that the rule takes, and the seed for random samples."""
@@ -133,9 +132,8 @@ class RoadmapBoard(Framed):
         name = "prm_components" if self.controls.rule.value == "component" else "prm"
         return drawing.completed_by(lambda: draw_lines_of(plan, trace_planner(name, problem, call)))
 
-    def _changed(self, change: object) -> None:
+    def _dress(self) -> None:
         self.controls.dress()
-        super()._changed(change)
 
 
 def draw_growing_roadmap(plan: Plan) -> Drawing:
