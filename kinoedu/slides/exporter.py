@@ -3,7 +3,6 @@
 jupyter nbconvert --to kinoedu.slides.exporter.PageWithBoards NOTEBOOK.ipynb
 """
 
-import json
 from copy import deepcopy
 from html import escape
 from typing import Any
@@ -12,7 +11,7 @@ from nbconvert.exporters import HTMLExporter
 
 from ..boards.core.page_script import CORE, page_script
 from ..boards.core.recorded import RECORD
-from .rule import describe_picture
+from .rule import base64_of_picture, describe_picture, record_html
 
 PLAYS = ".kinoedu-plays > img { display: none; }"  # the board itself is there instead
 WIDGET = "application/vnd.jupyter.widget-view+json"
@@ -40,20 +39,15 @@ class PageWithBoards(HTMLExporter):
 
 def board_html(output: Any) -> str:
     """The element of the boards of an output, with their picture for those without JavaScript."""
-    record = json.dumps(output.data[RECORD]).replace("</", "<\\/")
-    return (
-        f'<div class="kinoedu-record">{picture_html(output)}'
-        f'<script type="application/json">{record}</script></div>'
-    )
+    return f'<div class="kinoedu-record">{picture_html(output)}{record_html(output)}</div>'
 
 
 def picture_html(output: Any) -> str:
     """The picture of an output at the size at which it is shown, with its alt text."""
-    source = "".join("".join(output.data["image/png"]).split())
     about = output.get("metadata", {}).get("image/png", {})
     size = "".join(f' {name}="{about[name]}"' for name in ("width", "height") if name in about)
     alt = escape(describe_picture(output), quote=True)
-    return f'<img alt="{alt}"{size} src="data:image/png;base64,{source}">'
+    return f'<img alt="{alt}"{size} src="data:image/png;base64,{base64_of_picture(output)}">'
 
 
 def add_player(page: str) -> str:

@@ -163,20 +163,29 @@ def describe_picture(output: Any) -> str:
     return str(alt or get_message("slides.picture"))
 
 
+def base64_of_picture(output: Any) -> str:
+    """An output's picture as a notebook stores it, in base64, without its line ends."""
+    return "".join("".join(output["data"]["image/png"]).split())
+
+
+def record_html(output: Any) -> str:
+    """What an output has stored of its boards, where the page's script looks for it."""
+    record = json.dumps(output["data"][RECORD]).replace("</", "<\\/")
+    return f'<script type="application/json">{record}</script>'
+
+
 def output_html(output: Any) -> str:
     """An output of a cell as HTML: a board that plays, a picture, or text."""
     data = output.get("data", {})
     plain = "".join(data.get("text/plain", output.get("text", "")))
     if "image/png" in data:
         alt = describe_picture(output)
-        source = "".join("".join(data["image/png"]).split())
+        source = base64_of_picture(output)
         picture = f'<img alt="{escape(alt)}" src="data:image/png;base64,{source}">'
         if RECORD not in data:
             return f'<div class="figure{" wide" if is_wide(source) else ""}">{picture}</div>'
-        record = json.dumps(data[RECORD]).replace("</", "<\\/")
-        script = f'<script type="application/json">{record}</script>'
         shown = f'<div class="still-board">{picture}</div>'
-        return f'<div class="figure kinoedu-record">{shown}{script}</div>'
+        return f'<div class="figure kinoedu-record">{shown}{record_html(output)}</div>'
     if plain.startswith("# kinoedu/"):
         return code_html(without_documentation(plain), folded=False)
     if "text/html" in data:
