@@ -488,6 +488,13 @@ def stops_early(i, base):
     return total
 
 
+@wrong("radical_inverse", slip="first_lost")
+def logarithm_rounded_up(i, base):
+    """Counts one digit too few of each power of the base."""
+    count = math.ceil(math.log(i, base)) if i > 1 else 1
+    return sum(i // base**k % base / base ** (k + 1) for k in range(count))
+
+
 @wrong("radical_inverse")
 def digits_counted_by_logarithm(i, base):
     """Counts digits by log(243) / log(3), which is 4.999999999999999."""

@@ -63,6 +63,7 @@ class RadicalInverse(ValueExercise):
             "first_lost",
             lambda i, base: find_inverse(join_digits(find_digits(i, base)[:-1], base), base),
         ),
+        Slip("first_lost", lambda i, base: lose_first_of_powers(i, base)),
         Slip("last_only", lambda i, base: i % base / base),
         Slip("divided", lambda i, base: divide_inexactly(i, base)),
     )
@@ -114,6 +115,14 @@ def find_inverse(i: int, base: int) -> float:
 def join_digits(low_first: list[int], base: int) -> int:
     """Return the whole number with these digits, lowest first."""
     return sum(digit * base**place for place, digit in enumerate(low_first))
+
+
+def lose_first_of_powers(i: int, base: int) -> float:
+    """Return the inverse of the last digits of i, as many as the logarithm rounded up."""
+    count = 1
+    while base**count < i:
+        count += 1
+    return find_inverse(i % base**count, base)
 
 
 def divide_inexactly(i: float, base: int) -> float:
