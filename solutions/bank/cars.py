@@ -161,6 +161,29 @@ def straight_in_a_small_turn(pose, v, phi, t, L):
     return by_radius(pose, v, phi, t, tan(phi) / L)
 
 
+@wrong("move", slip="no_heading")
+def arc_from_the_axis(pose, v, phi, t, L):
+    """Ignores the heading on arcs."""
+    x, y, theta = pose
+    if phi == 0:
+        return x + v * t * cos(theta), y + v * t * sin(theta), theta
+    radius = L / tan(phi)
+    turn = v * t / radius
+    return x + radius * sin(turn), y + radius * (1 - cos(turn)), theta + turn
+
+
+@wrong("move", slip="no_heading")
+def chord_from_the_axis(pose, v, phi, t, L):
+    """Ignores the heading everywhere."""
+    x, y, theta = pose
+    half = v * t * tan(phi) / L / 2
+    chord = v * t if half == 0 else v * t * sin(half) / half
+    return x + chord * cos(half), y + chord * sin(half), theta + 2 * half
+
+
+heading_modulo_pi = changed(
+    "move", ("theta + 2 * half\n", "(theta + 2 * half) % math.pi\n"), slip="half_turns"
+)
 tiny_turns_ignored = changed(
     "move",
     ("/ L / 2\n", "/ L / 2\n    half = 0.0 if abs(half) < 2e-6 else half\n"),
@@ -480,6 +503,23 @@ def word_lengths(a, b, r, turn=wrap, words=("LSL", "RSR", "LSR", "RSL"), root=Tr
 def only_lsl(a, b, r):
     """Considers one word."""
     return min(word_lengths(a, b, r, words=("LSL",)))
+
+
+@wrong("csc_length", slip="rsr_only")
+def only_rsr(a, b, r):
+    """Considers another single word."""
+    return min(word_lengths(a, b, r, words=("RSR",)))
+
+
+without_rsr = changed("csc_length", ("(-1, -1), ", ""), slip="three_words")
+without_lsl = changed("csc_length", ("(1, 1), ", ""), slip="three_words")
+without_rsl = changed("csc_length", (", (-1, 1)", ""), slip="three_words")
+without_lsr = changed("csc_length", ("(1, -1), ", ""), slip="three_words")
+turns_modulo_pi = changed(
+    "csc_length",
+    ("turn % (2 * math.pi) + other % (2 * math.pi)", "turn % math.pi + other % math.pi"),
+    slip="half_turns",
+)
 
 
 @wrong("csc_length", slip="three_arcs")

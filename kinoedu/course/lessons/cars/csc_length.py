@@ -80,7 +80,15 @@ class CscLength(ValueExercise):
         Slip("lsl_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSL",))),
         Slip("outer_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSL", "RSR"))),
         Slip("inner_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSR", "RSL"))),
+        Slip("rsr_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("RSR",))),
+        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("LSL"))),
+        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("RSR"))),
+        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("LSR"))),
+        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("RSL"))),
         Slip("sign", lambda a, b, r: shortest_of(words_to(a, b, r, abs), r)),
+        Slip(
+            "half_turns", lambda a, b, r: shortest_of(words_to(a, b, r, lambda t: t % math.pi), r)
+        ),
         Slip("right_as_left", lambda a, b, r: shortest_of(as_left_turns(a, b, r), r)),
         Slip(
             "short_way",
@@ -147,6 +155,11 @@ class CscLength(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the shortest curve with its circles, and both lengths."""
         draw_tangents(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def without(word: str) -> tuple[str, ...]:
+    """All words but one."""
+    return tuple(other for other in WORDS if other != word)
 
 
 def as_left_turns(a: Array, b: Array, r: float) -> Given:

@@ -78,6 +78,18 @@ def turning_one_way(pose: Array, v: float, phi: float, t: float, wheelbase: floa
     )
 
 
+def along_the_axis(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
+    """A wrong program that adds the motion of a car which starts along the x-axis."""
+    origin = np.zeros(3)
+    return pose + pose_after(origin, v, phi, t, wheelbase)
+
+
+def heading_modulo_pi(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
+    """A wrong program whose heading has lost half turns."""
+    x, y, heading = pose_after(pose, v, phi, t, wheelbase)
+    return np.array([x, y, heading % math.pi])
+
+
 def round_the_other_side(pose: Array, v: float, phi: float, t: float, wheelbase: float) -> Array:
     """A wrong program with the opposite sign of the cosines in a turn."""
     right = pose_after(pose, v, phi, t, wheelbase)
@@ -108,6 +120,11 @@ class Move(PoseExercise):
         Slip("new_heading", along_heading(1.0)),
         Slip("arc_for_chord", along_heading(0.5)),
         Slip("no_turn", without_turning),
+        Slip("no_heading", along_the_axis),
+        Slip(
+            "no_heading", lambda *given: along_the_axis(*given) if given[2] else pose_after(*given)
+        ),
+        Slip("half_turns", heading_modulo_pi),
         Slip("steered", steered),
         Slip("straight_if_small", straight_if_small(0.03, 0.0)),
         Slip("straight_if_small", straight_if_small(0.03, 1.0)),
