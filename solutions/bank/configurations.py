@@ -128,6 +128,22 @@ absolute_angle = changed(
 )
 
 
+rotation_modulo_pi = changed(
+    "rotation", ("    c, s", "    theta %= math.pi\n    c, s"), slip="half_turns"
+)
+rounded_sine = changed(
+    "rotation",
+    ("math.cos(theta), math.sin(theta)", "round(math.cos(theta), 3), round(math.sin(theta), 3)"),
+    slip="rounded",
+)
+displaced_modulo_pi = changed(
+    "displacement", ("rotation(theta)", "rotation(theta % math.pi)"), slip="half_turns"
+)
+displaced_by_rounded_sine = changed(
+    "displacement", ("rotation(theta)", "np.round(rotation(theta), 2)"), slip="rounded"
+)
+
+
 @wrong("rotation", slip="clockwise")
 def to_the_right(theta):
     """Puts the minus sign at the other sine."""
@@ -166,7 +182,7 @@ def root_for_a_sine(theta):
     return [[c, -s], [s, c]]
 
 
-@wrong("rotation")
+@wrong("rotation", slip="half_turns")
 def wrapped_by_half_turns(theta):
     """Removes half turns where whole ones were meant."""
     return rotation(theta % pi)
@@ -178,7 +194,7 @@ def small_angles(theta):
     return [[1.0, -theta], [theta, 1.0]]
 
 
-@wrong("rotation")
+@wrong("rotation", slip="rounded")
 def rounded_matrix(theta):
     """Rounds its answer."""
     return np.round(rotation(theta), 3)
@@ -273,6 +289,20 @@ def a_configuration(x, y, theta):
 def joints(l1, l2, q):
     elbow = np.array([l1 * cos(q[0]), l1 * sin(q[0])])
     return elbow, elbow + np.array([l2 * cos(q[0] + q[1]), l2 * sin(q[0] + q[1])])
+
+
+@wrong("forward_kinematics", slip="rounded")
+def sines_rounded_too_early(l1, l2, q):
+    """Rounds sines and cosines before it multiplies."""
+    x, y = l1 * round(cos(q[0]), 2), l1 * round(sin(q[0]), 2)
+    return (x, y), (x + l2 * round(cos(q[0] + q[1]), 2), y + l2 * round(sin(q[0] + q[1]), 2))
+
+
+joints_rounded = changed(
+    "forward_kinematics",
+    ("return elbow, tip", "return elbow.round(2), tip.round(2)"),
+    slip="rounded",
+)
 
 
 @wrong("forward_kinematics", slip="absolute")
@@ -575,6 +605,12 @@ longer_reach = changed(
 # The circle
 
 
+@wrong("circle_distance")
+def neither_arc(a, b):
+    """Halves the angle."""
+    return circle_distance(a, b) / 2
+
+
 @wrong("circle_distance", slip="no_wrap")
 def on_a_line(a, b):
     """Treats angles as numbers on a line."""
@@ -597,6 +633,13 @@ def with_a_sense(a, b):
 def remainder_by_pi(a, b):
     """Removes half turns."""
     return abs(a - b) % pi
+
+
+@wrong("circle_distance", slip="half_turns")
+def shorter_remainder_by_pi(a, b):
+    """Right but for pi in place of 2 pi."""
+    apart = abs(a - b) % pi
+    return min(apart, pi - apart)
 
 
 @wrong("circle_distance", slip="once")
@@ -659,7 +702,7 @@ def wraps_only_one_side(a, b):
     return abs(turn)
 
 
-@wrong("circle_distance")
+@wrong("circle_distance", slip="half_turns")
 def wraps_by_sines(a, b):
     """Uses asin, which covers half of the circle."""
     return abs(math.asin(sin(a - b)))

@@ -28,6 +28,7 @@ class CircleDistance(BetweenAngles):
         Slip("one_side", lambda a, b: wrapped_above(b - a)),
         Slip("one_side", lambda a, b: wrapped_above(a - b)),
         Slip("half_turns", lambda a, b: abs(a - b) % pi),
+        Slip("half_turns", lambda a, b: min((a - b) % pi, (b - a) % pi)),
         Slip("once", lambda a, b: min(abs(a - b), TURN - abs(a - b))),
         Slip("once", lambda a, b: min(abs(a - b), abs(TURN - abs(a - b)))),
         Slip("long", lambda a, b: TURN - circle_distance(a, b)),

@@ -1,6 +1,7 @@
 """The exercise `displacement`. Bullo & Smith, chapters 3 and 6."""
 
 from collections.abc import Iterator
+from functools import partial
 from math import pi, radians
 
 import numpy as np
@@ -10,6 +11,11 @@ from ....geometry.displacements import displacement
 from ...exercise import Case, Change, Slip, Verdict
 from ...shapes import Number, Numbers, Record, Value
 from .matrices import MatrixExercise
+
+
+def with_rounded_sine(digits: int, x: float, y: float, theta: float) -> Array:
+    """The matrix with a sine and a cosine of few digits."""
+    return displacement(x, y, 0.0) @ np.round(displacement(0.0, 0.0, theta), digits)
 
 
 class Displacement(MatrixExercise):
@@ -28,6 +34,8 @@ class Displacement(MatrixExercise):
         Slip("no_one", lambda x, y, theta: displacement(x, y, theta) * [[1], [1], [0]]),
         Slip("degrees", lambda x, y, theta: displacement(x, y, radians(theta))),
         Slip("no_turn", lambda x, y, theta: displacement(x, y, 0.0)),
+        Slip("half_turns", lambda x, y, theta: displacement(x, y, theta % pi)),
+        *(Slip("rounded", partial(with_rounded_sine, digits)) for digits in (1, 2, 3, 4)),
         Slip("whole", lambda x, y, theta: np.trunc(displacement(x, y, theta))),
     )
     reference = staticmethod(displacement)

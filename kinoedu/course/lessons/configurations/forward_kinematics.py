@@ -1,6 +1,7 @@
 """The exercise `forward_kinematics`. Bullo & Smith, chapter 3."""
 
 from collections.abc import Iterator
+from functools import partial
 from math import pi
 
 import numpy as np
@@ -33,6 +34,17 @@ def from_first_link(l1: float, l2: float, q: Array) -> tuple[float, float, Array
     return l1, l2, np.array([q[0], q[1] - q[0]])
 
 
+def with_rounded_sines(digits: int, l1: float, l2: float, q: Array) -> Array:
+    """Elbow and tip, with sines and cosines of few digits."""
+    ways = np.round(arm_joints(1.0, 1.0, q) - [[0.0, 0.0], arm_joints(1.0, 1.0, q)[0]], digits)
+    return np.array([l1 * ways[0], l1 * ways[0] + l2 * ways[1]])
+
+
+def rounded_joints(digits: int, l1: float, l2: float, q: Array) -> Array:
+    """Elbow and tip with few digits."""
+    return np.round(arm_joints(l1, l2, q), digits)
+
+
 class ForwardKinematics(ValueExercise):
     """Elbow and tip, from two angles."""
 
@@ -57,6 +69,8 @@ class ForwardKinematics(ValueExercise):
         Slip("axes", lambda l1, l2, q: arm_joints(l1, l2, q)[:, ::-1]),
         Slip("one_length", lambda l1, l2, q: arm_joints(l1, l1, q)),
         Slip("columns", lambda l1, l2, q: arm_joints(l1, l2, q).T),
+        *(Slip("rounded", partial(with_rounded_sines, digits)) for digits in (1, 2, 3, 4)),
+        *(Slip("rounded", partial(rounded_joints, digits)) for digits in (1, 2, 3, 4)),
         Slip("degrees", lambda l1, l2, q: arm_joints(l1, l2, np.radians(q))),
     )
     reference = staticmethod(arm_joints)

@@ -1,14 +1,21 @@
 """The exercise `rotation`. Bullo & Smith, chapters 3 and 6."""
 
 from collections.abc import Iterator
+from functools import partial
 from math import cos, pi, radians, sin
 
 import numpy as np
 
+from ....geometry.checks import Array
 from ....geometry.displacements import rotation
 from ...exercise import Case, Slip
 from ...shapes import Number, Numbers, Record
 from .matrices import MatrixExercise
+
+
+def rounded_matrix(digits: int, theta: float) -> Array:
+    """The matrix with a sine and a cosine of few digits."""
+    return np.round(rotation(theta), digits)
 
 
 class Rotation(MatrixExercise):
@@ -34,6 +41,8 @@ class Rotation(MatrixExercise):
         ),
         Slip("absolute", lambda theta: rotation(abs(theta))),
         Slip("root", lambda theta: rotation(theta) if sin(theta) >= 0.0 else rotation(-theta)),
+        Slip("half_turns", lambda theta: rotation(theta % pi)),
+        *(Slip("rounded", partial(rounded_matrix, digits)) for digits in (1, 2, 3, 4)),
         Slip("sign", lambda theta: np.array([[cos(theta), sin(theta)], [sin(theta), cos(theta)]])),
     )
     reference = staticmethod(rotation)
