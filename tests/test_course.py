@@ -899,6 +899,24 @@ def test_what_is_no_number_is_named(value, came):
     assert str(caught.value) == f"expected an array of numbers of shape (2,), {came}"
 
 
+@pytest.mark.parametrize(
+    ("dimensions", "value", "made"),
+    [
+        ((2, 2), (0.5, 1.5), "a tuple of length 2, which makes an array of shape (2,)"),
+        ((2,), [[1, 2], [3, 4]], "a list of length 2, which makes an array of shape (2, 2)"),
+        (("n", 2), [[1, 2, 3]], "a list of length 1, which makes an array of shape (1, 3)"),
+    ],
+)
+def test_the_shape_that_a_list_makes_is_named(dimensions, value, made):
+    """Its length alone may be the right one."""
+    from kinoedu.course.plain import WrongShape
+    from kinoedu.course.shapes import Numbers
+
+    with pytest.raises(WrongShape) as caught:
+        Numbers(dimensions).encode(value)
+    assert str(caught.value).endswith(f", got {made}")
+
+
 def test_of_several_values_the_one_that_does_not_fit_is_named():
     """By its place in what one call returns; places of several calls mean nothing to students."""
     from kinoedu.course.plain import WrongShape

@@ -46,7 +46,7 @@ def as_array(value: object, dimensions: tuple[int | str, ...], wanted: Describab
         if array.shape == (0,) and dimensions and isinstance(dimensions[0], str):
             array = np.empty([length if isinstance(length, int) else 0 for length in dimensions])
     if not fits(array.shape, dimensions):
-        raise wrong_shape(wanted.description, value)
+        raise wrong_dimensions(wanted.description, value, array.shape, len(dimensions))
     if array.dtype.kind not in "iuf" and not all(type(item) in EXACT for item in array.flat):
         raise no_numbers(wanted.description, value, array)
     try:
@@ -69,6 +69,19 @@ def fits(shape: tuple[int, ...], dimensions: tuple[int | str, ...]) -> bool:
 def wrong_shape(words: str, value: object) -> WrongShape:
     """Exception for a value of the wrong shape, with its message."""
     return WrongShape(get_message("shape.wrong", wanted=words, came=describe_value(value)))
+
+
+def wrong_dimensions(
+    words: str, value: object, shape: tuple[int, ...], dimensions: int
+) -> WrongShape:
+    """Exception for a value that makes an array of another shape, which it names.
+
+    It is not named where the length of a list says the same.
+    """
+    if type(value) not in (list, tuple) or len(shape) == dimensions == 1:
+        return wrong_shape(words, value)
+    came = get_message("shape.makes", value=describe_value(value), shape=shape)
+    return WrongShape(get_message("shape.wrong", wanted=words, came=came))
 
 
 def no_numbers(words: str, value: object, items: np.ndarray) -> WrongShape:
