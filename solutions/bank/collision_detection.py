@@ -480,6 +480,11 @@ def width_for_half_width(q, lengths, width, discs):
     return touched_link(q, lengths, 2 * width, discs)
 
 
+links_exchanged = changed(
+    "link_in_contact", ("return link\n", "return 3 - link\n"), slip="exchanged"
+)
+
+
 @wrong("link_in_contact", slip="squares")
 def squared_distance_and_squared_radii(q, lengths, width, discs):
     """Compares the squared distance with r^2 + (W/2)^2."""
@@ -754,6 +759,24 @@ def draws_free_ones_only(samples, lengths, width, discs, ax):
 def all_contact_is_red(samples, lengths, width, discs, ax):
     """Uses two colours only."""
     dotted(FULL * samples, FULL * samples, (lengths, width, discs), ax, ("blue", "red", "red"))
+
+
+COLOURS = '(0, "blue"), (1, "black"), (2, "red")'
+free_and_contact_exchanged = changed(
+    "plot_configuration_space",
+    (COLOURS, '(0, "black"), (1, "blue"), (2, "red")'),
+    slip="permuted",
+)
+free_is_red = changed(
+    "plot_configuration_space",
+    (COLOURS, '(0, "red"), (1, "black"), (2, "blue")'),
+    slip="permuted",
+)
+colours_in_another_order = changed(
+    "plot_configuration_space",
+    (COLOURS, '(0, "black"), (1, "red"), (2, "blue")'),
+    slip="permuted",
+)
 
 
 @wrong("plot_configuration_space", slip="swapped")

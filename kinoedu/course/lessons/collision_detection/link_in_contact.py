@@ -63,6 +63,7 @@ class LinkInContact(ValueExercise):
         Slip("from_x", lambda q, *others: touched_link(q - (0, q[0]), *others)),
         Slip("degrees", lambda q, *others: touched_link(np.radians(q), *others)),
         Slip("thin", lambda q, links, w, discs: touched_link(q, links, 0.0, discs)),
+        Slip("exchanged", lambda *arm: (0, 2, 1)[touched_link(*arm)]),
         Slip("squares", lambda *arm: by_squares(*arm)),
         Slip("whole_width", lambda q, links, w, discs: touched_link(q, links, 2 * w, discs)),
         Slip("centres", lambda q, links, w, discs: touched_link(q, links, w, discs * (1, 1, 0))),

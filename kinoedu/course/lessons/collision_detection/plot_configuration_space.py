@@ -51,6 +51,10 @@ class PlotConfigurationSpace(DrawnExercise):
             lambda *given: np.array([dot for dot in right_dots(*given) if dot[2] == 0]),
         ),
         Slip("one_red", lambda *given: replace_colours(right_dots(*given), (0, 2, 2))),
+        Slip("permuted", lambda *given: replace_colours(right_dots(*given), (1, 0, 2))),
+        Slip("permuted", lambda *given: replace_colours(right_dots(*given), (2, 1, 0))),
+        Slip("permuted", lambda *given: replace_colours(right_dots(*given), (1, 2, 0))),
+        Slip("permuted", lambda *given: replace_colours(right_dots(*given), (2, 0, 1))),
         Slip("swapped", lambda *given: replace_colours(right_dots(*given), (0, 2, 1))),
     )
 
