@@ -60,4 +60,5 @@ html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#0072B2", "color-brand-content": "#005A8C"},
     "dark_css_variables": {"color-brand-primary": "#6CB4E2", "color-brand-content": "#6CB4E2"},
 }
-pygments_style, pygments_dark_style = "friendly", "github-dark"
+# each colour with a contrast of 4.5 to 1 at least
+pygments_style, pygments_dark_style = "a11y-light", "github-dark"
