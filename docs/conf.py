@@ -27,7 +27,8 @@ include_patterns += [
 ]
 # contents.md is a part of the entrance; folders such as .venv have tens of thousands of files
 exclude_patterns = ["docs/contents.md", ".*"]
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas", "rendering"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.viewcode", "formulas"]
+extensions += ["rendering", "searching"]
 
 # Notebooks are shown as they were stored. A board's picture gives place to the board as it was
 # recorded; rendering.py reads the record, which myst_nb does not know.
@@ -56,6 +57,7 @@ html_math_renderer = "mathml"
 html_copy_source = html_show_copyright = False
 # a browser that reads from a disk may not fetch pages to quote from
 html_show_search_summary = False
+html_search_scorer = str(HERE / "search.js")
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#0072B2", "color-brand-content": "#005A8C"},
     "dark_css_variables": {"color-brand-primary": "#6CB4E2", "color-brand-content": "#6CB4E2"},
