@@ -150,6 +150,15 @@ def test_pictures_stand_for_boards(site, pages, notebook):
     assert BOARD not in text and "<script src=" in text
 
 
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda file: "/".join(file.parts[-2:]))
+def test_formulas_in_lines_of_their_own_are_paragraphs(notebook):
+    """Elsewhere the site shows their dollar signs."""
+    cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+    words = ["\n" + "".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+    begun = [text for text in words if re.search(r"(?m)^(?!>? *$)(?!.*\$\$$).+\n>? *\$\$", text)]
+    assert begun == []
+
+
 def test_docstrings_are_plain_text(monkeypatch):
     """Code, lists of names and examples become markup; what only looks like markup stays as it
     is.
@@ -240,8 +249,10 @@ def test_pages_fit_a_telephone(browser_page, site):
     sources = [file for file in files if file.startswith("_modules/")]
     for file in sources[:1] + [file for file in files if file not in sources]:
         page.goto(f"{address}/{file}", wait_until="load")
-        assert page.evaluate(LOST) == [], file
-        assert page.evaluate("document.documentElement.scrollWidth") == 480, file
+        for width in (360, 480):
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.evaluate(LOST) == [], file
+            assert page.evaluate("document.documentElement.scrollWidth") == width, file
     page.goto(f"{address}/notebooks/09_trees.html")
     keep(page, "site_lesson")
 
