@@ -164,7 +164,7 @@ def test_an_exercise_with_answers_in_it_is_not_packed(house):
     nbformat.write(remove_answers(house / "solutions" / f"{name}.ipynb"), exercise)
     require_released(name, house)
     shutil.copy(house / "solutions" / f"{name}.ipynb", exercise)
-    with pytest.raises(InvalidParameter, match="may have answers in it: release 01_geometry too"):
+    with pytest.raises(InvalidParameter, match="may have answers in it: release 01_geometry again"):
         require_released(name, house)
 
 

@@ -7,6 +7,7 @@ grades follow it.
 import json
 import re
 import runpy
+import shutil
 from math import inf, pi
 from pathlib import Path
 
@@ -290,6 +291,19 @@ def test_each_student_gets_their_own_notebook(tmp_path, monkeypatch):
     monkeypatch.setattr(handing_out, "read_assignment", lambda *_: NO_VARIANTS)
     with pytest.raises(InvalidParameter, match="no exercise of 04_graph"):
         write_variants([GRAPHS], students, SECRET, tmp_path)
+
+
+def test_an_exercise_with_answers_in_it_is_not_handed_out(tmp_path):
+    """A teacher tried the exercise and saved it: neither students nor sections get the answers."""
+    for folder in ("solutions", "exercises"):
+        (tmp_path / folder).mkdir()
+        shutil.copy(HOUSE / "solutions" / f"{GRAPHS}.ipynb", tmp_path / folder)
+    out = tmp_path / "out"
+    with pytest.raises(InvalidParameter, match="may have answers in it"):
+        write_variants([GRAPHS], ["ann"], SECRET, out, tmp_path)
+    with pytest.raises(InvalidParameter, match="may have answers in it"):
+        write_section([GRAPHS], "B", out, tmp_path)
+    assert not out.exists()
 
 
 def test_forgotten_contracts_are_refused(tmp_path):

@@ -101,6 +101,8 @@ def run_release(arguments: argparse.Namespace) -> int:
     from ..grading.assignments.questions import read_assignment
 
     refuse_useless_options(arguments)
+    if importlib.util.find_spec("nbgrader") is None:
+        raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
     if arguments.variants is not None:
         return release_variants(arguments)
     names = arguments.assignments or assignments()
@@ -112,10 +114,6 @@ def run_release(arguments: argparse.Namespace) -> int:
         choose_for_section(EXERCISES.values(), arguments.variant)  # refuse a wrong letter at once
     if arguments.zip is not None:
         require_place_for(arguments.zip)
-    if importlib.util.find_spec("nbgrader") is None:
-        raise InvalidParameter("releasing needs nbgrader, which python start.py release installs")
-
-    if arguments.zip is not None:
         for other in assignments():
             if other not in names:
                 require_released(other)

@@ -152,7 +152,7 @@ def require_released(name: str, house: Path = HOUSE) -> None:
     if found != made:
         raise InvalidParameter(
             f"exercises/{name}.ipynb is not what its solution makes, and may have answers in it: "
-            f"release {name} too"
+            f"release {name} again"
         )
 
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from ...course.release import HOUSE, solution_path
+from ...course.release import HOUSE, require_released, solution_path
 from ...course.section import choose_for_section, format_notebook, insert_contracts
 from ...errors import InvalidParameter
 from ...support.csv_cells import escape_formula, write_rows
@@ -69,9 +69,18 @@ def write_section(names: list[str], letter: str, out: Path, house: Path = HOUSE)
 
 
 def read_released(name: str, house: Path) -> Any:
-    """The exercise as it was released. Raises InvalidParameter, UnreadableScene."""
+    """The exercise as it was released.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it is not there, or is not what its solution makes.
+    UnreadableScene
+        Where it is no notebook.
+    """
     solution_path(name, house)
     file = house / "exercises" / f"{name}.ipynb"
     if not file.is_file():
         raise InvalidParameter(f"exercises/{name}.ipynb is not there: release {name} first")
+    require_released(name, house)
     return read_notebook(file)
