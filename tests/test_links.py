@@ -152,14 +152,13 @@ def test_the_glossary_explains_each_word_of_a_lesson(lesson):
 
 
 def test_git_leaves_alone_what_the_pages_on_grading_have_teachers_make():
-    """Names of students, grades and secrets; the pages name the folders in their commands."""
+    """Names of students, grades and secrets; the pages name the places in their commands."""
     ignored = [line.strip("/") for line in (HOUSE / ".gitignore").read_text().splitlines()]
     pages = "".join(page.read_text(encoding="utf-8") for page in HOUSE.glob("docs/grading*.md"))
     made = set(re.findall(r"--(?:out|zip|secret) ([a-z]\w+(?:\.zip)?)", pages))
-    assert {"grades", "handouts", "gradescope_secret", "course.zip"} <= made
-    named = {
-        name for name in [*made, "submissions"] if not any(fnmatch(name, one) for one in ignored)
-    }
+    made |= set(re.findall(r"(?:grade|--variants|--template) ([a-z]\w+(?:\.\w+)?) --", pages))
+    assert {"grades", "handouts", "gradescope_secret", "course.zip", "students.txt"} <= made
+    named = {name for name in made if not any(fnmatch(name, one) for one in ignored)}
     assert named == set()
 
 
