@@ -31,6 +31,7 @@ from kinoedu.grading.assignments.questions import Assignment, draw_cases, read_a
 from kinoedu.grading.collect.submissions import Submission
 from kinoedu.grading.export.autograder import autograde
 from kinoedu.grading.export.autograder_zip import pack_autograder
+from kinoedu.grading.judge import contracts
 from kinoedu.grading.judge import variants as handing_out
 from kinoedu.grading.judge.contracts import (
     add_contracts,
@@ -39,6 +40,7 @@ from kinoedu.grading.judge.contracts import (
     choose_contract,
     choose_contracts,
     refuse_forgotten,
+    set_apart,
 )
 from kinoedu.grading.judge.running import Graded, compute_key
 from kinoedu.grading.judge.variants import write_section, write_variants
@@ -358,6 +360,24 @@ def test_a_notebook_of_another_section_has_no_score(tmp_path):
         refuse_forgotten([given["B"]])
 
 
+def test_a_notebook_of_a_section_among_the_usual_has_no_score(tmp_path, monkeypatch):
+    """It is listed with the option to grade it with; one check that was edited is none."""
+    plain = Submission("ann", GRAPHS, "x", (HOUSE / "exercises" / f"{GRAPHS}.ipynb").read_bytes())
+    given = plain._replace(data=write_section([GRAPHS], "B", tmp_path)[0].read_bytes())
+    trouble = set_apart(given).trouble
+    assert trouble.startswith("its checks ask for variant B (")
+    assert trouble.endswith("this section has the usual form: grade it apart, with --variant B")
+    write_variants([GRAPHS], ["s1"], SECRET, tmp_path)
+    own = plain._replace(data=(tmp_path / "s1" / f"{GRAPHS}.ipynb").read_bytes())
+    assert set_apart(own).trouble.endswith("grade it apart, with --variants")
+    edited = plain.data.replace(b"check(bfs_tree", b"check(bfs_tree, variant='largest'", 1)
+    assert edited != plain.data
+    for one in (plain, plain._replace(data=edited), given._replace(letter="B")):
+        assert set_apart(one) == one
+    monkeypatch.setattr(contracts, "read_assignment", lambda *_: NO_VARIANTS)
+    assert set_apart(given) == given
+
+
 def test_a_section_is_graded_by_its_variant(tmp_path, capsys, monkeypatch):
     """The judges of a section's notebooks are those of its variant, also where it is regraded.
 
@@ -398,9 +418,10 @@ def test_an_autograder_knows_its_section(tmp_path):
     """Gradescope tells a student of another section so; a letter without variants is refused."""
     write_section([GRAPHS], "A", tmp_path / "submission")
     (tmp_path / "results").mkdir()
-    results = autograde(tmp_path, GRAPHS, SECRET, letter="B")
-    assert results["tests"] == []
-    assert "ask for variant A (" in results["output"]
+    for letter in ("B", ""):
+        results = autograde(tmp_path, GRAPHS, SECRET, letter=letter)
+        assert results["tests"] == []
+        assert "ask for variant A (" in results["output"]
     with pytest.raises(InvalidParameter, match="A, B, got 'Z'"):
         pack_autograder(tmp_path / "a.zip", GRAPHS, SECRET, letter="Z")
 

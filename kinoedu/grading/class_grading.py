@@ -20,7 +20,7 @@ from .judge.class_list import (
     read_class,
     write_class,
 )
-from .judge.contracts import add_contracts, add_section, refuse_forgotten
+from .judge.contracts import add_contracts, add_section, refuse_forgotten, set_apart
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.rows import refuse_unknown_names
@@ -146,6 +146,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         submissions = [one if one.letter else add_contracts(one, secret) for one in submissions]
     else:
         refuse_forgotten(one for one in submissions if not one.letter)
+        submissions = [set_apart(one) for one in submissions]
     out.mkdir(parents=True, exist_ok=True)
     graded = iter(
         grade_all(

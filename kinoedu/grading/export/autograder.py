@@ -22,7 +22,7 @@ from ..collect.found import read_files
 from ..collect.marks import count_shared, find_assignment, find_questions
 from ..collect.notebook import UnreadableSubmission
 from ..collect.submissions import Submission, is_candidate, merge_doubles
-from ..judge.contracts import add_section
+from ..judge.contracts import add_section, set_apart
 from ..judge.running import grade_all, use_local_workers
 from ..judge.submission import RIGHT, Grade
 from ..report.failures import explain_failure
@@ -51,7 +51,7 @@ def autograde(
         Where the machine fails. Nothing is written then, so that Gradescope reports a failure and
         gives no score.
     """
-    one = add_section(find_submission(root / "submission", name), letter)
+    one = set_apart(add_section(find_submission(root / "submission", name), letter))
     with tempfile.TemporaryDirectory() as results:
         found = grade_all(
             [one],

@@ -81,10 +81,29 @@ def add_section(one: Submission, letter: str) -> Submission:
     return one._replace(letter=letter, variants=chosen)
 
 
+def set_apart(one: Submission) -> Submission:
+    """The submission, to be graded in the usual form.
+
+    A section's or a student's own notebook, whose checks all ask for contracts, has that trouble
+    and no score.
+    """
+    if one.letter or not one.assignment or one.trouble or MARK not in one.data:
+        return one
+    exercises = [question.exercise for question in read_assignment(one.assignment).questions]
+    try:
+        asked = find_contracts(one.data)
+    except UnreadableSubmission as error:
+        return one._replace(trouble=str(error))
+    varied = {each.name for each in exercises if each.variants}
+    if varied and varied <= {question for question, _ in asked}:
+        return one._replace(trouble=explain_other_section(asked, exercises, ""))
+    return one
+
+
 def explain_other_section(
     asked: set[tuple[str, str]], exercises: list[Exercise], letter: str
 ) -> str:
-    """Why a notebook of another section has no score."""
+    """Why a notebook of another section has no score; the letter is "" for the usual form."""
     if not asked:
         return (
             f"its checks ask for the usual form, and this section has variant {letter}: grade it "
@@ -98,10 +117,11 @@ def explain_other_section(
     }
     which = theirs.pop() if len(theirs) == 1 else ""
     names = ", ".join(f"{question}: {name}" for question, name in sorted(asked))
+    option = f"--variant {which}" if which else "" if letter else "--variants"
     return (
         f"its checks ask for {f'variant {which}' if which else 'other variants'} ({names}), and "
-        f"this section has variant {letter}: grade it apart"
-        + (f", with --variant {which}" if which else "")
+        f"this section has {f'variant {letter}' if letter else 'the usual form'}: grade it apart"
+        + (f", with {option}" if option else "")
     )
 
 
