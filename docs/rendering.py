@@ -19,6 +19,7 @@ from kinoedu.boards.core.page_script import CORE, page_script
 from kinoedu.boards.core.recorded import RECORD, unpack_records
 from kinoedu.browser.bodies import describe_bodies
 from kinoedu.browser.wasm import write_scripts
+from kinoedu.course.release import exercises_without_solution
 from kinoedu.messages import get_message
 
 CODE_OR_MARKUP = re.compile(r"`[^`]+`|[*_|\\]")
@@ -35,6 +36,7 @@ NAME = re.compile(r"ke\.([\w.]+)(?:\(.*\))?$")
 
 def setup(app):
     """Called by Sphinx."""
+    app.connect("config-inited", leave_out_drafts)
     app.connect("source-read", add_contents)
     app.connect("autodoc-process-docstring", mark_up)
     app.connect("autodoc-process-signature", as_written)
@@ -45,6 +47,14 @@ def setup(app):
     app.connect("doctree-read", lead_to_sources, priority=400)
     app.connect("html-page-context", add_front_board)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def leave_out_drafts(app, config):
+    """No page shows a copy of an exercise in which somebody wrote answers; the kit has none."""
+    for draft in exercises_without_solution(Path(app.srcdir)):
+        file = draft.relative_to(app.srcdir).as_posix()
+        config.exclude_patterns.append(file)
+        print(f"left out {file}: no solution makes it")
 
 
 def add_contents(app, docname, source):

@@ -67,6 +67,23 @@ def site(tmp_path_factory):
     return folder
 
 
+def test_a_copy_with_answers_is_not_on_the_site(tmp_path):
+    """A teacher tried an exercise under another name; Sphinx finds the exercise, and no copy."""
+    for place in ("solutions/a.ipynb", "exercises/a.ipynb", "exercises/a-Copy1.ipynb"):
+        (tmp_path / place).parent.mkdir(exist_ok=True)
+        (tmp_path / place).write_text("{}")
+    program = f"""
+from sphinx.application import Sphinx
+app = Sphinx({str(tmp_path)!r}, "docs", *[{str(tmp_path / "out")!r}] * 2, "dummy")
+print(sorted(app.project.discover(app.config.exclude_patterns, app.config.include_patterns)))
+"""
+    found = subprocess.run(
+        [sys.executable, "-P", "-c", program], cwd=HOUSE, capture_output=True, text=True, check=True
+    )
+    assert "left out exercises/a-Copy1.ipynb: no solution makes it" in found.stdout
+    assert found.stdout.splitlines()[-1] == "['exercises/a']"
+
+
 @pytest.fixture(scope="module")
 def pages(site):
     """Every page by its file."""
