@@ -768,6 +768,12 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     printed = capsys.readouterr()
     assert "0 scores changed" in printed.out and "WITHOUT A SANDBOX" in printed.err
     assert (tmp_path / "new" / "grades.csv").read_bytes() == first
+    decisions = tmp_path / "out" / "overrides.csv"
+    decisions.write_text(f"student,assignment,question,score,comment\nann,{NAME},gone,1,\n")
+    assert main([*regrade[:-1], str(tmp_path / "other")]) == 2
+    assert "'gone'" in capsys.readouterr().err
+    assert not (tmp_path / "other").exists()  # a copy of the wrong line would be read next time
+    decisions.unlink()
     (tmp_path / "out" / "class.json").write_text("")
     assert main(command) == 2
     assert "class.json is damaged; remove it and grade" in capsys.readouterr().err

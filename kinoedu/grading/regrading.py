@@ -8,12 +8,12 @@ from typing import NamedTuple
 from ..errors import InvalidParameter
 from ..support.csv_cells import escape_formula, number, write_rows
 from .assignments.questions import read_course_secret
-from .class_grading import Run, grade_found
+from .class_grading import Run, grade_found, list_pairs
 from .collect.submissions import collect
 from .judge.class_list import Class, Entry, mark_secret, read_class
 from .judge.contracts import add_section
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
-from .report.rows import Row, list_class_rows
+from .report.rows import Row, list_class_rows, refuse_unknown_names
 
 COLUMNS = ("student", "assignment", "question", "before", "after", "why", "kept")
 
@@ -80,6 +80,8 @@ def regrade(
         for name, only, letter in sources
         for place in (Path(name) if folder is None else folder,)
     ]
+    if not (out / OVERRIDES).exists():  # a copy of wrong lines would stay, and be read next time
+        refuse_unknown_names(read_decisions(old), list_pairs(found, []))
     out.mkdir(parents=True, exist_ok=True)
     for name in (OVERRIDES, BY_HAND):
         if (old / name).exists() and not (out / name).exists():
