@@ -204,6 +204,8 @@ def test_a_kit_may_hold_answers_back():
         assert (question.right, question.choices[0].why) == ("", "")
         with pytest.raises(InvalidParameter, match="your teacher"):
             _ = question.right_choice
+    del files[f"notebooks/{lesson}.ipynb"]  # a teacher asks the questions without the lesson
+    assert set(hold_questions_back(lesson, files)) == {place}
     with pytest.raises(InvalidParameter, match="15_flying"):
         hold_questions_back("15_flying", files)
 

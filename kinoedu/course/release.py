@@ -300,6 +300,8 @@ def hold_questions_back(lesson: str, files: dict[str, bytes]) -> dict[str, bytes
     }
     questions = parse_questions(held[f"{QUESTIONS}en{ending}"].decode(), lesson)
     book = f"notebooks/{lesson}.ipynb"
+    if book not in files:  # a teacher may ask the questions without the lesson
+        return held
     return {**held, book: ask_without_answers(files[book].decode(), questions).encode()}
 
 
