@@ -369,15 +369,17 @@ def test_gradescope_results_sum_up(tmp_path):
 
 
 def test_regrading_says_whose_score_changed_and_why(tmp_path):
-    """Reasons are a new verdict, another file, a new student, and a student who is gone."""
+    """Reasons are a new verdict, other points, another file, and a student who is new or gone."""
+    light = record()
+    for one in light["questions"]:
+        one |= {"score": 1.0, "max_score": 1.0}
+    wrong = record(share=0.0)
     before = a_class(
         tmp_path / "old",
-        {"ann": record(share=0.0), "bob": record(), "cy": record(), "eve": record(share=0.0)},
+        {"ann": wrong, "bob": record(), "cy": record(), "eve": wrong, "fay": light},
     )
-    after = a_class(
-        tmp_path / "new",
-        {"ann": record(), "bob": record(), "dee": record(), "eve": record(), "fay": None},
-    )
+    new = dict.fromkeys(("ann", "bob", "dee", "eve", "fay"), record())
+    after = a_class(tmp_path / "new", {**new, "gus": None})
     entries = [
         entry._replace(digest="another" if entry.student == "eve" else entry.digest)
         for entry in after.entries
@@ -390,12 +392,13 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
     )
     why = {change.student: change.why for change in found}
     assert why["ann"] == "right; before: wrong: A rule."
+    assert re.fullmatch(r"worth \d points now; before: 1", why["fay"])
     assert (why["cy"], why["dee"], why["eve"]) == (
         "the submission is no longer there",
         "handed in since",
         "another file was handed in since",
     )
-    assert "bob" not in why and "fay" not in why  # who has no score before and after
+    assert "bob" not in why and "gus" not in why  # who has no score before and after
     assert [change.question for change in found if change.decided] == ["exposing_case"]
 
 

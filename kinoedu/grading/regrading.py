@@ -122,6 +122,8 @@ def explain_change(
         return "the assignment asks for this now"
     if new is None:
         return "the assignment no longer asks for this"
+    if describe_row(new) == describe_row(old) and new.max_score != old.max_score:
+        return f"worth {new.max_score:g} points now; before: {old.max_score:g}"
     return f"{describe_row(new)}; before: {describe_row(old)}"
 
 
