@@ -521,6 +521,18 @@ def test_a_record_is_a_table(tmp_path):
     assert [first.tuning, second.tuning] == ["drives.trials=8", "drives.trials=20"]
 
 
+def test_a_record_that_may_be_none_is_a_table_too(tmp_path):
+    """As SST's refinement, which is None by default."""
+    file = tmp_path / "sparse.toml"
+    driven = DRIVEN.replace("kinodynamic_rrt", "sst")
+    file.write_text(PROBLEMS + driven + "sparsity.radius = 0.5\nrefinement.radius = 0.1")
+    (only,) = read_experiment(file).contestants
+    assert only.function.keywords == {
+        "sparsity": ke.Sparsity(radius=0.5),
+        "refinement": ke.Refinement(radius=0.1),
+    }
+
+
 @pytest.mark.parametrize("text", NONSENSE)
 def test_a_nonsense_file_raises_a_named_error(text, tmp_path, capsys):
     """One line names the file, the key and what was expected; nothing is run or written."""

@@ -26,7 +26,7 @@ def arguments_from(
     accepted = {
         name: annotation
         for name, annotation in annotations_of(function).items()
-        if name not in hidden and (is_dataclass(annotation) or kinds_of(annotation))
+        if name not in hidden and (record_in(annotation) or kinds_of(annotation))
     }
     fields = field.members((*already_read, *renamed), tuple(accepted))
     return {
@@ -60,12 +60,19 @@ def annotation_of(parameter: inspect.Parameter) -> Any:
 
 def argument_from(field: Field, annotation: Any) -> Any:
     """A value of the type that a parameter has: a plain value, or a record from a table."""
-    if is_dataclass(annotation) and isinstance(annotation, type):
-        return annotation(**arguments_from(field, annotation, (), {}))
+    record = record_in(annotation)
+    if record is not None:
+        return record(**arguments_from(field, record, (), {}))
     kinds, given = kinds_of(annotation), type(field.value)
     if given not in kinds and not (given is int and float in kinds):
         raise field.wrong(" or ".join(TYPE_NAMES[kind] for kind in kinds))
     return field.value
+
+
+def record_in(annotation: Any) -> type | None:
+    """The record that an argument is, also where it may be None."""
+    kinds = (annotation, *get_args(annotation))
+    return next((kind for kind in kinds if is_dataclass(kind) and isinstance(kind, type)), None)
 
 
 def kinds_of(annotation: object) -> list[type]:
