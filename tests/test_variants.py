@@ -41,6 +41,7 @@ from kinoedu.grading.judge.contracts import (
     choose_contracts,
     refuse_forgotten,
     set_apart,
+    warn_of_strange,
 )
 from kinoedu.grading.judge.running import Graded, compute_key
 from kinoedu.grading.judge.variants import write_section, write_variants
@@ -443,7 +444,7 @@ def bfs_tree(neighbours, start):
 
 
 @needs_sandbox
-def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
+def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys, caplog):
     """Two students with different contracts hand in one program; it is right for one.
 
     Regrading does not change that.
@@ -472,6 +473,7 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
     assert main(grade) == 2
     assert "--variants" in capsys.readouterr().err
     assert main([*grade, "--variants"]) == 0
+    assert "other variants" not in caplog.text
     table = (tmp_path / "out" / "grades.csv").read_text(encoding="utf-8")
     scores = {
         line.split(",")[0]: line.split(",")[3]
@@ -487,6 +489,32 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys):
     regrade = ["regrade", str(tmp_path / "out"), "--out", str(tmp_path / "new")]
     assert main([*regrade, "--workers", "1"]) == 0
     assert "0 scores changed" in capsys.readouterr().out
+    shutil.copy(
+        tmp_path / "in" / names["smallest"] / f"{GRAPHS}.ipynb", tmp_path / "in" / names["largest"]
+    )
+    assert main([*grade, "--variants"]) == 0
+    assert "1 of 2 notebooks ask for other variants" in caplog.text
+    assert f"such as that of {names['largest']}," in caplog.text
+
+
+@pytest.mark.parametrize(
+    ("check", "is_strange"),
+    [
+        ("check(bfs_tree, variant='largest')", False),
+        ("check(bfs_tree, variant='smallest')", True),
+        ("check(bfs_tree)", True),
+    ],
+)
+def test_a_class_is_told_of_checks_for_other_students_variants(check, is_strange, caplog):
+    """Where ids were spelled otherwise at release, say, right answers would lose their points
+    without a word.
+    """
+    cell = {"cell_type": "code", "source": check, "metadata": {}, "outputs": []}
+    data = json.dumps({"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
+    one = Submission("ann", GRAPHS, "x.ipynb", data.encode())
+    warn_of_strange([one._replace(variants=(("bfs_tree", "largest"),)), one])
+    assert ("1 of 1 notebooks ask for other variants" in caplog.text) == is_strange
+    assert ("such as that of ann" in caplog.text) == is_strange
 
 
 def test_the_page_of_variants_lists_all():

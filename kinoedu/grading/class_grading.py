@@ -20,7 +20,13 @@ from .judge.class_list import (
     read_class,
     write_class,
 )
-from .judge.contracts import add_contracts, add_section, refuse_forgotten, set_apart
+from .judge.contracts import (
+    add_contracts,
+    add_section,
+    refuse_forgotten,
+    set_apart,
+    warn_of_strange,
+)
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.rows import refuse_unknown_names
@@ -144,6 +150,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     submissions = [one for _, _, found in sources for one in found]
     if variants:
         submissions = [one if one.letter else add_contracts(one, secret) for one in submissions]
+        warn_of_strange(one for one in submissions if not one.letter)
     else:
         refuse_forgotten(one for one in submissions if not one.letter)
         submissions = [set_apart(one) for one in submissions]

@@ -6,6 +6,7 @@ contract follows from the course's secret and the student's id, both at release 
 
 import hashlib
 import hmac
+import logging
 from collections.abc import Iterable
 from string import ascii_uppercase
 
@@ -19,6 +20,12 @@ from ..collect.notebook import UnreadableSubmission
 from ..collect.submissions import Submission
 
 MARK = b"variant="  # stands in a notebook with contracts of its student
+STRANGE = (
+    "the checks of %d of %d notebooks ask for other variants than those of their students, such as "
+    "that of %s, so right answers get no points. Were they copied, or were the students' ids "
+    "spelled otherwise at release, or the secret another one?"
+)
+log = logging.getLogger("kinoedu")
 
 
 def choose_contract(exercise: Exercise, secret: bytes, student: str) -> str:
@@ -58,6 +65,30 @@ def add_contracts(one: Submission, secret: bytes) -> Submission:
     )
 
 
+def warn_of_strange(submissions: Iterable[Submission]) -> None:
+    """Log a warning if checks ask for other contracts than those that their students have.
+
+    What a check asks for changes no score, but the student has read it.
+    """
+    varied = [one for one in submissions if one.variants and not one.trouble]
+    strange = [one for one in varied if not asks_for_its_own(one)]
+    if strange:
+        log.warning(STRANGE, len(strange), len(varied), strange[0].student)
+
+
+def asks_for_its_own(one: Submission) -> bool:
+    """Whether the checks in a notebook ask for the contracts of its student."""
+    try:
+        return agree(find_contracts(one.data), one.variants)
+    except UnreadableSubmission:
+        return True  # it is listed with this trouble
+
+
+def agree(asked: set[tuple[str, str]], chosen: Choices) -> bool:
+    """Whether checks ask for some of the contracts, and for no others."""
+    return bool(asked) and asked <= set(chosen)
+
+
 def add_section(one: Submission, letter: str) -> Submission:
     """The submission with the contracts of a section, "" for the usual form.
 
@@ -76,7 +107,7 @@ def add_section(one: Submission, letter: str) -> Submission:
         asked = find_contracts(one.data)
     except UnreadableSubmission as error:
         return one._replace(letter=letter, trouble=str(error))
-    if chosen and (not asked or asked - set(chosen)):
+    if chosen and not agree(asked, chosen):
         one = one._replace(trouble=explain_other_section(asked, exercises, letter))
     return one._replace(letter=letter, variants=chosen)
 
