@@ -41,7 +41,7 @@ from kinoedu.grading.judge.contracts import (
     choose_contracts,
     refuse_forgotten,
     set_apart,
-    warn_of_strange,
+    warn_of_other_variants,
 )
 from kinoedu.grading.judge.running import Graded, compute_key
 from kinoedu.grading.judge.variants import write_section, write_variants
@@ -494,27 +494,27 @@ def test_a_copy_of_anothers_contract_does_not_pass(tmp_path, capsys, caplog):
     )
     assert main([*grade, "--variants"]) == 0
     assert "1 of 2 notebooks ask for other variants" in caplog.text
-    assert f"such as that of {names['largest']}," in caplog.text
+    assert f"such as that of {names['largest']};" in caplog.text
 
 
 @pytest.mark.parametrize(
-    ("check", "is_strange"),
+    ("check", "is_told"),
     [
         ("check(bfs_tree, variant='largest')", False),
         ("check(bfs_tree, variant='smallest')", True),
         ("check(bfs_tree)", True),
     ],
 )
-def test_a_class_is_told_of_checks_for_other_students_variants(check, is_strange, caplog):
+def test_a_class_is_told_of_checks_for_other_students_variants(check, is_told, caplog):
     """Where ids were spelled otherwise at release, say, right answers would lose their points
     without a word.
     """
     cell = {"cell_type": "code", "source": check, "metadata": {}, "outputs": []}
     data = json.dumps({"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
     one = Submission("ann", GRAPHS, "x.ipynb", data.encode())
-    warn_of_strange([one._replace(variants=(("bfs_tree", "largest"),)), one])
-    assert ("1 of 1 notebooks ask for other variants" in caplog.text) == is_strange
-    assert ("such as that of ann" in caplog.text) == is_strange
+    warn_of_other_variants([one._replace(variants=(("bfs_tree", "largest"),)), one])
+    assert ("1 of 1 notebooks ask for other variants" in caplog.text) == is_told
+    assert ("such as that of ann" in caplog.text) == is_told
 
 
 def test_the_page_of_variants_lists_all():

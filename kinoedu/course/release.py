@@ -141,9 +141,9 @@ def read_notebook_node(file: Path) -> Any:
 def require_released(name: str, house: Path = HOUSE) -> None:
     """Raise InvalidParameter where exercises/NAME.ipynb has other cells than its solution makes.
 
-    Somebody may have tried it and left answers in it. Without such a file nothing is wrong.
+    Somebody may have tried it and left answers in it. Without such a file nothing is wrong. Of a
+    damaged notebook it raises UnreadableScene.
     """
-
     exercise = house / "exercises" / f"{name}.ipynb"
     if not exercise.exists():
         return

@@ -25,7 +25,7 @@ from .judge.contracts import (
     add_section,
     refuse_forgotten,
     set_apart,
-    warn_of_strange,
+    warn_of_other_variants,
 )
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
@@ -150,7 +150,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     submissions = [one for _, _, found in sources for one in found]
     if variants:
         submissions = [one if one.letter else add_contracts(one, secret) for one in submissions]
-        warn_of_strange(one for one in submissions if not one.letter)
+        warn_of_other_variants(one for one in submissions if not one.letter)
     else:
         refuse_forgotten(one for one in submissions if not one.letter)
         submissions = [set_apart(one) for one in submissions]

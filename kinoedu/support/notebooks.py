@@ -17,11 +17,10 @@ def read_notebook(file: Path) -> JsonObject:
         Where the file is missing or no notebook, as after a merge that was not resolved. The
         message names the file.
     """
+    text = read_text(file)
     try:
-        book = json.loads(read_text(file))
+        book = json.loads(text)
     except (ValueError, RecursionError) as error:
-        if isinstance(error, UnreadableScene):
-            raise
         raise damaged(file, str(error)) from error
     cells = book.get("cells") if isinstance(book, dict) else None
     if not isinstance(cells, list) or not all(map(is_cell, cells)):

@@ -83,9 +83,9 @@ def pack_autograder(
         Where there is no such assignment, or no variant of that letter.
     """
     options = " --trust-container" if container_is_wall else ""
-    exercises = [one.exercise for one in read_assignment(name, house).questions]
+    task = read_assignment(name, house)  # refuse what could not be graded
     if letter:
-        choose_for_section(exercises, letter)
+        choose_for_section([one.exercise for one in task.questions], letter)
         options += f" --variant {letter}"
     run = RUN.replace("ASSIGNMENT", name).replace("OPTIONS", options)
     files = [

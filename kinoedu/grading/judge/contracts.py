@@ -20,10 +20,10 @@ from ..collect.notebook import UnreadableSubmission
 from ..collect.submissions import Submission
 
 MARK = b"variant="  # stands in a notebook with contracts of its student
-STRANGE = (
+OTHER_VARIANTS = (
     "the checks of %d of %d notebooks ask for other variants than those of their students, such as "
-    "that of %s, so right answers get no points. Were they copied, or were the students' ids "
-    "spelled otherwise at release, or the secret another one?"
+    "that of %s; an answer that is right for another variant gets no points. Were they copied? Or "
+    "were ids spelled otherwise, or another secret used, when the variants were released?"
 )
 log = logging.getLogger("kinoedu")
 
@@ -65,15 +65,15 @@ def add_contracts(one: Submission, secret: bytes) -> Submission:
     )
 
 
-def warn_of_strange(submissions: Iterable[Submission]) -> None:
+def warn_of_other_variants(submissions: Iterable[Submission]) -> None:
     """Log a warning if checks ask for other contracts than those that their students have.
 
     What a check asks for changes no score, but the student has read it.
     """
     varied = [one for one in submissions if one.variants and not one.trouble]
-    strange = [one for one in varied if not asks_for_its_own(one)]
-    if strange:
-        log.warning(STRANGE, len(strange), len(varied), strange[0].student)
+    others = [one for one in varied if not asks_for_its_own(one)]
+    if others:
+        log.warning(OTHER_VARIANTS, len(others), len(varied), others[0].student)
 
 
 def asks_for_its_own(one: Submission) -> bool:

@@ -219,13 +219,6 @@ class GoalRegionRecord(NamedTuple):
     turn_tolerance: float
 
 
-class SparsityRecord(NamedTuple):
-    """`Sparsity` of one car."""
-
-    radius: float
-    reach: float
-
-
 class RefinementRecord(NamedTuple):
     """`Refinement` of one car."""
 
@@ -284,8 +277,8 @@ def as_goal_region(problem: Any, goal_region: GoalRegion) -> GoalRegionRecord:
     return GoalRegionRecord(distance, float(given.turn_tolerance))
 
 
-def as_sparsity(problem: Any, sparsity: Sparsity) -> SparsityRecord:
-    """The numbers of `Sparsity` for the problem's car.
+def as_sparsity(problem: Any, sparsity: Sparsity) -> tuple[float, float]:
+    """The radius and the reach of `Sparsity` for the problem's car.
 
     Raises
     ------
@@ -294,7 +287,7 @@ def as_sparsity(problem: Any, sparsity: Sparsity) -> SparsityRecord:
     """
     given = check_kind(sparsity, Sparsity, "sparsity")
     radius = 0.4 * problem.robot.wheelbase if given.radius is None else float(given.radius)
-    return SparsityRecord(radius, 2.0 * radius if given.reach is None else float(given.reach))
+    return radius, 2.0 * radius if given.reach is None else float(given.reach)
 
 
 def as_refinement(problem: Any, refinement: Refinement | None) -> RefinementRecord:

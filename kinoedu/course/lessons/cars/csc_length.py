@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -60,6 +61,11 @@ def shortest_of(words: dict[str, Any], r: float, names: tuple[str, ...] = tuple(
     )
 
 
+def shortest_without(word: str, a: Array, b: Array, r: float) -> float:
+    """Length of the shortest of the other three words."""
+    return shortest_of(words_to(a, b, r), r, tuple(other for other in WORDS if other != word))
+
+
 @withheld
 def csc(a: Array, b: Array, r: float) -> float:
     """Length of the shortest of LSL, RSR, LSR and RSL."""
@@ -81,10 +87,7 @@ class CscLength(ValueExercise):
         Slip("outer_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSL", "RSR"))),
         Slip("inner_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("LSR", "RSL"))),
         Slip("rsr_only", lambda a, b, r: shortest_of(words_to(a, b, r), r, ("RSR",))),
-        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("LSL"))),
-        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("RSR"))),
-        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("LSR"))),
-        Slip("three_words", lambda a, b, r: shortest_of(words_to(a, b, r), r, without("RSL"))),
+        *(Slip("three_words", partial(shortest_without, word)) for word in WORDS),
         Slip("sign", lambda a, b, r: shortest_of(words_to(a, b, r, abs), r)),
         Slip(
             "half_turns", lambda a, b, r: shortest_of(words_to(a, b, r, lambda t: t % math.pi), r)
@@ -155,11 +158,6 @@ class CscLength(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the shortest curve with its circles, and both lengths."""
         draw_tangents(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
-
-
-def without(word: str) -> tuple[str, ...]:
-    """All words but one."""
-    return tuple(other for other in WORDS if other != word)
 
 
 def as_left_turns(a: Array, b: Array, r: float) -> Given:

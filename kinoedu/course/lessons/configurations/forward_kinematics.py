@@ -36,8 +36,9 @@ def from_first_link(l1: float, l2: float, q: Array) -> tuple[float, float, Array
 
 def with_rounded_sines(digits: int, l1: float, l2: float, q: Array) -> Array:
     """Elbow and tip, with sines and cosines of few digits."""
-    ways = np.round(arm_joints(1.0, 1.0, q) - [[0.0, 0.0], arm_joints(1.0, 1.0, q)[0]], digits)
-    return np.array([l1 * ways[0], l1 * ways[0] + l2 * ways[1]])
+    elbow, tip = arm_joints(1.0, 1.0, q)
+    first, second = np.round([elbow, tip - elbow], digits)
+    return np.array([l1 * first, l1 * first + l2 * second])
 
 
 def rounded_joints(digits: int, l1: float, l2: float, q: Array) -> Array:
