@@ -10,6 +10,7 @@ import pytest
 
 import kinoedu as ke
 from kinoedu.cli import main
+from kinoedu.cli.questions import PLATFORMS
 from kinoedu.course import EXERCISES
 from kinoedu.course.questions import Questions, hold_back, lessons_with_questions, read_questions
 from kinoedu.course.questions.canvas import QTI
@@ -171,10 +172,18 @@ def test_moodle_can_read_the_questions(tmp_path):
                 ElementTree.fromstring(text.text)
 
 
+def test_a_file_for_the_other_platform_is_not_written(tmp_path, capsys):
+    """Canvas would not import an .xml; the error says which ending it reads."""
+    file = tmp_path / "questions.xml"
+    assert main(["questions", "--to", "canvas", "--out", str(file)]) == 2
+    assert f"--out {file}: a file of questions for canvas ends in .zip" in capsys.readouterr().err
+    assert not file.exists()
+
+
 def test_an_unknown_lesson_writes_no_file(tmp_path, capsys):
     """The error lists the lessons."""
-    for platform in ("canvas", "moodle"):
-        file = tmp_path / platform
+    for platform, (ending, _) in PLATFORMS.items():
+        file = tmp_path / f"questions{ending}"
         assert main(["questions", "geometry", "--to", platform, "--out", str(file)]) == 2
         assert "01_geometry" in capsys.readouterr().err
         assert not file.exists()
@@ -210,7 +219,7 @@ def test_a_kit_may_hold_answers_back():
         hold_questions_back("15_flying", files)
 
 
-@pytest.mark.parametrize("platform", ["canvas", "moodle"])
+@pytest.mark.parametrize("platform", PLATFORMS)
 def test_held_back_questions_are_not_written_for_a_platform(
     platform, tmp_path, capsys, monkeypatch
 ):
@@ -220,7 +229,7 @@ def test_held_back_questions_are_not_written_for_a_platform(
     asked = (HERE / "en" / f"{lesson}.toml").read_text(encoding="utf-8")
     (tmp_path / "en" / f"{lesson}.toml").write_text(hold_back(asked), encoding="utf-8")
     monkeypatch.setattr("kinoedu.course.questions.question.HERE", tmp_path)
-    file = tmp_path / platform
+    file = tmp_path / f"questions{PLATFORMS[platform][0]}"
     assert main(["questions", lesson, "--to", platform, "--out", str(file)]) == 2
     assert "not in this copy of the course" in capsys.readouterr().err
     assert not file.exists()

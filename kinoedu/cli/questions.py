@@ -3,8 +3,14 @@
 import argparse
 from pathlib import Path
 
+from ..errors import InvalidParameter
 from .commands import Commands
 
+# for each platform the ending of its file, and where it imports one
+PLATFORMS = {
+    "canvas": (".zip", "Settings, Import Course Content, QTI .zip file"),
+    "moodle": (".xml", "Question bank, Import, Moodle XML format"),
+}
 QUESTIONS_HELP = """\
 Write the concept questions of the lessons, five for each, for a learning platform. Every choice
 carries its reason, which students see after they have answered.
@@ -29,7 +35,7 @@ def add_questions(commands: Commands) -> None:
     questions.add_argument(
         "lessons", nargs="*", metavar="NAME", help="such as 01_geometry (default: all)"
     )
-    questions.add_argument("--to", choices=["canvas", "moodle"], required=True, help="the platform")
+    questions.add_argument("--to", choices=PLATFORMS, required=True, help="the platform")
     questions.add_argument(
         "--out", type=Path, required=True, metavar="FILE", help="the file to write"
     )
@@ -38,15 +44,16 @@ def add_questions(commands: Commands) -> None:
 
 def run_questions(arguments: argparse.Namespace) -> int:
     """Write the file, and print how to import it."""
+    ending, menu = PLATFORMS[arguments.to]
+    if arguments.out.suffix.lower() != ending:
+        raise InvalidParameter(
+            f"--out {arguments.out}: a file of questions for {arguments.to} ends in {ending}"
+        )
     from ..course.questions import lessons_with_questions
     from ..course.questions.canvas import write_canvas
     from ..course.questions.moodle import write_moodle
 
-    writers = {"canvas": write_canvas, "moodle": write_moodle}
-    where = {
-        "canvas": "Settings, Import Course Content, QTI .zip file",
-        "moodle": "Question bank, Import, Moodle XML format",
-    }
-    count = writers[arguments.to](arguments.out, arguments.lessons or lessons_with_questions())
-    print(f"wrote {count} questions to {arguments.out}; import them under {where[arguments.to]}")
+    write = {"canvas": write_canvas, "moodle": write_moodle}[arguments.to]
+    count = write(arguments.out, arguments.lessons or lessons_with_questions())
+    print(f"wrote {count} questions to {arguments.out}; import them under {menu}")
     return 0
