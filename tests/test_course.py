@@ -20,7 +20,7 @@ import pytest
 from kinoedu import messages
 from kinoedu.course import EXERCISES, ValueExercise, check, outcomes
 from kinoedu.course.advice import COMMON_ERRORS
-from kinoedu.course.feedback import Feedback, fold_line
+from kinoedu.course.feedback import Feedback, fold_line, html_entry
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lent_problem import LentProblem
 from kinoedu.course.outcomes import (
@@ -805,19 +805,22 @@ def test_strange_answers_are_wrong_answers(value):
 
 
 def test_what_a_program_says_is_escaped():
-    """Text from a student's program cannot become markup."""
+    """Text from a student's program cannot become markup; the course's words show code as code."""
 
     def point_line_distance(q, p1, p2):
-        raise RuntimeError("<script>alert(1)</script>\ud800")
+        raise RuntimeError("<script>alert(1)</script>\ud800 `mine`")
 
-    assert "<script>" not in check(point_line_distance)._repr_html_()
+    html = check(point_line_distance)._repr_html_()
+    assert "<script>" not in html and "`mine`" in html
+    assert "<code>a &lt; b</code>" in html_entry("Hint", "Use `a < b`.")
 
 
 def test_a_long_line_opens_on_a_click():
     """A long line shows its beginning and expands on a click; a short one is unchanged."""
     line = "problem = '" + "<" * 500 + "'"
-    assert fold_line(line).startswith("<details") and fold_line(line).count("&lt;") > 500
-    assert fold_line("n = '<'") == escape("n = '<'")
+    folded = fold_line(line, escape)
+    assert folded.startswith("<details") and folded.count("&lt;") > 500
+    assert fold_line("n = '<'", escape) == escape("n = '<'")
 
 
 def test_every_word_is_there_and_used():

@@ -1,6 +1,7 @@
 """Feedback for students: a report as text and a picture."""
 
 import io
+from collections.abc import Callable
 from html import escape
 from typing import Any
 
@@ -8,6 +9,7 @@ import numpy as np
 
 from ..errors import InvalidPoint
 from ..messages import get_message
+from ..support.text import with_code
 from .advice import find_advice, is_excess, raises_itself
 from .exercise import Exercise
 from .judging import JudgedCase, Report
@@ -260,23 +262,23 @@ def draw_failure(exercise: Exercise, failure: JudgedCase) -> bytes:
     return stream.getvalue()
 
 
-def fold_line(line: str) -> str:
+def fold_line(line: str, to_html: Callable[[str], str]) -> str:
     """HTML of a line; a very long line shows its beginning and expands on a click."""
     if len(line) <= LONG_LINE:
-        return escape(line)
+        return to_html(line)
     return (
-        f"<details style='display:inline-block'><summary>{escape(line[:SHOWN_LETTERS])} "
-        f"…</summary>{escape(line)}</details>"
+        f"<details style='display:inline-block'><summary>{to_html(line[:SHOWN_LETTERS])} "
+        f"…</summary>{to_html(line)}</details>"
     )
 
 
 def html_entry(title: str, text: str) -> str:
-    """HTML of one entry of the feedback, with the student's own output escaped."""
-    body = "<br>".join(fold_line(line) for line in text.splitlines())
+    """HTML of one entry of the feedback; the student's own words stay as they are."""
+    code_titles = [get_message(f"check.{key}") for key in ("call", "yours", "where", "printed")]
+    tag, to_html = ("code", escape) if title in code_titles else ("span", with_code)
+    body = "<br>".join(fold_line(line, to_html) for line in text.splitlines())
     if not title:
         return f"<p style='margin:0 0 .4em'><b>{body}</b></p>"
-    code_titles = [get_message(f"check.{key}") for key in ("call", "yours", "where", "printed")]
-    tag = "code" if title in code_titles else "span"
     return (
         "<div style='display:flex;gap:.8em;margin:.15em 0'>"
         f"<span style='flex:0 0 9em;opacity:.75'>{escape(title)}</span>"

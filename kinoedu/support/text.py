@@ -2,12 +2,15 @@
 
 import io
 import re
+from html import escape
 
 # control and invisible characters, and those for right-to-left text; not newlines and tabs
 CONTROLS = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\xad\u061c\u180e\u200b\u200e\u200f\u2028-\u202e"
     "\u2060-\u206f\ufeff\ufff9-\ufffb\ud800-\udfff\U000e0000-\U000e007f]"
 )
+
+CODE = re.compile("`([^`]+)`")
 
 
 def shortened(value: object) -> str:
@@ -51,3 +54,12 @@ def show_controls(text: str) -> str:
     ann\\x1b[2J\\u202e
     """
     return CONTROLS.sub(lambda found: found[0].encode("unicode_escape").decode(), text)
+
+
+def with_code(text: str) -> str:
+    """HTML of a text; what stands between backticks is set as code.
+
+    >>> with_code("Replace `a < b`.")
+    'Replace <code>a &lt; b</code>.'
+    """
+    return CODE.sub(r"<code>\1</code>", escape(text))

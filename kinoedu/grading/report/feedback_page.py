@@ -16,7 +16,7 @@ from ...course.shapes import Maybe, Truth
 from ...messages import get_message
 from ...support.csv_cells import number
 from ...support.file_names import file_name
-from ...support.text import show_controls
+from ...support.text import show_controls, with_code
 from ..judge.answers import is_stopped
 from ..judge.submission import RIGHT, Grade
 from .failures import explain_failure, find_picture
@@ -102,10 +102,10 @@ def render_failure(question: Grade, pictures: Path) -> Iterator[str]:
     entries = explain_failure(question)
     if entries:
         kinds = ("passed", "failed", "untried", "points")
-        plain = {get_message(f"check.{key}") for key in ("wanted", "hint", "read")}
+        plain = {get_message(f"check.{key}") for key in ("contract", "wanted", "hint", "read")}
         plain |= {get_message(f"grades.kinds.{key}") for key in kinds}
         pairs = [
-            (title, escape(text) if title in plain else f"<code>{escape(text)}</code>")
+            (title, with_code(text) if title in plain else f"<code>{escape(text)}</code>")
             for title, text in entries
         ]
         yield (

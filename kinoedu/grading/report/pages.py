@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ...figures import palette
 from ...messages import get_message
-from ...support.text import show_controls
+from ...support.text import show_controls, with_code
 from ...support.whole_files import written_whole
 
 STYLE = f"""
@@ -80,12 +80,12 @@ def page(title: str, body: Iterable[str]) -> str:
 
 
 def paragraph(text: str, kind: str = "") -> str:
-    """A paragraph of text.
+    """A paragraph of text, with code between backticks.
 
-    >>> paragraph("a < b", "quiet")
-    '<p class="quiet">a &lt; b</p>'
+    >>> paragraph("`a < b`", "quiet")
+    '<p class="quiet"><code>a &lt; b</code></p>'
     """
-    return f'<p class="{kind}">{escape(text)}</p>' if kind else f"<p>{escape(text)}</p>"
+    return f'<p class="{kind}">{with_code(text)}</p>' if kind else f"<p>{with_code(text)}</p>"
 
 
 def breakable(text: str) -> str:
