@@ -4,6 +4,7 @@ A program is accepted by its own contract's judge only. A contract is stated in 
 grades follow it.
 """
 
+import csv
 import json
 import re
 import runpy
@@ -268,16 +269,19 @@ def test_hidden_cases_and_results_know_the_contract():
 def test_each_student_gets_their_own_notebook(tmp_path, monkeypatch):
     """The contract stands before the answer and in the check; nothing else changes.
 
-    A table lists which student has which contract.
+    A table lists which student has which contract, and where the notebook is.
     """
-    students = [f"s{n}" for n in range(12)]
+    students = [*(f"s{n}" for n in range(11)), "Jane Doe_4711"]
     assert write_variants([GRAPHS], students, SECRET, tmp_path) == 12
     plain = json.loads(
         (Path(__file__).parent.parent / "exercises" / f"{GRAPHS}.ipynb").read_text(encoding="utf-8")
     )
+    with (tmp_path / "variants.csv").open(encoding="utf-8", newline="") as table:
+        rows = list(csv.DictReader(table))
+    places = {row["student"]: row["notebook"] for row in rows}
     for student in students:
         mine = choose_contract(EXERCISES["bfs_tree"], SECRET, student)
-        book = json.loads((tmp_path / student / f"{GRAPHS}.ipynb").read_text(encoding="utf-8"))
+        book = json.loads((tmp_path / places[student]).read_text(encoding="utf-8"))
         sources = ["".join(cell["source"]) for cell in book["cells"]]
         at = next(at for at, cell in enumerate(book["cells"]) if cell["id"] == "contract_bfs_tree")
         assert find("bfs_tree", mine).contract in sources[at]
@@ -287,10 +291,10 @@ def test_each_student_gets_their_own_notebook(tmp_path, monkeypatch):
         assert len(sources) == len(plain["cells"]) + varied
         others = ["".join(cell["source"]) for cell in plain["cells"]]
         assert len([source for source in sources if source not in others]) == 2 * varied
-    rows = (tmp_path / "variants.csv").read_text(encoding="utf-8").splitlines()
-    assert rows[0] == "student,assignment,question,variant"
-    given = {row.rpartition(",")[2] for row in rows[1:] if ",bfs_tree," in row}
-    assert given == {"smallest", "largest"}
+    assert {row["variant"] for row in rows if row["question"] == "bfs_tree"} == {
+        "smallest",
+        "largest",
+    }
     monkeypatch.setattr(handing_out, "read_assignment", lambda *_: NO_VARIANTS)
     with pytest.raises(InvalidParameter, match="no exercise of 04_graph"):
         write_variants([GRAPHS], students, SECRET, tmp_path)

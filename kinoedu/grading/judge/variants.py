@@ -13,7 +13,7 @@ from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from .contracts import choose_contracts
 
-COLUMNS = ("student", "assignment", "question", "variant")
+COLUMNS = ("student", "assignment", "question", "variant", "notebook")
 
 
 def write_variants(
@@ -21,7 +21,7 @@ def write_variants(
 ) -> int:
     """Write the exercises with each student's contracts to OUT/STUDENT/NAME.ipynb.
 
-    OUT/variants.csv lists which student has which contract.
+    OUT/variants.csv lists which student has which contract, and in which notebook.
 
     Returns
     -------
@@ -44,7 +44,8 @@ def write_variants(
             file.parent.mkdir(parents=True, exist_ok=True)
             with written_whole(file) as part:
                 part.write_text(format_notebook(insert_contracts(book, mine)), encoding="utf-8")
-            lines += [[escape_formula(student), name, *pair] for pair in mine]
+            place = file.relative_to(out).as_posix()
+            lines += [[escape_formula(student), name, *pair, place] for pair in mine]
     write_rows(out / "variants.csv", [COLUMNS, *lines])
     return len(books) * len(students)
 
