@@ -27,6 +27,7 @@ from kinoedu.grading.collect.notebook import (
 )
 from kinoedu.grading.collect.notebook_python import PythonReader
 from kinoedu.grading.collect.submissions import collect
+from kinoedu.grading.judge import answers
 from kinoedu.grading.judge.submission import find_syntax_errors, grade
 from kinoedu.grading.sandbox import sandbox
 from kinoedu.grading.sandbox.sandbox import Sandbox
@@ -98,6 +99,28 @@ def test_a_cell_that_fails_does_not_lose_the_others(box, bad):
     result = graded(box, bad, GOOD)
     assert result["point_line_distance"]["score"] == 5.0
     assert result["point_segment_distance"]["status"] == "not answered"
+
+
+@needs_sandbox
+@pytest.mark.parametrize("experiment", ["while True:\n    pass", "for _ in range(9):\n    wait()"])
+def test_an_experiment_that_takes_too_long_does_not_lose_the_function_above_it(
+    box, monkeypatch, experiment
+):
+    """Hidden cases are asked of the function that the cell had before it was stopped."""
+    monkeypatch.setattr(answers, "CELL_SECONDS", 0.5)
+    wait = "def wait():\n    for _ in range(10**9):\n        pass\n"
+    result = graded(box, f"{wait}\n{GOOD}\n{experiment}\n1 / 0")
+    assert result["point_line_distance"]["status"] == "right"
+    assert [cell["line"] for cell in result["cells"]] == [13]
+
+
+@needs_sandbox
+def test_a_function_that_is_not_there_again_is_not_called_right(box, monkeypatch):
+    """Such as one that a program defines by chance: the hidden cases are not known."""
+    monkeypatch.setattr(answers.Run, "ask_hidden", lambda *_: None)
+    question = graded(box, GOOD)["point_line_distance"]
+    assert (question["status"], question["score"]) == ("wrong", 0.0)
+    assert "hidden cases could not be tried" in question["message"]
 
 
 @needs_sandbox

@@ -9,6 +9,7 @@ program takes too long for one of them, those of other kinds are asked in a furt
 
 import builtins
 import time
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from ...course.drawn import Drawn
@@ -20,6 +21,7 @@ from ...course.shapes import Maybe, Shape, Truth
 from ...course.tasks import ProblemShape
 from ...messages import get_message
 from ...support.json_fields import JsonObject
+from ...support.text import split_lines
 from ...support.time_limit import slowdown
 from ..collect.notebook import Cell
 from ..sandbox.sandbox import Reply, Sandbox
@@ -117,8 +119,22 @@ def run_program(
         for one in questions
         if is_open(one, run.found.outcomes.get(one.name, []))
     ]
-    run.ask_hidden([cell for cell in cells if cell.number not in run.found.stopped()], hidden)
+    run.ask_hidden(list(leave_out_stopped(cells, run.found)), hidden)
     return run.found
+
+
+def leave_out_stopped(cells: list[Cell], found: Answers) -> Iterator[Cell]:
+    """Yield the cells without the statements that could not be stopped, and what is below those.
+
+    The functions above such a statement are those that the first run had.
+    """
+    for cell in cells:
+        if cell.number not in found.stopped():
+            yield cell
+            continue
+        above = split_lines(cell.source)[: max(found.troubles[cell.number][-1].line - 1, 0)]
+        if above:
+            yield cell._replace(source="".join(above))
 
 
 class Run(NamedTuple):

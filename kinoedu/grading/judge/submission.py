@@ -183,8 +183,10 @@ def judge_question(
         "passed": list(report.passed),
         "untried": list(report.untried),
     }
-    if report.failure is None:
+    if report.is_right:
         return record
+    if report.failure is None:
+        return record | {"message": get_message("grading.untried", name=question.exercise.name)}
     return record | describe_failure(question, report, hidden=report.failure.number >= cases.seen)
 
 

@@ -64,7 +64,12 @@ class Compiler:
 
 
 class TimeUp(BaseException):
-    """A cell or a call computed for too long: seconds used, allowed, and passed on the clock."""
+    """A cell or a call computed for too long: seconds used, allowed, and passed on the clock.
+
+    line : where the statement of the cell begins that did, from 1; 0 if it was none.
+    """
+
+    line = 0
 
 
 def run_cell(source: str, name: str, space: Space, compiler: Compiler) -> Iterator[Failure]:
@@ -93,7 +98,8 @@ def run_cell(source: str, name: str, space: Space, compiler: Compiler) -> Iterat
             continue
         try:
             run_statement(compiler.compile(statement, name), space)
-        except TimeUp:
+        except TimeUp as over:
+            over.line = statement.lineno
             raise
         except BaseException as error:
             yield Failure(error, find_line(error, name, statement), find_names(statement))

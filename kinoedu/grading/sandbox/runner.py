@@ -183,13 +183,15 @@ def read_troubles(reply: dict[str, Any]) -> Iterator[tuple[int, Outcome]]:
     Ended
         Where these are not such data.
     """
-    troubles = reply.get("troubles")
+    troubles, line = reply.get("troubles"), reply.get("line", 0)
     for trouble in troubles[:MOST_TROUBLES] if isinstance(troubles, list) else [None]:
         if not isinstance(trouble, list) or [type(one) for one in trouble[:1]] != [int]:
             raise Ended("unasked")
         yield trouble[0] % MOST_LINES, read_raised(trouble[1:])
     if "late" in reply:
-        yield 0, read_late(reply["late"])
+        if type(line) is not int:
+            raise Ended("unasked")
+        yield line % MOST_LINES, read_late(reply["late"])
 
 
 def run_unlimited(seconds: float, work: Callable[[], Any]) -> Any:

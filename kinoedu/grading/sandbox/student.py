@@ -225,7 +225,7 @@ class Program:
         try:
             self.run_with_alarm(request["seconds"], work)
         except TimeUp as over:
-            return {"troubles": troubles, "late": over.args}
+            return {"troubles": troubles, "late": over.args, "line": over.line}
         return {"troubles": troubles}
 
     def call(self, request: dict[str, Any]) -> dict[str, Any]:
