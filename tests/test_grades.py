@@ -29,10 +29,10 @@ from kinoedu.grading import class_grading
 from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.collect import handing_in
 from kinoedu.grading.collect.found import METADATA
-from kinoedu.grading.collect.handing_in import hand_in
+from kinoedu.grading.collect.handing_in import find_functions, hand_in
 from kinoedu.grading.collect.marks import count_shared, find_questions
 from kinoedu.grading.collect.names import find_name, read_gradescope_names, read_names
-from kinoedu.grading.collect.notebook import UnreadableSubmission
+from kinoedu.grading.collect.notebook import Cell, UnreadableSubmission
 from kinoedu.grading.collect.submissions import Submission, collect
 from kinoedu.grading.export import nbgrader_course
 from kinoedu.grading.export.freshness import list_old_exports
@@ -604,6 +604,14 @@ def test_a_receipt_says_what_python_cannot_read_and_what_was_never_checked(tmp_p
     is_answered, remark = answers["exposing_case"]
     assert not is_answered and "expected ':' (line 1)" in remark
     assert answers["polygon_tangent"][0]
+
+
+def test_an_answer_in_a_cell_of_its_own_counts_where_the_placeholder_is_below():
+    """As for the grader."""
+    placeholder = "def f(x):\n    raise NotImplementedError()"
+    for sources, is_answered in (([placeholder], False), (["f = abs", placeholder], True)):
+        written, _ = find_functions([Cell(1, source) for source in sources])
+        assert written == {"f": is_answered}
 
 
 def test_a_notebook_under_anothers_name_is_the_wrong_file(tmp_path):

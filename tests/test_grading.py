@@ -102,6 +102,17 @@ def test_a_cell_that_fails_does_not_lose_the_others(box, bad):
 
 
 @needs_sandbox
+def test_an_answer_above_the_cell_for_it_is_not_lost_to_the_placeholder(box):
+    """One who adds a cell above it has run only the own cell; a syntax error is told there too."""
+    placeholder = "def {}(q, p1, p2):\n    'The distance.'\n    raise NotImplementedError()\n"
+    broken = "def point_segment_distance(q, p1, p2)\n    return 1\n"
+    below = map(placeholder.format, ("point_line_distance", "point_segment_distance"))
+    result = graded(box, GOOD, broken, *below)
+    assert result["point_line_distance"]["status"] == "right"
+    assert result["point_segment_distance"]["status"] == "syntax error"
+
+
+@needs_sandbox
 @pytest.mark.parametrize("experiment", ["while True:\n    pass", "for _ in range(9):\n    wait()"])
 def test_an_experiment_that_takes_too_long_does_not_lose_the_function_above_it(
     box, monkeypatch, experiment

@@ -1,6 +1,5 @@
 """Pack what a student hands in: one zip of the notebook and a receipt. Nothing is run."""
 
-import ast
 import hashlib
 import re
 import zipfile
@@ -14,7 +13,7 @@ from ...errors import InvalidParameter
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.whole_files import written_whole
-from ..sandbox.cells import Failure, find_names, parse_cell
+from ..sandbox.cells import Failure, find_names, is_placeholder, parse_cell
 from .marks import choose_most_shared, find_questions
 from .notebook import Cell, join_text, parse_notebook, read_bytes, read_cells
 
@@ -141,25 +140,9 @@ def find_functions(cells: list[Cell]) -> tuple[dict[str, bool], dict[str, str]]:
             written |= dict.fromkeys(part.names, False)
             broken |= dict.fromkeys(part.names, message)
         else:
-            written |= dict.fromkeys(find_names(part), not is_unwritten(part))
+            known = written if is_placeholder(part) else dict.fromkeys(find_names(part), True)
+            written |= {name: known.get(name, False) for name in find_names(part)}
     return written, broken
-
-
-def is_unwritten(statement: ast.stmt) -> bool:
-    """Whether a statement defines a function whose first step is the placeholder for an answer."""
-    if not isinstance(statement, ast.FunctionDef):
-        return False
-    steps = [
-        step
-        for step in statement.body
-        if not (isinstance(step, ast.Expr) and isinstance(step.value, ast.Constant))
-    ]
-    return not steps or is_stub(steps[0])
-
-
-def is_stub(step: ast.stmt) -> bool:
-    """Whether a function's first statement is the placeholder for an answer."""
-    return isinstance(step, ast.Raise) and "NotImplementedError" in ast.dump(step)
 
 
 def read_check_messages(cells: list[Any]) -> dict[str, str]:

@@ -19,7 +19,7 @@ from ..assignments.questions import (
 )
 from ..collect.left_out import find_left_out
 from ..collect.notebook import Cell, UnreadableSubmission, python_of, read_cells
-from ..sandbox.cells import Failure, find_names, parse_cell
+from ..sandbox.cells import Failure, find_names, is_placeholder, parse_cell
 from ..sandbox.sandbox import Sandbox
 from .answers import NO_VALUE, Answers, Question, is_stopped, run_program
 
@@ -112,6 +112,8 @@ def find_syntax_errors(cells: list[Cell], theirs: tuple[int, ...] = ()) -> dict[
     newer = f" {get_message('grading.newer_python', **versions)}" if theirs > OURS else ""
     for cell in cells:
         for part in parse_cell(cell.source, f"cell {cell.number}"):
+            if not isinstance(part, Failure) and is_placeholder(part):
+                continue
             names = part.names if isinstance(part, Failure) else find_names(part)
             for name in names:
                 found.pop(name, None)
