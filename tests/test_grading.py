@@ -134,6 +134,46 @@ def test_a_function_that_is_not_there_again_is_not_called_right(box, monkeypatch
     assert "hidden cases could not be tried" in question["message"]
 
 
+HELPED = """
+def dist(a, b):
+    return np.linalg.norm(a - b)
+def point_segment_distance(q, p1, p2):
+    way = p2 - p1
+    t = np.dot(q - p1, way) / np.dot(way, way) if way.any() else 0.0
+    return dist(q, p1 + min(max(t, 0.0), 1.0) * way)
+"""
+
+
+@needs_sandbox
+@pytest.mark.parametrize(
+    "below",
+    [
+        "def dist(q, a, b):\n    return point_segment_distance(q, a, b)",
+        "from numpy import *",
+        "from math import dist as d, hypot as dist",
+        "point_segment_distance = point_segment_distance(np.ones(2), np.zeros(2), np.ones(2))",
+        "def point_segment_distance(q, p1, p2):\n    return 0  # a first draft",
+        "def dist(q):\n    pass\nfor i in range(10**10):\n    pass",
+    ],
+    ids=["helper", "star", "import", "result", "draft", "helper and a slow experiment"],
+)
+def test_what_changes_below_a_check_costs_nothing_above_it(box, monkeypatch, below):
+    """Run from top to bottom, the notebook's check calls it right."""
+    monkeypatch.setattr(answers, "CELL_SECONDS", 1.0)
+    result = graded(box, GOOD, HELPED, "check(point_segment_distance)", below, "1 / 0")
+    assert result["point_segment_distance"]["status"] == "right"
+    assert result["point_line_distance"]["status"] == "right"
+    assert [one["cell"] for one in result["cells"]][-1] == 5
+
+
+@needs_sandbox
+def test_a_helper_that_is_mended_below_a_check_counts(box):
+    """Functions are called after all cells have run; the better result counts."""
+    late, wrong = HELPED.split("def point")[0], HELPED.replace("a - b", "a + b")
+    result = graded(box, GOOD, wrong, "check(point_segment_distance)", late)
+    assert result["point_segment_distance"]["status"] == "right"
+
+
 @needs_sandbox
 def test_a_syntax_error_is_called_one_in_its_own_question(box):
     """Of a function that is defined again, only the last definition counts."""
