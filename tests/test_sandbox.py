@@ -96,6 +96,27 @@ raise ValueError(json.dumps([int(rng.integers(1000)), statistics.median([1, 2, 3
 
 
 @needs_sandbox
+def test_classes_of_a_notebook_are_found_where_python_looks_for_them(box):
+    """As in a notebook: to copy with pickle, and for annotations that are text."""
+    source = """
+from __future__ import annotations
+import json, pickle, typing
+from dataclasses import dataclass
+from typing import ClassVar
+
+@dataclass
+class Node:
+    cost: float
+    known: ClassVar[list] = []
+
+copy = pickle.loads(pickle.dumps(Node(2.0)))
+hints = [one.__name__ for one in typing.get_type_hints(Node).values() if isinstance(one, type)]
+raise ValueError(json.dumps([copy == Node(2.0), hints]))
+"""
+    assert say(box, source) == [True, ["float"]]
+
+
+@needs_sandbox
 def test_what_an_assignment_lends_answers_and_the_rest_says_that_it_is_not_lent(box):
     source = """
 import json, kinoedu as ke

@@ -157,7 +157,7 @@ class Program:
     def __init__(self, requests: int, replies: int) -> None:
         self.requests, self.replies = os.fdopen(requests, "rb"), os.fdopen(replies, "wb", 0)
         self.lent = LentValues(self.ask)
-        self.space: dict[str, Any] = {"__name__": "__main__", "__builtins__": builtins}
+        self.space = make_main_module(__builtins__=builtins)
         self.compiler = cells.Compiler()
         self.is_asking, self.asked = False, 0.0  # seconds in which the runner answered
 
@@ -286,6 +286,16 @@ class Program:
                         signal.setitimer(timer, 0.0)
                 except TimeUp:  # the alarm rang just now
                     continue
+
+
+def make_main_module(**names: Any) -> dict[str, Any]:
+    """The names of a new module __main__, in which Python finds a notebook's classes again.
+
+    Pickle and dataclasses look for them there.
+    """
+    module = sys.modules["__main__"] = ModuleType("__main__")
+    vars(module).update(names)
+    return vars(module)
 
 
 def generators_state() -> Any:
