@@ -369,6 +369,27 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
     }
 
 
+@pytest.mark.parametrize(
+    ("place", "student", "is_late"),
+    [
+        ("Dora Doe_99_assignsubmission_file_{}", "Dora Doe_99", False),
+        ("doe_xcarl_LATE_123_456_{}", "doe_xcarl_123", True),
+        ("doe_xcarl_123_456_{}", "doe_xcarl_123", False),
+        ("anon_x7Yz2_456_{}", "anon_x7Yz2", False),
+        ("LATE_anon_12345_456_{}", "anon_12345", True),
+    ],
+)
+def test_the_files_of_a_flat_download_are_those_of_one_student(tmp_path, place, student, is_late):
+    """From Moodle without folders, and from Canvas for odd names and for anonymous grading."""
+    for name in ("01_geometry", "02_bug_algorithms"):
+        file = tmp_path / place.format(f"{name}.ipynb")
+        file.write_bytes((HOUSE / "exercises" / f"{name}.ipynb").read_bytes())
+    assert [(one.student, one.assignment, one.late, one.trouble) for one in collect(tmp_path)] == [
+        (student, "01_geometry", is_late, ""),
+        (student, "02_bug_algorithms", is_late, ""),
+    ]
+
+
 def test_who_was_late_is_known_from_canvas(tmp_path):
     """From the mark before the file's name, also if it is no notebook.
 

@@ -4,7 +4,9 @@ The folder may be laid out by nbgrader, Canvas, Moodle or Gradescope, or by hand
 
     student/assignment.ipynb, student/assignment/assignment.ipynb    by hand, nbgrader
     name_12345_67890_file.ipynb, name_LATE_12345_67890_file.ipynb    Canvas
+    anon_a1B2c_67890_file.ipynb, LATE_anon_a1B2c_67890_file.ipynb    Canvas, graded anonymously
     Full Name_12345_assignsubmission_file_/file.ipynb                Moodle
+    Full Name_12345_assignsubmission_file_file.ipynb                 Moodle, without folders
     submission_12345/file.ipynb beside submission_metadata.yml       Gradescope
 
 Each of these folders may be a zip, and so may a student's file.
@@ -24,9 +26,13 @@ from .marks import choose_most_shared, count_shared, find_assignment, find_quest
 from .notebook import UnreadableSubmission
 
 CANVAS = re.compile(
-    r"^(?P<student>[^_]+)_(?P<late>late_)?(?P<id>\d+)_\d+_(?P<file>.+)$", re.IGNORECASE
+    r"^(?:(?P<late_anonymous>late_)?(?P<anonymous>anon_[^_]+)"
+    r"|(?P<student>.+?)_(?P<late>late_)?(?P<id>\d+))_\d+_(?P<file>.+)$",
+    re.IGNORECASE,
 )
-MOODLE = re.compile(r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?$")
+MOODLE = re.compile(
+    r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)(?:_?|_(?P<file>.+))$"
+)
 GRADESCOPE = re.compile(r"^submission_\d+$")
 EXPORTED = re.compile(r"^assignment_\d+_export$")  # Gradescope's folder of all submissions
 NAMELESS = "unnamed"  # a folder whose name is of spaces
@@ -163,7 +169,7 @@ def is_marked_late(file: Found) -> bool:
     The other systems do not mark late files.
     """
     canvas = CANVAS.match(strip_zip(file.place[0]))
-    return canvas is not None and canvas["late"] is not None
+    return canvas is not None and any((canvas["late"], canvas["late_anonymous"]))
 
 
 def describe_place(file: Found) -> str:
@@ -177,7 +183,7 @@ def find_missing_notebooks(
     """One submission with a trouble for each student who handed in files but no notebook."""
     rest: dict[str, list[Found]] = {}
     for file in found:
-        if len(file.place) > 1 or CANVAS.match(file.place[0]):
+        if len(file.place) > 1 or any(form.match(file.place[0]) for form in (CANVAS, MOODLE)):
             rest.setdefault(find_owner(file.place, owners)[0], []).append(file)
     lost = []
     for student, files in rest.items():
@@ -233,6 +239,8 @@ def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str
     ('doejane_1234', '01_geometry-1.ipynb')
     >>> find_owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
     ('Jane Doe_4711', '01_geometry.ipynb')
+    >>> find_owner(("Jane Doe_4711_assignsubmission_file_01_geometry.ipynb",), {})
+    ('Jane Doe_4711', '01_geometry.ipynb')
     >>> find_owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
     ('jane', '01_geometry.ipynb')
     """
@@ -240,8 +248,9 @@ def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str
     student = owners.get(first, first if len(place) > 1 else PurePosixPath(first).stem)
     if first not in owners and (moodle := MOODLE.match(first)) is not None:
         student = f"{moodle['student']}_{moodle['id']}"
+        name = (moodle["file"] or name) if len(place) == 1 else name
     elif first not in owners and (canvas := CANVAS.match(first)) is not None:
-        student = f"{canvas['student']}_{canvas['id']}"
+        student = canvas["anonymous"] or f"{canvas['student']}_{canvas['id']}"
         name = canvas["file"] if len(place) == 1 else name
     return one_line(student) or NAMELESS, name
 
