@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import sys
+import unicodedata
 import zipfile
 from pathlib import Path
 
@@ -388,6 +389,25 @@ def test_the_files_of_a_flat_download_are_those_of_one_student(tmp_path, place, 
         (student, "01_geometry", is_late, ""),
         (student, "02_bug_algorithms", is_late, ""),
     ]
+
+
+def test_a_students_name_is_the_same_however_accents_are_spelled(tmp_path):
+    """macOS spells them apart in names of files, and does not mark them as UTF-8 in a zip."""
+    apart = unicodedata.normalize("NFD", "Jürgen Groß_4711")
+    for name in (unicodedata.normalize("NFC", apart), apart):
+        (tmp_path / "class" / name).mkdir(parents=True)
+        (tmp_path / "class" / name / "01_geometry.ipynb").write_bytes(notebook(ANSWER))
+    marked = f"{apart}/01_geometry.ipynb".encode()
+    with zipfile.ZipFile(tmp_path / "mac.zip", "w") as archive:
+        archive.writestr("?" * len(marked), notebook(ANSWER))
+        archive.writestr("ann/01_geometry.ipynb", notebook(ANSWER))
+    data = (tmp_path / "mac.zip").read_bytes().replace(b"?" * len(marked), marked)
+    (tmp_path / "mac.zip").write_bytes(data)
+    for place, others in (("class", []), ("mac.zip", ["ann"])):
+        assert sorted(one.student for one in collect(tmp_path / place)) == [
+            "Jürgen Groß_4711",
+            *others,
+        ]
 
 
 def test_who_was_late_is_known_from_canvas(tmp_path):

@@ -9,6 +9,7 @@ import json
 import re
 import runpy
 import shutil
+import unicodedata
 from math import inf, pi
 from pathlib import Path
 
@@ -228,15 +229,18 @@ def test_an_unknown_contract_is_refused():
 
 
 def test_contracts_follow_from_secret_and_student():
-    """Upper case does not matter; all are about as frequent; another secret gives others.
+    """Upper case and the spelling of accents do not matter; all are about as frequent; another
+    secret gives others.
 
     An assignment without contracts has none.
     """
-    students = [f"student{n}" for n in range(400)]
+    students = [f"étudiant{n}" for n in range(400)]
     first = [choose_contract(EXERCISES["bug2"], SECRET, student) for student in students]
     assert first == [
         choose_contract(EXERCISES["bug2"], SECRET, f" {student.upper()} ") for student in students
     ]
+    apart = [unicodedata.normalize("NFD", student) for student in students]
+    assert first == [choose_contract(EXERCISES["bug2"], SECRET, student) for student in apart]
     assert 150 < first.count("left") < 250
     assert first != [
         choose_contract(EXERCISES["bug2"], b"another", student) for student in students

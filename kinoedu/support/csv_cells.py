@@ -2,6 +2,7 @@
 
 import csv
 import io
+import unicodedata
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -15,10 +16,12 @@ FORMULA = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 def one_line(text: str) -> str:
     """Text on one line, where control characters are visible, also those for right-to-left text.
 
+    Letters have one spelling: macOS writes an accent in a file's name as a character of its own.
+
     >>> print(one_line("ann\\x1b[2J\\u202e\\nb"))
     ann\\x1b[2J\\u202e b
     """
-    shown = show_controls(text)
+    shown = show_controls(unicodedata.normalize("NFC", text))
     return " ".join("".join(c if c.isprintable() else " " for c in shown).split())
 
 

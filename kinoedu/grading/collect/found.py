@@ -21,6 +21,7 @@ PACKED = (
     zipfile.ZIP_STORED,
     zipfile.ZIP_DEFLATED,
 )  # other methods allocate as much memory as the file demands
+UTF_8 = 0x800  # the flag of a zip's member whose name is in UTF-8
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
@@ -106,7 +107,8 @@ def unpack(file: Found, *, top: bool = False) -> Iterator[Found]:
     try:
         with zipfile.ZipFile(io.BytesIO(file.data)) as archive:
             for member in list_members(archive, top=top):
-                within = PurePosixPath(member.filename.replace("\\", "/").lstrip("/")).parts
+                name = read_member_name(member)
+                within = PurePosixPath(name.replace("\\", "/").lstrip("/")).parts
                 if not within:  # such as "." and a name that begins with a NUL
                     continue
                 place = (*above, *within)
@@ -137,6 +139,19 @@ def list_members(archive: zipfile.ZipFile, *, top: bool) -> list[zipfile.ZipInfo
             "it holds no notebook, unless that is in another zip; hand in the notebook itself"
         )
     return members
+
+
+def read_member_name(member: zipfile.ZipInfo) -> str:
+    """The name of a file in a zip.
+
+    macOS writes it in UTF-8 without saying so; Python then takes it for the letters of an old PC.
+    """
+    if member.flag_bits & UTF_8:
+        return member.filename
+    try:
+        return member.filename.encode("cp437").decode("utf-8")
+    except UnicodeError:
+        return member.filename
 
 
 def read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, place: tuple[str, ...]) -> Found:

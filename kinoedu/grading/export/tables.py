@@ -9,7 +9,7 @@ from itertools import groupby
 from pathlib import Path
 
 from ...errors import InvalidParameter
-from ...support.csv_cells import escape_formula, number, write_rows
+from ...support.csv_cells import escape_formula, number, one_line, write_rows
 from ...support.file_names import file_name
 from ...support.text import show_controls
 from ...support.whole_files import written_whole
@@ -93,7 +93,7 @@ def find_canvas_students(lines: list[list[str]]) -> dict[str, list[str]]:
     head, names = lines[0], dict[str, list[list[str]]]()
     for line in lines[1:]:
         cells = {
-            name: line[at].strip().lower()
+            name: one_line(line[at]).lower()
             for at, name in enumerate(head)
             if name in IDENTITIES and at < len(line)
         }

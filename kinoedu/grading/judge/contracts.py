@@ -14,6 +14,7 @@ from ...course.exercise import Exercise
 from ...course.lessons import find
 from ...course.section import Choices, choose_for_section
 from ...errors import InvalidParameter
+from ...support.csv_cells import one_line
 from ..assignments.questions import Assignment, read_assignment
 from ..collect.marks import find_contracts
 from ..collect.notebook import UnreadableSubmission
@@ -29,8 +30,8 @@ log = logging.getLogger("kinoedu")
 
 
 def choose_contract(exercise: Exercise, secret: bytes, student: str) -> str:
-    """The contract of a student; upper case and spaces around an id do not matter."""
-    text = f"variant:{exercise.name}:{student.strip().casefold()}"
+    """The contract of a student; upper case, spaces and the spelling of accents do not matter."""
+    text = f"variant:{exercise.name}:{one_line(student).casefold()}"
     digest = hmac.digest(secret, text.encode("utf-8", "surrogatepass"), hashlib.sha256)
     return exercise.variants[int.from_bytes(digest) % len(exercise.variants)]
 
