@@ -43,6 +43,7 @@ from kinoedu.grading.judge.contracts import (
     choose_contracts,
     refuse_forgotten,
     set_apart,
+    vary,
     warn_of_other_variants,
 )
 from kinoedu.grading.judge.running import Graded, compute_key
@@ -420,6 +421,48 @@ def test_a_section_is_graded_by_its_variant(tmp_path, capsys, monkeypatch):
         assert bob.trouble.endswith("grade it apart, with --variant A")
         listed = capsys.readouterr().out
         assert f"bob/{GRAPHS}.ipynb: unreadable: {bob.trouble}" in listed
+
+
+def test_an_assignment_in_the_usual_form_keeps_it_beside_one_with_variants(
+    tmp_path, capsys, monkeypatch
+):
+    """In one folder of submissions and one of grades, also where all is graded again."""
+    given = {}
+
+    def grade_all(submissions, *_, **__):
+        given.update({(one.student, one.assignment): bool(one.variants) for one in submissions})
+        return [Graded(one, None, one.trouble) for one in submissions]
+
+    monkeypatch.setattr(class_grading, "grade_all", grade_all)
+    monkeypatch.setattr(class_grading, "require_sandbox", lambda trusted: None)
+    (tmp_path / "secret").write_text(SECRET.hex())
+    write_variants([GRAPHS], ["ann", "bob"], SECRET, tmp_path / "in")
+    (tmp_path / "in" / "variants.csv").unlink()
+    for student in ("ann", "bob"):
+        shutil.copy(HOUSE / "exercises" / f"{BUGS}.ipynb", tmp_path / "in" / student)
+    options = ["--secret", str(tmp_path / "secret"), "--out", str(tmp_path / "out")]
+    grade = ["grade", str(tmp_path / "in"), *options]
+    assert main([*grade, "--variants"]) == 2
+    assert f"no notebook of {BUGS} asks for variants" in capsys.readouterr().err
+    again = ["regrade", str(tmp_path / "out"), *options[:3], str(tmp_path / "new")]
+    with_variants = [*grade, "--assignment", GRAPHS]
+    for command in (
+        [*with_variants, "--variants"],
+        [*grade, "--assignment", BUGS],
+        with_variants,
+        again,
+    ):
+        assert main(command) == 1
+        assert all(has_own == (name == GRAPHS) for (_, name), has_own in given.items())
+    assert len(given) == 4
+
+
+def test_one_notebook_without_checks_is_graded_by_its_students_variants(caplog):
+    """Only several without any tell that the exercise was handed out in the usual form."""
+    one = Submission("ann", GRAPHS, "x", b'{"nbformat": 4, "cells": []}')
+    vary([one], SECRET, has_own=True)
+    with pytest.raises(InvalidParameter, match="no notebook of"):
+        vary([one, one._replace(student="bob")], SECRET, has_own=True)
 
 
 @needs_sandbox

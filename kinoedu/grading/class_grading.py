@@ -14,19 +14,14 @@ from .judge.class_list import (
     Entry,
     add_earlier,
     add_names,
+    list_varied,
     locked_class,
     make_entry,
     mark_secret,
     read_class,
     write_class,
 )
-from .judge.contracts import (
-    add_contracts,
-    add_section,
-    refuse_forgotten,
-    set_apart,
-    warn_of_other_variants,
-)
+from .judge.contracts import add_section, vary
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.rows import refuse_unknown_names
@@ -127,12 +122,19 @@ def grade_class(folder: Path, only: str, out: Path, run: Run) -> Class:
     return grade_found([(folder, only, found)], out, run)
 
 
-def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, run: Run) -> Class:
+def grade_found(
+    sources: list[tuple[Path, str, list[Submission]]],
+    out: Path,
+    run: Run,
+    varied: set[tuple[str, str]] | None = None,
+) -> Class:
     """Grade submissions that are collected already; otherwise like `grade_class`.
 
     Parameters
     ----------
     sources : for each folder its path, its one assignment ("" for all) and its submissions.
+    varied : the folders with such an assignment whose students have contracts of their own; by
+        default those that `out` remembers.
     """
     require_sandbox(run.trusted)
     if not any(found for _, _, found in sources):
@@ -146,14 +148,12 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
     refuse_unknown_names(
         read_decisions(out), list_pairs(sources, earlier.entries if earlier is not None else [])
     )
-    variants = run.variants or (earlier is not None and earlier.variants)
-    submissions = [one for _, _, found in sources for one in found]
-    if variants:
-        submissions = [one if one.letter else add_contracts(one, secret) for one in submissions]
-        warn_of_other_variants(one for one in submissions if not one.letter)
-    else:
-        refuse_forgotten(one for one in submissions if not one.letter)
-        submissions = [set_apart(one) for one in submissions]
+    if varied is None:
+        varied = list_varied(earlier.entries if earlier is not None else [])
+    submissions = []
+    for folder, only, found in sources:
+        has_own = run.variants or (str(folder.resolve()), only) in varied
+        submissions += vary(found, secret, has_own=has_own)
     out.mkdir(parents=True, exist_ok=True)
     graded = iter(
         grade_all(
@@ -175,9 +175,7 @@ def grade_found(sources: list[tuple[Path, str, list[Submission]]], out: Path, ru
         earlier = read_earlier(out, secret)
         before = earlier.entries if earlier is not None else []
         kept = add_names(add_earlier(entries, before), before, names)
-        of = Class(
-            out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept, variants
-        )
+        of = Class(out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept)
         write_class(of)
         write_all(of, run.writing)
     return of

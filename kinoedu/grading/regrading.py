@@ -10,7 +10,7 @@ from ..support.csv_cells import escape_formula, number, write_rows
 from .assignments.questions import read_course_secret
 from .class_grading import Run, grade_found, list_pairs
 from .collect.submissions import collect
-from .judge.class_list import Class, Entry, mark_secret, read_class
+from .judge.class_list import Class, Entry, list_varied, mark_secret, read_class
 from .judge.contracts import add_section
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
 from .report.rows import Row, list_class_rows, refuse_unknown_names
@@ -86,7 +86,7 @@ def regrade(
     for name in (OVERRIDES, BY_HAND):
         if (old / name).exists() and not (out / name).exists():
             shutil.copy(old / name, out / name)
-    after = grade_found(found, out, run._replace(variants=run.variants or before.variants))
+    after = grade_found(found, out, run, list_varied(before.entries, folder))
     changes = list(find_changes(before, after, read_decisions(out)))
     write_changes(changes, out / "changes.csv")
     return after, changes

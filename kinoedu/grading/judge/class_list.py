@@ -39,6 +39,7 @@ class Entry(NamedTuple):
     late : whether Canvas marked the file as late.
     name : the student's name, or "" if it is not known.
     letter : the variant of the student's section, or "".
+    variants : whether the student has contracts of their own.
     """
 
     student: str
@@ -52,6 +53,7 @@ class Entry(NamedTuple):
     late: bool = False
     name: str = ""
     letter: str = ""
+    variants: bool = False
 
 
 class Class(NamedTuple):
@@ -61,7 +63,6 @@ class Class(NamedTuple):
     secret_file, secret_mark : the file of the course's secret, and a mark to recognise that secret.
     trusted : whether programs ran without a sandbox.
     entries : the submissions, ordered by student and assignment.
-    variants : whether each student has contracts of their own.
     """
 
     out: Path
@@ -69,7 +70,6 @@ class Class(NamedTuple):
     secret_mark: str
     trusted: bool
     entries: list[Entry]
-    variants: bool = False
 
 
 def make_entry(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
@@ -78,12 +78,33 @@ def make_entry(one: Graded, folder: Path, only: str, secret: bytes) -> Entry:
     where = (mine.file, str(folder.resolve()), only)
     key = "" if mine.trouble else compute_key(mine, secret)
     result = (digest_submission(mine), key, "" if one.grade is not None else one.trouble)
-    return Entry(mine.student, mine.assignment, *where, *result, mine.late, letter=mine.letter)
+    has_own = bool(mine.variants) and not mine.letter
+    return Entry(
+        mine.student,
+        mine.assignment,
+        *where,
+        *result,
+        late=mine.late,
+        letter=mine.letter,
+        variants=has_own,
+    )
 
 
 def digest_submission(one: Submission) -> str:
     """The digest of a submission's bytes, which differs from that of an earlier file."""
     return hashlib.sha256(one.data).hexdigest()
+
+
+def list_varied(entries: Iterable[Entry], folder: Path | None = None) -> set[tuple[str, str]]:
+    """The folders, and what was collected from them, whose students have contracts of their own.
+
+    folder : where the submissions are now, if they were moved.
+    """
+    return {
+        (one.folder if folder is None else str(folder.resolve()), one.only)
+        for one in entries
+        if one.variants
+    }
 
 
 def add_names(entries: list[Entry], earlier: Iterable[Entry], names: Names) -> list[Entry]:
@@ -139,7 +160,9 @@ def read_class(out: Path) -> Class:
     """
     try:
         data = json.loads((out / FILE).read_text(encoding="ascii"))
-        return Class(out, **{**data, "entries": [Entry(**entry) for entry in data["entries"]]})
+        variants = data.pop("variants", False)  # of all of them, in older files
+        entries = [Entry(**{"variants": variants, **entry}) for entry in data["entries"]]
+        return Class(out, **{**data, "entries": entries})
     except OSError as error:
         raise InvalidParameter(
             f"{out} holds no graded class: there is no {FILE}; grade into it first"

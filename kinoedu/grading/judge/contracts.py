@@ -55,6 +55,25 @@ def apply_contracts(task: Assignment, chosen: Choices) -> Assignment:
     )
 
 
+def vary(found: list[Submission], secret: bytes, *, has_own: bool) -> list[Submission]:
+    """The submissions of a folder with their contracts; those of a section have theirs already.
+
+    has_own : whether each student has contracts of their own.
+
+    Raises
+    ------
+    InvalidParameter
+        Where the notebooks were handed out otherwise.
+    """
+    if not has_own:
+        refuse_forgotten(one for one in found if not one.letter)
+        return [set_apart(one) for one in found]
+    varied = [one if one.letter else add_contracts(one, secret) for one in found]
+    refuse_usual(one for one in varied if not one.letter)
+    warn_of_other_variants(one for one in varied if not one.letter)
+    return varied
+
+
 def add_contracts(one: Submission, secret: bytes) -> Submission:
     """The submission with its student's contracts."""
     return (
@@ -155,6 +174,24 @@ def explain_other_section(
         f"this section has {f'variant {letter}' if letter else 'the usual form'}: grade it apart"
         + (f", with {option}" if option else "")
     )
+
+
+def refuse_usual(submissions: Iterable[Submission]) -> None:
+    """Raise InvalidParameter if none of several notebooks of an assignment asks for a variant.
+
+    Call it where each student has contracts of their own.
+    """
+    asks: dict[str, list[bool]] = {}
+    for one in submissions:
+        if one.variants and not one.trouble:
+            asks.setdefault(one.assignment, []).append(MARK in one.data)
+    usual = sorted(name for name, marks in asks.items() if len(marks) > 1 and not any(marks))
+    if usual:
+        raise InvalidParameter(
+            f"no notebook of {' and of '.join(usual)} asks for variants, so right answers would "
+            "get no points: grade what was handed out in the usual form without --variants, each "
+            "with its --assignment; all may go into the same folder of grades"
+        )
 
 
 def refuse_forgotten(submissions: Iterable[Submission]) -> None:
