@@ -141,6 +141,30 @@ raise ValueError(json.dumps(said))
     assert same and errors == ["NotLentError"] * 4 + ["InvalidPoint"]
 
 
+@needs_sandbox
+def test_a_graph_that_a_program_makes_has_its_methods_and_data(box):
+    """As in a notebook; what is not public is not asked for."""
+    source = """
+import json
+from kinoedu.graphs import Graph, bfs_path
+graph = Graph(3, [(0, 1)])
+graph.add_edge(1, 2)
+said = [list(map(int, graph.neighbours(1))), graph.size]
+said += [graph.edges.tolist(), bfs_path(graph, 0, 2).tolist()]
+for absent in ("_embedding", "neighbors", "nodes"):
+    try:
+        getattr(graph, absent)
+    except Exception as error:
+        said.append(type(error).__name__)
+raise ValueError(json.dumps(said))
+"""
+    near, size, edges, path, *errors = say(
+        box, source, ("kinoedu.graphs:Graph", "kinoedu.graphs:bfs_path")
+    )
+    assert (sorted(near), size, edges, path) == ([0, 2], 3, [[0, 1], [1, 2]], [0, 1, 2])
+    assert errors == ["AttributeError", "AttributeError", "InvalidGraph"]
+
+
 @pytest.mark.parametrize("name", assignments())
 def test_no_assignment_lends_what_it_asks_for(name):
     """Nor a function of an exercise's module, but a wrong program that students must expose."""

@@ -38,6 +38,21 @@ class LentFunction(Lent):
         return self._ask(self._number, "", given, named)
 
 
+class LentThing(Lent):
+    """A thing of the library, such as a graph: its methods and its data."""
+
+    def __init__(self, number: int, ask: Ask, methods: list[str]) -> None:
+        super().__init__(number, ask)
+        self._methods = methods
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name not in self._methods:
+            return self._ask(self._number, name, ())
+        return lambda *given, **named: self._ask(self._number, name, given, named)
+
+
 class LentRecord(Lent):
     """A record of the library: its fields, by name and in order."""
 
@@ -92,6 +107,8 @@ class LentValues:
         number = content["number"]
         if content["is"] == "function":
             return LentFunction(number, self.ask)
+        if content["is"] == "thing":
+            return LentThing(number, self.ask, self.decode(content["methods"]))
         parts = {name: self.decode(part) for name, part in content["parts"].items()}
         if content["is"] == "record":
             return LentRecord(number, self.ask, parts)

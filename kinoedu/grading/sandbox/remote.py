@@ -10,6 +10,7 @@ import random
 import select
 import signal
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -157,6 +158,14 @@ class Lent(NamedTuple):
         return is_shared or module in ("", home)
 
 
+def ask_thing(thing: Any, name: str, *given: Any, **named: Any) -> Any:
+    """What a method of a thing returns, or its data of that name. Raises AttributeError."""
+    if name.startswith("_"):
+        raise AttributeError(name)
+    part = getattr(thing, name)
+    return part(*given, **named) if callable(part) else part
+
+
 class Student:
     """The student's process: one line to it, and the answer, with its questions in between."""
 
@@ -288,8 +297,12 @@ class Student:
         if isinstance(value, LentProblem):
             self.lent.append(Lent(value, value._ask))
             return {wire.LENT: {"is": "problem", "number": number, "parts": self.parts(value)}}
-        self.lent.append(Lent(value, lambda name, *given, **named: value(*given, **named)))
         fields = getattr(value, "_fields", None)
+        if fields is None and not callable(value):
+            self.lent.append(Lent(value, partial(ask_thing, value)))
+            methods = [name for name in dir(type(value)) if callable(getattr(type(value), name))]
+            return {wire.LENT: {"is": "thing", "number": number, "methods": methods}}
+        self.lent.append(Lent(value, lambda name, *given, **named: value(*given, **named)))
         if fields is None or isinstance(value, type):
             return {wire.LENT: {"is": "function", "number": number}}
         parts = {name: self.encode(getattr(value, name)) for name in fields}
