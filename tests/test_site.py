@@ -348,14 +348,18 @@ def test_a_link_leads_to_its_section(browser_page):
 
 
 def test_a_lesson_is_whole_on_paper(browser_page):
-    """No line of code is cut off, and nothing stands over the text."""
+    """No line of code and no wide figure is cut off, and nothing stands over the text."""
     page, address = browser_page
+    size = page.viewport_size
     page.goto(f"{address}/notebooks/09_trees.html", wait_until="load")
     page.emulate_media(media="print")
-    assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre')].every(
-        (code) => code.scrollWidth <= code.clientWidth)""")
+    page.set_viewport_size({"width": 703, "height": 1032})  # A4 without margins of 12 mm
+    assert page.locator(".cell_output img.wide").count() > 5
+    assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre, .cell_output')]
+        .every((part) => part.scrollWidth <= part.clientWidth)""")
     assert not page.locator(".skip-to-content").is_visible()
     page.emulate_media(media="screen")
+    page.set_viewport_size(size)
 
 
 def test_words_are_found(browser_page):
