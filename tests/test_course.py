@@ -755,6 +755,17 @@ def test_a_picture_of_any_number_is_drawn_soon(value):
     assert "nan" in repr(feedback) or value == value
 
 
+@pytest.mark.parametrize("name", ["bug_base", "bug1", "bug2"])
+def test_a_picture_of_no_walk_does_not_speak_of_one(name):
+    """Where a program returns nothing, no path begins anywhere."""
+    from matplotlib.figure import Figure
+
+    exercise, ax = EXERCISES[name], Figure().subplots()
+    case = next(exercise.cases(np.random.default_rng(0)))
+    exercise.draw(case, Misshapen("expected an array, got None"), ax)
+    assert ax.get_title() == "Straight to the goal"
+
+
 @pytest.mark.parametrize("wrong_use", ["point_line_distance", 3.0, None, lambda q: q, 10**60])
 def test_a_check_of_something_else_says_what_it_takes(wrong_use):
     """A name in quotes, a result, and a function of another name are rejected with a message."""

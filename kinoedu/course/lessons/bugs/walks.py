@@ -140,7 +140,8 @@ class WalkExercise(Exercise):
                 "zorder": 4,
             }
             ax.plot(*seen.T, ".--", label=get_message("picture.yours_short"), **dotted)
-        violation = self.find_violation(given, path)
+        is_answer = isinstance(outcome, Answer)
+        violation = self.find_violation(given, path) if is_answer else None
         if violation is not None and violation.at < len(seen):
             plane.dot(
                 seen[violation.at], get_message("walk.departs"), ax, colour=palette.INK, marker="X"
