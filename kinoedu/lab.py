@@ -137,6 +137,8 @@ def copy_lessons(folder: Path) -> list[Path]:
 
 def lab_command(*, browser: bool) -> list[str]:
     """The command that starts JupyterLab, without news and update checks over the network."""
+    import zmq  # which JupyterLab brings
+
     command = [
         sys.executable,
         "-m",
@@ -149,6 +151,8 @@ def lab_command(*, browser: bool) -> list[str]:
         "--log-level=WARN",
         f"--ServerApp.kernel_websocket_connection_class={CONNECTION}",
     ]
+    if zmq.has("curve"):  # kernels that do not encrypt warn of eavesdroppers, in the terminal
+        command.append("--KernelManager.transport_encryption=auto")
     if not browser:
         command.append("--no-browser")
     if hasattr(os, "geteuid") and os.geteuid() == 0:

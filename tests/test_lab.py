@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import urllib.request
 from pathlib import Path
 
 import pytest
@@ -284,3 +285,24 @@ def test_the_lab_sends_small_messages_at_once():
     with pytest.raises(Begun):
         Stub.connect(Stub.__new__(Stub))
     assert heard == [True]
+
+
+def test_a_kernel_does_not_warn_of_eavesdroppers(tmp_path):
+    """In the terminal, where a student would wonder; what it says is encrypted."""
+    from jupyter_client import BlockingKernelClient
+    from lab_driver import lab
+
+    (tmp_path / "course").mkdir()
+    (tmp_path / "home").mkdir()
+    with lab(tmp_path / "course", tmp_path / "home") as (address, token):
+        headers = {"Authorization": f"token {token}", "Content-Type": "application/json"}
+        asked = urllib.request.Request(f"{address}/api/kernels", b"{}", headers)
+        with urllib.request.urlopen(asked, timeout=60) as answer:
+            kernel = json.load(answer)["id"]
+        (file,) = (tmp_path / "home" / "jupyter_runtime_dir").glob(f"kernel-{kernel}.json")
+        client = BlockingKernelClient(connection_file=str(file))
+        client.load_connection_file()
+        client.start_channels()
+        client.wait_for_ready(60)
+        client.stop_channels()
+    assert "encryption" not in (tmp_path / "home" / "server.log").read_text()
