@@ -287,7 +287,9 @@ def test_a_slide_is_whole_on_a_telephone(tmp_path):
 
 
 def test_an_exported_notebook_has_boards_that_play(tmp_path):
-    """nbconvert's page shows the stored picture until the board itself is there."""
+    """nbconvert's page shows the stored picture until the board itself is there. Programs are shown
+    in the font of code, and on paper no line is cut.
+    """
     needs_chromium()
     from playwright.sync_api import sync_playwright
 
@@ -299,6 +301,14 @@ def test_an_exported_notebook_has_boards_that_play(tmp_path):
         page.on("pageerror", lambda error: errors.append(str(error)))
         page.route("**/*", lambda r: r.continue_() if r.request.url[:5] == "file:" else r.abort())
         page.goto((tmp_path / "trees.html").as_uri(), wait_until="domcontentloaded")
+        shown = page.locator(".jp-RenderedHTML .highlight pre").first
+        assert "monospace" in shown.evaluate("code => getComputedStyle(code).fontFamily")
+        page.emulate_media(media="print")
+        page.set_viewport_size({"width": 703, "height": 1032})  # A4 without margins of 12 mm
+        assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre')]
+            .every((code) => code.scrollWidth <= code.clientWidth)""")
+        page.emulate_media(media="screen")
+        page.set_viewport_size({"width": 1280, "height": 720})
         record = page.locator(".kinoedu-record").nth(1)
         record.scroll_into_view_if_needed()
         record.locator(".kinoedu-board[data-paints]").wait_for()

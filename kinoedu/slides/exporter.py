@@ -14,6 +14,15 @@ from ..boards.core.recorded import RECORD
 from .rule import base64_of_picture, describe_picture, record_html
 
 PLAYS = ".kinoedu-plays > img { display: none; }"  # the board itself is there instead
+# Shown programs are in the font of code; on paper lines are wrapped, not cut, and headings stay
+# with what follows.
+PAGE = """
+.jp-RenderedHTML .highlight pre { font-family: var(--jp-code-font-family); }
+@media print {
+  .jp-Cell .highlight pre { white-space: pre-wrap; }
+  h1, h2, h3 { break-after: avoid; }
+}
+"""
 WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
@@ -34,6 +43,7 @@ class PageWithBoards(HTMLExporter):
             output.data.pop(WIDGET, None)  # which nbconvert would prefer, and which needs a kernel
             output.data["text/html"] = (board_html if output in stored else picture_html)(output)
         page, resources = super().from_notebook_node(book, resources, **options)
+        page = page.replace("</head>", f"<style>{PAGE}</style>\n</head>", 1)
         return (add_player(page) if stored else page), resources
 
 
