@@ -8,7 +8,7 @@ import pytest
 
 from kinoedu.cli import main
 from kinoedu.course.lessons.shared.drawn_inputs import INPUTS, KINDS, draw_cases
-from kinoedu.course.new_exercise import fill_template, plain_values
+from kinoedu.course.new_exercise import add_cells, fill_template, plain_values
 from kinoedu.course.plain_function import example_of, read_plain_function
 from kinoedu.course.plain_slips import usual_slips
 from kinoedu.course.release import HOUSE
@@ -172,6 +172,16 @@ def test_all_words_round_the_example_are_the_statement(tmp_path):
     """Also those below it."""
     plain = read(tmp_path, SYMMETRIC.replace("    2\n", "    2\n\n    Half-way between both.\n"))
     assert plain.statement == "The mean of two numbers.\n\nHalf-way between both."
+
+
+def test_what_students_read_asks_no_teacher_to_edit(tmp_path):
+    """The exercise can be released as it is written; only a comment is for the teacher."""
+    values = plain_values(read(tmp_path, NEAREST)) | {"name": "nearest", "title": "Nearest"}
+    words = [
+        tomllib.loads(fill_template(HOUSE, "plain_messages.toml", values)),
+        add_cells(tmp_path / "new.ipynb", "nearest", "77_corners", "Statement", "pass").cells,
+    ]
+    assert "you name here" not in repr(words) and "Edit" not in repr(words)
 
 
 def test_the_example_is_tried(tmp_path):

@@ -330,7 +330,8 @@ def add_cells(file: Path, name: str, lesson: str, statement: str, answer: str) -
         book = read_notebook_node(file)
     else:
         title = lesson.replace("_", " ").capitalize()
-        first = f"# {title}\n\nEdit: what holds for all exercises of this lesson."
+        how = "Write each function in its cell, run that cell, then the one with `check()`."
+        first = f"# {title}\n\n{how}"
         imports = "import numpy as np\nfrom kinoedu.course import check"
         book = v4.new_notebook(
             cells=[v4.new_markdown_cell(first, id="title"), v4.new_code_cell(imports, id="imports")]
