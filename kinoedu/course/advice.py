@@ -20,16 +20,26 @@ COMMON_ERRORS = (
     ("unpack", "TypeError", "cannot unpack non-iterable"),
     ("no_row", "IndexError", "invalid index to scalar"),
     ("no_row", "TypeError", "'(int|float|numpy\\.\\w+)' object is not subscriptable"),
-    ("parameters", "TypeError", "positional argument|unexpected keyword"),
+    ("not_hashable", "TypeError", "unhashable type"),
+    ("no_list", "TypeError", "'(int|float|numpy\\.\\w+)' (object is not iterable|has no len)"),
+    ("joined_lists", "TypeError", "can only concatenate (list|tuple)"),
+    ("brackets", "TypeError", "not callable|(function|method|type)' object is not subscr"),
+    ("parameters", "TypeError", "positional argument|unexpected keyword|^problem\\.\\w+ takes "),
     ("two_indices", "TypeError", "indices must be integers or slices, not tuple"),
     ("whole", "IndexError", "only integers"),
     ("whole", "TypeError", "indices must be integers|interpreted as an integer"),
+    ("nothing_left", "IndexError", "pop from|^index out of range$"),  # the last one is a heap's
     ("beyond_end", "IndexError", ""),
+    ("nothing_left", "KeyError", "pop from|is empty"),
+    ("no_key", "KeyError", ""),
+    ("changed_in_loop", "RuntimeError", "during iteration"),
+    ("seed", "AttributeError", "'int' object has no attribute '(random|uniform|integers|normal)'"),
     ("no_value", "UnboundLocalError", ""),
     ("unknown_name", "NameError", ""),
     ("endless_calls", "RecursionError", ""),
     ("divided_by_zero", "ZeroDivisionError", ""),
     ("none", "TypeError", "NoneType"),
+    ("none", "AttributeError", "NoneType"),
 )
 # the end of a message on a value whose items Python has not listed, or has in no order
 UNLISTED = re.compile(r" (generator|map|zip|filter|enumerate|reversed|dict_\w+|(frozen)?set)$")
@@ -48,7 +58,8 @@ def find_advice(outcome: Outcome) -> str:
     if isinstance(outcome, Raised):
         for key, kind, message in COMMON_ERRORS:
             if kind in outcome.kinds and re.search(message, outcome.message):
-                return key
+                # check() calls the student's function itself: then no line is named
+                return "arguments" if key == "parameters" and outcome.lines else key
     if isinstance(outcome, Misshapen):
         if outcome.message.endswith("Error"):
             return "returned_error"
