@@ -8,10 +8,10 @@ import pytest
 from judged_programs import take_few_cases
 
 from kinoedu.course import EXERCISES
-from kinoedu.course.bank import Solutions
+from kinoedu.course.bank import Solutions, read_bank
 from kinoedu.course.exercise import CONTRACT, Exercise, ValueExercise
 from kinoedu.course.feedback import Feedback
-from kinoedu.course.judging import judge_outcomes, run_case
+from kinoedu.course.judging import judge_outcomes, judge_until_failure, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.polygons_in_the_plane.matrices import swap_entries
 from kinoedu.course.outcomes import Answer, Raised
@@ -327,3 +327,23 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
     outcomes = [run_case(exercise, rrt.function, case) for case in cases]
     said = repr(Feedback(judge_outcomes(exercise, cases, outcomes)))
     assert "does your step end at the sample where that is nearer" in said
+
+
+@pytest.mark.parametrize(
+    ("lesson", "program", "said"),
+    [
+        ("roadmaps", "components_not_merged", "two of your components have the same node"),
+        ("roadmaps", "first_obstacle_only", "Are the vertices of all obstacles looked at?"),
+        ("roadmaps", "one_list_for_all", "[[] for _ in nodes] makes one for each"),
+        ("roadmaps", "found_again_by_no_other_way", "it should be: ([0, 2, 3], 4), or another"),
+    ],
+)
+def test_the_answer_to_a_wrong_program_of_the_bank_leads_to_its_mistake(lesson, program, said):
+    """The hint names what is wrong, and the case shows it by more than a rounding error."""
+    items = read_bank(HOUSE / "solutions" / "bank" / f"{lesson}.py")
+    (item,) = (item for item in items if item.name == program)
+    exercise = find(item.exercise, item.variant)
+    report = judge_until_failure(
+        exercise, exercise.fixed_cases, lambda case: run_case(exercise, item.function, case)
+    )
+    assert said in repr(Feedback(report))

@@ -918,6 +918,9 @@ larger_estimates = changed(
     ("c, u = heappop(heap)", "c, u = heappop(heap)\n        c = cost[u]"),
     ("heappush(heap, (d, v))", "heappush(heap, (d + 1.01 * math.dist(nodes[v], nodes[goal]), v))"),
 )
+found_again_by_no_other_way = changed(
+    "shortest_path", ("d < cost.get(v, math.inf)", "v not in cost")
+)
 only_nodes_with_edges = changed(
     "shortest_path", ("while heap:", "while heap and start in np.asarray(edges):")
 )
@@ -927,6 +930,19 @@ hundred_tries = changed(
     ("while len(nodes) < n + 2:", "for _ in range(10 * n):"),
     ("if problem.is_free(q):", "if problem.is_free(q) and len(nodes) < n + 2:"),
 )
+
+
+components_not_merged = changed(
+    "component_k_closest",
+    ("merged, rest = {i}, []", "joined = False"),
+    ("                rest.append(component)\n", "                continue\n"),
+    ("merged |= component", "component.add(i)\n                joined = True"),
+    ("components = [*rest, merged]", "components += [] if joined else [{i}]"),
+)
+first_obstacle_only = changed(
+    "visibility_roadmap", ("for ring in obstacles:", "for ring in obstacles[:1]:")
+)
+one_list_for_all = changed("shortest_path", ("[[] for _ in nodes]", "[[]] * len(nodes)"))
 
 
 # Variants

@@ -23,6 +23,7 @@ Pairs = NDArray[np.int64]
 PathAndLength = tuple[list[int] | None, float]
 LITTLE_GAIN = [(0, 0), (4, 0), (1, 1.00001), (3, 1)]
 LATE_GAIN = [(0, 0), (4, 0), (1, 1), (3, 1.00001)]
+NEAR_BUT_LATE = [(0, 0), (0, 1), (2, 0), (4, 0)]
 DETOUR = [(0, 0), (2, 3), (4, 0), (1, -1), (3, -1)]
 
 
@@ -142,6 +143,8 @@ class ShortestPath(ValueExercise):
             ("small", [(0, 0), (3, 4)], [(0, 1)], 1, 0),
             ("small", [(0, 0), (3, 4), (6, 0)], [(0, 1), (1, 2)], 2, 0),
             ("detour", DETOUR, [(0, 1), (1, 2), (0, 3), (3, 4), (2, 4)], 0, 2),
+            # node 1 is nearer to the start than node 2, and the goal is first found from there
+            ("many", NEAR_BUT_LATE, [(0, 1), (1, 3), (0, 2), (2, 3)], 0, 3),
             ("small", [(0, 0), (3e6, 4e6), (6e6, 0)], [(0, 1), (1, 2)], 0, 2),
             ("space", [(0, 0, 0), (3, 4, 0), (3, 4, 5)], [(0, 1), (1, 2)], 0, 2),
             ("apart", [(0, 0), (3, 4), (6, 0)], [(0, 1)], 0, 2),
