@@ -335,6 +335,13 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
         ("roadmaps", "components_not_merged", "two of your components have the same node"),
         ("roadmaps", "first_obstacle_only", "Are the vertices of all obstacles looked at?"),
         ("roadmaps", "one_list_for_all", "[[] for _ in nodes] makes one for each"),
+        ("terrains", "path_reversed_in_place", "path.reverse() returns None"),
+        ("terrains", "pairs_both_ways", "List each pair once"),
+        ("terrains", "only_up_and_right", "If b is smaller than a"),
+        ("terrains", "cuts_not_sorted", "and sort the cuts"),
+        ("terrains", "last_piece_left_out", "from t = 0 to t = 1"),
+        ("terrains", "ones_for_rocks", "1 is free, 0 is blocked"),
+        ("trees", "tree_path_reversed_in_place", "path.reverse() returns None"),
         ("roadmaps", "found_again_by_no_other_way", "it should be: ([0, 2, 3], 4), or another"),
     ],
 )

@@ -414,6 +414,10 @@ last_two_digits_of_the_seed = changed(
 ignores_little_gains = changed(
     "prm_on_terrain", ("new < cost.get(v, np.inf)", "new < cost.get(v, np.inf) - 0.05")
 )
+path_reversed_in_place = changed("rrt_on_terrain", ("path[::-1]", "path.reverse()"))
+pairs_both_ways = changed(
+    "prm_on_terrain", ("for j in range(i + 1, n + 2)]", "for j in range(n + 2) if i != j]")
+)
 edges_touch = changed("prm_on_terrain", ("problem.is_free_path", "problem.is_semi_free_path"))
 last_digit_of_the_seed = changed("prm_on_terrain", ("default_rng(rng)", "default_rng(rng % 10)"))
 
@@ -793,6 +797,12 @@ def forward_only(cost, a, b):
 
 
 @wrong("exposing_motion")
+def ones_for_rocks():
+    """Takes 1 for a blocked cell."""
+    return [[0, 1], [0, 0]], (0.9985, 0.6485), (1.5, 1.15)
+
+
+@wrong("exposing_motion")
 def a_motion_that_is_seen():
     """Gives a motion with a sample in the rock."""
     return [[1, 0, 1]], (0.5, 0.5), (2.5, 0.5)
@@ -843,6 +853,11 @@ short_pieces_left_out = changed(
         "        if (s - t) * hypot(*(b - a)) < 0.01:\n            continue\n        x, y = a",
     ),
 )
+only_up_and_right = changed(
+    "cost_along", ("range(ceil(min(p, q)), floor(max(p, q)) + 1)", "range(ceil(p), floor(q) + 1)")
+)
+cuts_not_sorted = changed("cost_along", ("    shares.sort()\n", ""))
+last_piece_left_out = changed("cost_along", ("shares = [0.0, 1.0]", "shares = [0.0]"))
 whole_costs = changed("cost_along", ("cost[int(y), int(x)]", "int(cost[int(y), int(x)])"))
 nearly_in_place = changed(
     "cost_along",

@@ -548,6 +548,7 @@ every_parent_one_higher = changed(
     variant="own_parent",
     slip="from_one",
 )
+tree_path_reversed_in_place = changed("rrt", ("path[::-1]", "path.reverse()"))
 INSERTED = "    return parent, cost"
 new_node_first = varied(
     "insert",

@@ -46,6 +46,7 @@ __all__ = [
     "find_node_off_nearest",
     "find_path_fault",
     "find_tree_fault",
+    "find_unreturned_path",
     "first_not_free",
     "measure_distances",
     "problem_of",
@@ -151,6 +152,12 @@ def find_node_off_nearest(
         if nearest < length - 1e-7 * (1.0 + length):
             return Fault("nearest", nodes[[parent[i], i]])
     return None
+
+
+def find_unreturned_path(problem: StudentProblem, nodes: Array, path: Array | None) -> Fault | None:
+    """Fault of a tree that ends at the goal where the path is None, or None."""
+    ended = path is None and len(nodes) > 1 and same_configuration(problem, nodes[-1], problem.goal)
+    return Fault("unreturned", nodes[-1:]) if ended else None
 
 
 def measure_distances(problem: PlanningProblem, nodes: Array, q: Array) -> Array:

@@ -14,7 +14,7 @@ from ...withheld import withheld
 from ..geometry.lines import POINT
 from .motions import find_crossed_cells, find_cuts, measure_length
 
-PEAK = np.array([[1.0, 2.0], [4.0, 1000.0]])
+PEAK = np.array([[4.0, 1000.0], [1.0, 2.0]])
 
 
 class CostAlong(ValueExercise):
@@ -70,7 +70,7 @@ class CostAlong(ValueExercise):
             ("nowhere", two, (0.5, 0.5), (0.5, 0.5)),
             ("slanted", square, (0.5, 0.25), (1.75, 1.5)),
             ("slanted", 0.5 * square, (0.5, 0.25), (1.75, 1.5)),
-            ("slanted", PEAK, (0.5, 1.5), (1.505, 0.5)),
+            ("slanted", PEAK, (0.5, 0.5), (1.505, 1.5)),
             ("slanted", square, (0.98, 0.5), (1.02, 1.75)),
             ("slanted", square, (0.999998, 0.5), (1.000002, 1.75)),  # not quite upright
             ("slanted", square, (0.25, 0.9997), (1.75, 1.0001)),  # not quite level

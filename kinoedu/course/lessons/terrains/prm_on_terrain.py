@@ -111,9 +111,8 @@ class PrmOnTerrain(Watched, TerrainPlanner):
         return self.fault_of_end(case, path) or find_path_fault(problem, nodes, edges, path)
 
     def size_limit(self, case: Case) -> int:
-        """The most rows: all pairs of nodes."""
-        n = int(case.given["n"]) + 2
-        return n * (n - 1) // 2
+        """The most rows: all pairs of nodes, so that pairs both ways break a rule of their own."""
+        return (int(case.given["n"]) + 2) ** 2
 
     def drawn(self, answer: Value) -> tuple[list[Tree], Array | None]:
         """Return the nodes, as trees of one node each, and the path."""

@@ -31,6 +31,7 @@ from ..shared.planned import (
     find_node_off_nearest,
     find_path_fault,
     find_tree_fault,
+    find_unreturned_path,
     measure_distances,
     with_other_seed,
 )
@@ -209,6 +210,7 @@ class RrtOnTerrain(TerrainPlanner):
         fault = (
             fault
             or find_tree_fault(problem, nodes, parent, case.given["step"])
+            or find_unreturned_path(problem, nodes, path)
             or find_node_off_nearest(problem, nodes, parent)
         )
         fault = (

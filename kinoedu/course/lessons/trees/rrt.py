@@ -25,6 +25,7 @@ from ..shared.planned import (
     Watched,
     find_motion_off_tree,
     find_tree_fault,
+    find_unreturned_path,
     same_configuration,
     watched_three_times,
 )
@@ -156,6 +157,7 @@ class Rrt(Watched, TreeExercise):
         problem, step, bias, iterations, _ = case.given.values()
         fault = None if path is None else self.fault_of_end(case, path)
         fault = fault or find_tree_fault(problem, nodes, parent, step)
+        fault = fault or find_unreturned_path(problem, nodes, path)
         if fault is None and bias == 1.0 and not has_same_nodes(case, nodes):
             # nothing is random here, so a distance of exactly one step counts
             within = step * (1.0 + 1e-9)
