@@ -342,6 +342,11 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
         ("terrains", "last_piece_left_out", "from t = 0 to t = 1"),
         ("terrains", "ones_for_rocks", "1 is free, 0 is blocked"),
         ("trees", "tree_path_reversed_in_place", "path.reverse() returns None"),
+        ("terrains", "first_planner_only", "in a loop, which it then ends?"),
+        ("moving", "returns_in_the_loop", "in a loop, which it then ends?"),
+        ("moving", "arrives_before_the_last_interval_ends", "next arrival minus the duration"),
+        ("moving", "one_list_of_rows_for_all_paths", "a list of its own"),
+        ("moving", "a_hit_stays", "begin anew"),
         ("roadmaps", "found_again_by_no_other_way", "it should be: ([0, 2, 3], 4), or another"),
     ],
 )

@@ -8,6 +8,8 @@ from .outcomes import Misshapen, Outcome, Raised
 # (key of the message, class of the exception, pattern of its text); the first match is used
 COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
+    ("domain", "ValueError", "math domain error|expected a (nonneg|posi)tive|in range from -1"),
+    ("domain", "TypeError", "'complex'|not complex"),
     ("empty", "ValueError", "arg is an empty|argument is empty|zero-size array|of an empty seq"),
     ("power", "TypeError", "bitwise_xor|unsupported operand.*\\^"),
     ("no_arrays", "TypeError", "unsupported operand.*'(tuple|list)'|can't multiply sequence"),

@@ -255,6 +255,7 @@ class ValueExercise(Exercise):
     """An exercise whose right answer is a reference value up to rounding, or a ValueError."""
 
     tolerance: ClassVar[float] = 1e-6
+    one_for_each: ClassVar[str] = ""  # argument that has as many items as the answer
 
     @staticmethod
     @abstractmethod
@@ -307,10 +308,12 @@ class ValueExercise(Exercise):
         rule = {Late: "late", Changed: "changed"}.get(type(outcome), case.kind)
         return Verdict(0.0, rule, self.describe_expected(case))
 
-    def value_verdict(self, case: Case, value: object) -> Verdict:
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Compare a value with the reference."""
         if self.same(value, self.truth(case)):
             return RIGHT
+        if self.one_for_each and len(value) != len(case.given[self.one_for_each]):
+            return Verdict(0.0, "shape", self.describe_expected(case))
         return Verdict(0.0, case.kind, self.describe_expected(case))
 
     def same(self, value: Value, truth: Value) -> bool:

@@ -189,6 +189,15 @@ nothing_later = changed(
 nothing_after_a_thousand = changed(
     "earliest_arrival", ("if there <= end and", "if there < 1000 and there <= end and")
 )
+arrives_before_the_last_interval_ends = changed(
+    "earliest_arrival", ("there - duration <= safe", "there <= safe")
+)
+one_list_of_rows_for_all_paths = changed(
+    "earliest_arrival",
+    ("((start, 0.0),)", "[(start, 0.0)]"),
+    ("heapq.heappush(", "rows.append((v, there)) or heapq.heappush("),
+    ("(*rows, (v, there))", "rows"),
+)
 visits_a_place_twice_at_most = changed(
     "earliest_arrival",
     ("if there <= end and", "if sum(p == v for p, _ in rows) < 2 and there <= end and"),
@@ -503,6 +512,7 @@ def three_sigma(sigma, delta):
 SHARE = "delta / len(sigma)"
 two_drives = varied("chance_margins", "two_drives", (SHARE, "delta / (2 * len(sigma))"))
 percent = varied("chance_margins", "percent", (SHARE, "delta / (100 * len(sigma))"))
+returns_in_the_loop = changed("chance_margins", ("return sigma", "return sigma[:1]"))
 each_drive_alone = changed(
     "chance_margins", (SHARE, "delta / 2"), variant="two_drives", slip="not_shared"
 )
@@ -711,6 +721,13 @@ def draws_its_own(path, discs, offsets):
     )
     hits = tries(path, discs, own)
     return wilson(hits.any(axis=1).mean(), len(hits))
+
+
+@wrong("collision_probability")
+def a_hit_stays(path, discs, offsets):
+    """Does not begin anew in each scenario."""
+    hits = np.maximum.accumulate(tries(path, discs, offsets).any(axis=1))
+    return wilson(float(hits.mean()), len(hits))
 
 
 contact_is_free = changed("collision_probability", ("<= disc[2]", "< disc[2]"))

@@ -35,6 +35,7 @@ class ChanceMargins(ValueExercise):
     kinds = ("one", "several", "unequal", "seldom")
     given = Record(sigma=Numbers(("m",)), delta=Number())
     answer = Numbers(("m",))
+    one_for_each = "sigma"
     source = staticmethod(chance_margins)
     slips = (
         Slip("not_shared", scale_by(lambda m, delta: find_radius(delta))),

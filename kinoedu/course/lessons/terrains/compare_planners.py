@@ -36,6 +36,7 @@ class ComparePlanners(ValueExercise):
         lengths=Numbers(("planners", "seeds")), planners=Listed(Text(40)), seeds=Listed(Integer())
     )
     answer = Numbers(("n", 4))
+    one_for_each = "planners"
     slips = (
         Slip("mean", lambda lengths, *_: make_table(lengths, keep_found, find_mean_and_quartiles)),
         Slip("with_failures", lambda lengths, *_: make_table(lengths, keep_all)),
