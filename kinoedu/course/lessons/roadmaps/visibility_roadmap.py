@@ -11,7 +11,7 @@ from ....geometry.checks import Array
 from ....messages import get_message
 from ....planners import visibility_roadmap
 from ....problems.protocols import PlanningProblem
-from ...exercise import Axes, Case, Restated, Slip, ValueExercise, Verdict
+from ...exercise import Axes, Case, Restated, Slip, ValueExercise, Verdict, format_value
 from ...outcomes import Answer, Outcome
 from ...shapes import Listed, Numbers, Record, Together, Value
 from ...tasks import StudentProblem
@@ -187,13 +187,18 @@ class VisibleCorners(ValueExercise):
         return Verdict(0.0, rule, self.describe_expected(case))
 
     def describe_expected(self, case: Case) -> str:
-        """Describe how many nodes and edges are right."""
-        nodes, edges = self.truth(case)
-        return get_message("visibility_roadmap.wanted", nodes=len(nodes), edges=len(edges))
+        """Describe the right nodes, and how many edges are right."""
+        return self.describe_answer(case, self.as_asked(self.truth(case), case))
 
     def describe_answer(self, case: Case, value: Value) -> str:
-        """Describe how many nodes and edges the student has."""
-        return get_message("visibility_roadmap.wanted", nodes=len(value[0]), edges=len(value[1]))
+        """Describe the student's nodes, and how many edges there are."""
+        nodes, edges = value
+        return get_message(
+            "visibility_roadmap.wanted",
+            nodes=len(nodes),
+            places=format_value(np.asarray(nodes)),
+            edges=len(edges),
+        )
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the right roadmap and the student's over it."""
