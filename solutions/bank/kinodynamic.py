@@ -235,6 +235,15 @@ def must_be_closer_than_q(problem, q, target, controls, t, n):
     return choice if problem.distance(end, target) < problem.distance(q, target) else None
 
 
+drives_in_contact_set_the_least = changed(
+    "best_control",
+    (
+        "if away[k - 1] < least and problem.is_free_drive(q, v, phi, k * t / n):\n"
+        "            best, least = (i, k), away[k - 1]",
+        "if away[k - 1] < least:\n            least = away[k - 1]\n"
+        "            best = (i, k) if problem.is_free_drive(q, v, phi, k * t / n) else best",
+    ),
+)
 minimum_from_a_thousand = changed(
     "best_control", ("best, least = None, math.inf", "best, least = None, 1000"), slip="finite"
 )

@@ -289,6 +289,13 @@ near_is_there = changed(
 )
 
 
+turns_only_after_a_step = changed(
+    "rrt_connect",
+    ("for turn in range(iterations):", "turn = 0\n    for _ in range(iterations):"),
+    ("        q = target\n", "        turn += target is not None\n        q = target\n"),
+)
+
+
 @wrong("rrt_connect")
 def swapped_after_a_turn(problem, step, iterations, rng):
     """Returns the goal's tree first."""
