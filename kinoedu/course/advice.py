@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from .outcomes import Misshapen, Outcome, Raised
 
+OF_ARRAYS = "shape|size|ndim|T|dtype|sum|min|max|mean|tolist|astype|reshape|any|all"
 # (key of the message, class of the exception, pattern of its text); the first match is used
 COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
@@ -17,6 +18,16 @@ COMMON_ERRORS = (
     ("whole", "TypeError", "scalar index"),
     ("one_number", "TypeError", "arrays can be converted"),
     ("no_append", "AttributeError", "ndarray' object has no attribute 'append'"),
+    ("not_an_array", "AttributeError", f"'(list|tuple)' object has no attribute '({OF_ARRAYS})'"),
+    ("rows_differ", "ValueError", "array element with a sequence"),
+    ("not_in_list", "ValueError", "not in (list|deque)|tuple.index"),
+    ("not_finite", "ValueError", "cannot convert float NaN"),
+    ("not_finite", "OverflowError", "cannot convert float infinity"),
+    (
+        "unlisted",
+        "TypeError",
+        "'(set|map|zip|generator|dict_\\w+)' (object is not subscr|has no len)",
+    ),
     ("cross", "ValueError", "3-dimensional vectors|dimensions for cross product"),
     ("shapes", "ValueError", "could not be broadcast|mismatch in its core dimension"),
     ("unpack", "ValueError", "values to unpack"),
@@ -44,6 +55,7 @@ COMMON_ERRORS = (
     ("divided_by_zero", "ZeroDivisionError", ""),
     ("none", "TypeError", "NoneType"),
     ("none", "AttributeError", "NoneType"),
+    ("nothing_next", "StopIteration", ""),
 )
 # the end of a message on a value whose items Python has not listed, or has in no order
 UNLISTED = re.compile(r" (generator|map|zip|filter|enumerate|reversed|dict_\w+|(frozen)?set)$")
