@@ -351,6 +351,8 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
         ("polygons_in_the_plane", "path_of_the_call_not_returned", "do you return the path that"),
         ("polygons_in_the_plane", "parent_0_taken_for_none", "compare with None"),
         ("trees", "turns_only_after_a_step", "also after one that added nothing"),
+        ("terrains", "one_coin_until_a_node_comes", "Is the target chosen anew in each attempt"),
+        ("roadmaps", "larger_of_two_equally_far", "the lower number comes first"),
         ("roadmaps", "found_again_by_no_other_way", "it should be: ([0, 2, 3], 4), or another"),
     ],
 )

@@ -932,6 +932,7 @@ hundred_tries = changed(
 )
 
 
+larger_of_two_equally_far = changed("component_k_closest", ("nodes[i]), j)", "nodes[i]), -j)"))
 components_not_merged = changed(
     "component_k_closest",
     ("merged, rest = {i}, []", "joined = False"),

@@ -414,6 +414,13 @@ last_two_digits_of_the_seed = changed(
 ignores_little_gains = changed(
     "prm_on_terrain", ("new < cost.get(v, np.inf)", "new < cost.get(v, np.inf) - 0.05")
 )
+one_coin_until_a_node_comes = changed(
+    "rrt_on_terrain",
+    (
+        "q_rand = goal if rng.random() < goal_bias",
+        "coin = coin if failed else rng.random()\n        q_rand = goal if coin < goal_bias",
+    ),
+)
 path_reversed_in_place = changed("rrt_on_terrain", ("path[::-1]", "path.reverse()"))
 pairs_both_ways = changed(
     "prm_on_terrain", ("for j in range(i + 1, n + 2)]", "for j in range(n + 2) if i != j]")
