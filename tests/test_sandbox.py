@@ -165,6 +165,27 @@ raise ValueError(json.dumps(said))
     assert errors == ["AttributeError", "AttributeError", "InvalidGraph"]
 
 
+@needs_sandbox
+def test_what_no_lent_class_made_has_nothing_to_ask_for(box):
+    """A generator of Python holds the library's own variables; nor is a graph's class asked."""
+    source = """
+import json
+from kinoedu.graphs import Graph, dijkstra_expansions
+graph = Graph(2, [(0, 1)])
+running = dijkstra_expansions(graph, 0)
+said = []
+asked = ((running, "gi_frame"), (running, "close"), (graph, "mro"), (graph, "__class__"))
+for thing, name in asked:
+    try:
+        said.append(str(thing._ask(thing._number, name, ())))
+    except Exception as error:
+        said.append(type(error).__name__)
+raise ValueError(json.dumps(said))
+"""
+    said = say(box, source, ("kinoedu.graphs:Graph", "kinoedu.graphs:dijkstra_expansions"))
+    assert said == ["TypeError", "TypeError", "AttributeError", "AttributeError"]
+
+
 @pytest.mark.parametrize("name", assignments())
 def test_no_assignment_lends_what_it_asks_for(name):
     """Nor a function of an exercise's module, but a wrong program that students must expose."""

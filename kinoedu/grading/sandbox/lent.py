@@ -39,7 +39,7 @@ class LentFunction(Lent):
 
 
 class LentThing(Lent):
-    """A thing of the library, such as a graph: its methods and its data."""
+    """A thing made by a class that is lent, such as a graph: its methods and its data."""
 
     def __init__(self, number: int, ask: Ask, methods: list[str]) -> None:
         super().__init__(number, ask)

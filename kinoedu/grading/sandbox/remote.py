@@ -159,8 +159,11 @@ class Lent(NamedTuple):
 
 
 def ask_thing(thing: Any, name: str, *given: Any, **named: Any) -> Any:
-    """What a method of a thing returns, or its data of that name. Raises AttributeError."""
-    if name.startswith("_"):
+    """What a method of a thing returns, or its data of that name.
+
+    Only what its class defines for all to use is asked for. Raises AttributeError.
+    """
+    if name.startswith("_") or not hasattr(type(thing), name):
         raise AttributeError(name)
     part = getattr(thing, name)
     return part(*given, **named) if callable(part) else part
@@ -176,6 +179,7 @@ class Student:
         self.end = ""
         self.module = ""  # of the exercise whose cases are run
         self.lent: list[Lent] = []
+        self.classes: set[type] = set()  # those of them that are classes
         self.generators: dict[int, np.random.Generator] = {}
 
     def start(self, limits: dict[str, int]) -> None:
@@ -298,10 +302,12 @@ class Student:
             self.lent.append(Lent(value, value._ask))
             return {wire.LENT: {"is": "problem", "number": number, "parts": self.parts(value)}}
         fields = getattr(value, "_fields", None)
-        if fields is None and not callable(value):
+        if fields is None and type(value) in self.classes:
             self.lent.append(Lent(value, partial(ask_thing, value)))
             methods = [name for name in dir(type(value)) if callable(getattr(type(value), name))]
             return {wire.LENT: {"is": "thing", "number": number, "methods": methods}}
+        if isinstance(value, type):
+            self.classes.add(value)
         self.lent.append(Lent(value, lambda name, *given, **named: value(*given, **named)))
         if fields is None or isinstance(value, type):
             return {wire.LENT: {"is": "function", "number": number}}
