@@ -47,6 +47,7 @@ from kinoedu.grading.judge.class_list import (
     locked_class,
     make_entry,
     read_class,
+    warn_of_replaced,
     write_class,
 )
 from kinoedu.grading.judge.running import grade_all, write_result
@@ -418,6 +419,16 @@ def test_grades_of_other_folders_stay():
         ("bob", HAND, "f"),
     ]
     assert add_earlier(new, [one._replace(folder="two") for one in old]) == new
+
+
+def test_a_file_that_takes_the_place_of_another_folders_is_told(caplog):
+    """Such as an empty one, handed in late, in the place of a right one; the same file is none."""
+    old = Entry("ann", NAME, "f", "one", "", "d", "k", "")
+    warn_of_replaced([old._replace(folder="two")], [old])
+    warn_of_replaced([old._replace(digest="e")], [old])
+    assert not caplog.text
+    warn_of_replaced([old._replace(folder="two", digest="e")], [old])
+    assert "such as that of ann, which were graded from one" in caplog.text
 
 
 LINKS = """[a](javascript:alert(1)) [b][1] ![c](http://evil/x.png) $\\href{javascript:alert(4)}{d}$

@@ -19,6 +19,7 @@ from .judge.class_list import (
     make_entry,
     mark_secret,
     read_class,
+    warn_of_replaced,
     write_class,
 )
 from .judge.contracts import add_section, vary
@@ -174,6 +175,7 @@ def grade_found(
     with locked_class(out):  # another command may have added its students meanwhile
         earlier = read_earlier(out, secret)
         before = earlier.entries if earlier is not None else []
+        warn_of_replaced(entries, before)
         kept = add_names(add_earlier(entries, before), before, names)
         of = Class(out, str(run.secret_file.resolve()), mark_secret(secret), run.trusted, kept)
         write_class(of)

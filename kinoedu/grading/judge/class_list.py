@@ -10,6 +10,7 @@ pages.json        of what each page was made    exports.json  the tables that we
 
 import hashlib
 import json
+import logging
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -25,6 +26,11 @@ from .running import Graded, compute_key, read_result
 from .submission import Grade
 
 FILE, LOCK = "class.json", ".lock"
+REPLACED = (
+    "%d notebooks take the place of others of the same student and assignment, such as that of %s, "
+    "which were graded from %s; to keep both, grade each folder into another folder of grades"
+)
+log = logging.getLogger("kinoedu")
 
 
 class Entry(NamedTuple):
@@ -131,6 +137,21 @@ def add_earlier(entries: list[Entry], earlier: Iterable[Entry]) -> list[Entry]:
         if (one.folder, one.only) not in sources and (one.student, one.assignment) not in pairs
     ]
     return sorted([*entries, *others], key=lambda one: (one.student, one.assignment, one.file))
+
+
+def warn_of_replaced(entries: list[Entry], earlier: Iterable[Entry]) -> None:
+    """Log a warning if submissions take the place of others, which were in another folder."""
+    now = {(one.student, one.assignment): one for one in entries}
+    folders = {one.folder for one in entries}
+    replaced = [
+        one
+        for one in earlier
+        if one.folder not in folders
+        and (new := now.get((one.student, one.assignment))) is not None
+        and new.digest != one.digest
+    ]
+    if replaced:
+        log.warning(REPLACED, len(replaced), replaced[0].student, replaced[0].folder)
 
 
 def write_class(of: Class) -> None:
