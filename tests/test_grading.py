@@ -127,6 +127,16 @@ def test_an_experiment_that_takes_too_long_does_not_lose_the_function_above_it(
 
 
 @needs_sandbox
+@pytest.mark.parametrize("end", ["os._exit(0)", "os.abort()"])
+def test_a_cell_that_ends_python_keeps_its_functions(box, end):
+    """Also where a busy computer had to stop it from outside; the cell is listed all the same."""
+    result = graded(box, f"import os\n{GOOD}\n{end}\nx = 1", "raise KeyError", end)
+    assert result["point_line_distance"]["status"] == "right"
+    listed = [(one["cell"], one["trouble"]["kinds"][0]) for one in result["cells"]]
+    assert listed == [(1, "Stopped"), (2, "KeyError"), (3, "Stopped")]
+
+
+@needs_sandbox
 def test_a_function_that_is_not_there_again_is_not_called_right(box, monkeypatch):
     """Such as one that a program defines by chance: the hidden cases are not known."""
     monkeypatch.setattr(answers.Run, "ask_hidden", lambda *_: None)

@@ -7,6 +7,7 @@ remaining cells and questions are run in a new one. Hidden cases come in a rando
 program takes too long for one of them, those of other kinds are asked in a further run.
 """
 
+import ast
 import builtins
 import time
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ from ...support.json_fields import JsonObject
 from ...support.text import split_lines
 from ...support.time_limit import slowdown
 from ..collect.notebook import Cell
+from ..sandbox.cells import DEFINITIONS, parse_cell
 from ..sandbox.sandbox import Reply, Sandbox
 from ..sandbox.talk import LONGEST
 
@@ -42,6 +44,7 @@ PLANNING = ("kinoedu.course.lent_problem",)
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
 HIDDEN_RUNS = 4  # runs on hidden cases: each but the last may break off in another kind
 NO_VALUE = Maybe(Truth())
+DEFINES = (*DEFINITIONS, ast.Import, ast.ImportFrom)
 
 
 class Question(NamedTuple):
@@ -81,10 +84,7 @@ class Answers(NamedTuple):
     def stopped(self) -> set[int]:
         """The numbers of the cells that could not be stopped."""
         return {
-            number
-            for number, troubles in self.troubles.items()
-            for trouble in troubles
-            if isinstance(trouble.outcome, Late) or is_stopped(trouble.outcome)
+            number for number, troubles in self.troubles.items() if any(map(ends_a_cell, troubles))
         }
 
 
@@ -124,17 +124,36 @@ def run_program(
 
 
 def leave_out_stopped(cells: list[Cell], found: Answers) -> Iterator[Cell]:
-    """Yield the cells without the statements that could not be stopped, and what is below those.
+    """Yield the cells as the first run had them.
 
-    The functions above such a statement are those that the first run had.
+    Of a cell that took too long what is above that statement; of one that ended the process, where
+    the statement is not known, its definitions.
     """
     for cell in cells:
-        if cell.number not in found.stopped():
+        stopped = [one for one in found.troubles.get(cell.number, []) if ends_a_cell(one)]
+        if not stopped:
             yield cell
-            continue
-        above = split_lines(cell.source)[: max(found.troubles[cell.number][-1].line - 1, 0)]
-        if above:
+        elif stopped[0].line:
+            above = split_lines(cell.source)[: stopped[0].line - 1]
             yield cell._replace(source="".join(above))
+        else:
+            yield keep_definitions(cell)
+
+
+def keep_definitions(cell: Cell) -> Cell:
+    """The imports, functions and classes of a cell, in their lines.
+
+    >>> keep_definitions(Cell(1, "import os\\nos.abort()\\ndef f():\\n    pass")).source
+    'import os\\n\\ndef f():\\n    pass'
+    """
+    lines = split_lines(cell.source)
+    kept = ["\n"] * len(lines)
+    for part in parse_cell(cell.source, ""):
+        if isinstance(part, DEFINES):
+            first = min([part, *getattr(part, "decorator_list", [])], key=lambda one: one.lineno)
+            inside = slice(first.lineno - 1, part.end_lineno)
+            kept[inside] = lines[inside]
+    return cell._replace(source="".join(kept))
 
 
 class Run(NamedTuple):
@@ -232,10 +251,12 @@ def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None
     by_name = {question.name: question for question in questions}
     for line in (line for lines in reply.parts for line in lines):
         if "cell" in line:
-            found.troubles[line["cell"]] = [
+            now = [
                 Trouble(decode_line(one["outcome"], NO_VALUE), one["line"])
                 for one in line["troubles"]
             ]
+            before = filter(ends_a_cell, found.troubles.get(line["cell"], []))
+            found.troubles[line["cell"]] = now if any(map(ends_a_cell, now)) else [*before, *now]
         elif line.get("missing"):
             found.outcomes[line["question"]] = None
         elif "question" in line:
@@ -273,12 +294,19 @@ def find_remaining(
 
 
 def drop_cell(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) -> list[Cell]:
-    """The cells to run again, without the one that could not be stopped.
+    """The cells to run again, of the one that could not be stopped only the definitions.
 
-    After BROKEN_CELLS such cells only those that finished before are run.
+    If that is all it had, it is left out. After BROKEN_CELLS such cells only those that finished
+    before are run.
     """
     is_broken = len(found.stopped()) >= BROKEN_CELLS
-    return [cell for cell in cells if cell != culprit and (not is_broken or cell.number in done)]
+    defined = keep_definitions(culprit)
+    again = [defined if cell == culprit else cell for cell in cells]
+    return [
+        cell
+        for cell in again
+        if cell != culprit and (not is_broken or cell.number in {*done, culprit.number})
+    ]
 
 
 def is_open(question: Question, outcomes: list[Outcome] | None) -> bool:
@@ -322,6 +350,11 @@ def describe_end(reply: Reply) -> Outcome:
 
 
 STOPPED = "Stopped"
+
+
+def ends_a_cell(trouble: Trouble) -> bool:
+    """Whether a cell could not be stopped, or ended the process that ran it."""
+    return isinstance(trouble.outcome, Late) or is_stopped(trouble.outcome)
 
 
 def is_stopped(outcome: Outcome) -> bool:
