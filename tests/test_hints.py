@@ -1,6 +1,7 @@
 """Hints are true of the answer: to a variant as well, and where it is a small slip of the pen."""
 
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from kinoedu.course.judging import judge_outcomes, judge_until_failure, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.polygons_in_the_plane.matrices import swap_entries
 from kinoedu.course.outcomes import Answer, Raised
+from kinoedu.figures.plane import plane_figure
 from kinoedu.geometry import point_line_distance, point_polygon_distance, polygon_tangent
 from kinoedu.sampling import dispersion, sukharev_grid
 
@@ -365,3 +367,38 @@ def test_the_answer_to_a_wrong_program_of_the_bank_leads_to_its_mistake(lesson, 
         exercise, exercise.fixed_cases, lambda case: run_case(exercise, item.function, case)
     )
     assert said in repr(Feedback(report))
+
+
+def failure_picture(name, program):
+    """The axes of the picture of the first case on which a program fails."""
+    exercise = EXERCISES[name]
+    report = judge_until_failure(
+        exercise, exercise.fixed_cases, lambda case: run_case(exercise, program, case)
+    )
+    figure, ax = plane_figure()
+    exercise.draw(report.failure.case, report.failure.outcome, ax)
+    figure.canvas.draw()
+    return ax
+
+
+def test_a_tree_that_ends_too_early_has_no_wrong_node_in_its_picture():
+    """The title promises no X, and says what is missing."""
+    ax = failure_picture("tree_roadmap", lambda problem, *others: ([problem.start], [-1]))
+    assert ax.get_title() == "The nodes are right, but there are more to come"
+
+
+def test_the_note_of_two_distances_fits_into_the_picture():
+    """It was cut off where both distances have ten digits."""
+    ax = failure_picture(
+        "heading_distance",
+        lambda a, b, radian: np.hypot(math.dist(a[:2], b[:2]), radian * (abs(a[2] - b[2]) % np.pi)),
+    )
+    right = max(text.get_window_extent().x1 for text in ax.texts)
+    assert right <= ax.figure.bbox.x1
+    assert ax.get_window_extent().width > 0.6 * ax.figure.bbox.width
+
+
+def test_a_title_separates_the_answers_from_what_is_seen():
+    """In the picture of a motion's costs."""
+    ax = failure_picture("cost_along", lambda cost, a, b: 0.0)
+    assert "Inside one cell: should be" in ax.get_title()

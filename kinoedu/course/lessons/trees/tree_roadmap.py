@@ -185,8 +185,9 @@ class TreeRoadmap(ValueExercise):
         )
         if fault is None and trees and at < len(trees[0].nodes):
             fault = Fault("other", trees[0].nodes[at : at + 1])
+        title = self.message(f"pictures.{'ends' if trees and fault is None else case.kind}")
         fault = None if fault is None or fault.marked.shape[1] != len(problem.start) else fault
-        draw_answer(problem.problem, trees, None, fault, self.message(f"pictures.{case.kind}"), ax)
+        draw_answer(problem.problem, trees, None, fault, title, ax)
 
 
 def find_first_difference(value: Value, truth: Value) -> int:
