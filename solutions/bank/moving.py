@@ -183,6 +183,14 @@ first_of_the_start = changed(
 moments_left_out = changed(
     "earliest_arrival", ("if there <= end and", "if begin < end and there <= end and")
 )
+begins_when_the_start_is_safe = changed(
+    "earliest_arrival",
+    ("if begin <= 0 <= end:", "if end >= 0:"),
+    (
+        "(0.0, start, k, ((start, 0.0),))",
+        "(max(begin, 0.0), start, k, ((start, max(begin, 0.0)),))",
+    ),
+)
 nothing_later = changed(
     "earliest_arrival", ("if there <= end and", "if there <= min(end, 100) and")
 )

@@ -68,10 +68,10 @@ def find_schedule_fault(safe: Value, moves: Value, start: int, goal: int, rows: 
 
     Whether the arrival is the earliest is not checked.
     """
-    if not np.isfinite(rows).all() or rows[0][0] != start or abs(rows[0][1]) > LATE:
-        return "start"
     if not any(b <= 0.0 <= e for b, e in safe[start]):
         return "begin"
+    if not np.isfinite(rows).all() or rows[0][0] != start or abs(rows[0][1]) > LATE:
+        return "start"
     ways = find_adjacent_places(moves)
     for (u, arrived), (v, there) in zip(rows, rows[1:]):
         if u == v:
