@@ -349,6 +349,8 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
         ("moving", "arrives_before_the_last_interval_ends", "next arrival minus the duration"),
         ("moving", "one_list_of_rows_for_all_paths", "a list of its own"),
         ("moving", "a_hit_stays", "begin anew"),
+        ("moving", "begins_when_the_start_is_safe", "contains the time 0?"),
+        ("configurations", "angle_between_directions", "Take the difference of the angles"),
         ("kinodynamic", "drives_in_contact_set_the_least", "Only a free drive may set the least"),
         ("polygons_in_the_plane", "path_of_the_call_not_returned", "do you return the path that"),
         ("polygons_in_the_plane", "parent_0_taken_for_none", "compare with None"),

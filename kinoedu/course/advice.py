@@ -6,6 +6,7 @@ from collections.abc import Callable
 from .outcomes import Misshapen, Outcome, Raised
 
 OF_ARRAYS = "shape|size|ndim|T|dtype|sum|min|max|mean|tolist|astype|reshape|any|all"
+OF_GENERATORS = "rand|uniform|integers|choice|normal|standard|shuffle|permut"  # how methods begin
 # (key of the message, class of the exception, pattern of its text); the first match is used
 COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
@@ -48,7 +49,7 @@ COMMON_ERRORS = (
     ("nothing_left", "KeyError", "pop from|is empty"),
     ("no_key", "KeyError", ""),
     ("changed_in_loop", "RuntimeError", "during iteration"),
-    ("seed", "AttributeError", "'int' object has no attribute '(random|uniform|integers|normal)'"),
+    ("seed", "AttributeError", f"'int' object has no attribute '({OF_GENERATORS})"),
     ("no_value", "UnboundLocalError", ""),
     ("unknown_name", "NameError", ""),
     ("endless_calls", "RecursionError", ""),
