@@ -18,7 +18,7 @@ from kinoedu.course.lessons.polygons_in_the_plane.matrices import swap_entries
 from kinoedu.course.outcomes import Answer, Raised
 from kinoedu.figures.plane import plane_figure
 from kinoedu.geometry import point_line_distance, point_polygon_distance, polygon_tangent
-from kinoedu.sampling import dispersion, sukharev_grid
+from kinoedu.sampling import dispersion, sukharev_grid, van_der_corput
 
 HOUSE = Path(__file__).resolve().parent.parent
 TREE = Solutions(HOUSE / "solutions" / "09_trees.ipynb").right["tree_roadmap"]
@@ -350,6 +350,7 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
         ("moving", "one_list_of_rows_for_all_paths", "a list of its own"),
         ("moving", "a_hit_stays", "begin anew"),
         ("moving", "begins_when_the_start_is_safe", "contains the time 0?"),
+        ("configurations", "complains_when_too_far", "acos got a cosine beyond 1"),
         ("configurations", "angle_between_directions", "Take the difference of the angles"),
         ("kinodynamic", "drives_in_contact_set_the_least", "Only a free drive may set the least"),
         ("polygons_in_the_plane", "path_of_the_call_not_returned", "do you return the path that"),
@@ -398,6 +399,12 @@ def test_the_note_of_two_distances_fits_into_the_picture():
     right = max(text.get_window_extent().x1 for text in ax.texts)
     assert right <= ax.figure.bbox.x1
     assert ax.get_window_extent().width > 0.6 * ax.figure.bbox.width
+
+
+def test_the_title_of_a_mirrored_number_is_not_cut_off():
+    """The words in the axes pushed it out of the picture."""
+    ax = failure_picture("radical_inverse", lambda i, base: round(van_der_corput(1, base, i)[0], 6))
+    assert ax.title.get_window_extent().y1 <= ax.figure.bbox.y1
 
 
 def test_a_title_separates_the_answers_from_what_is_seen():

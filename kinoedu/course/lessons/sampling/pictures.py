@@ -126,6 +126,8 @@ def draw_mirrored(exercise: Exercise, case: Case, found: float | None, ax: Axes)
             else get_message("picture.yours", value=f"{found:.6g}")
         )
         plane.corner_note(text, ax, colour=palette.YOURS)
+    for words in ax.texts:
+        words.set_in_layout(False)  # they are inside the axes, and would push the title out
     ax.set_yticks([])
     ax.set_ylabel("")
     ax.set_xlabel("")
