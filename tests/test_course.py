@@ -639,6 +639,7 @@ def complaint(code):
         ("return [1, 2][q]", "2, and not 2.0 or an array"),
         ("return sum(range(p1[0]))", "2, and not 2.0 or an array"),
         ("return lenght(q)", "Python does not know this name"),
+        ("import math\n    return math.arctan2(1, 2)", "Python does not know this name"),
         ("return point_line_distance(q, p1, p2)", "calls itself without end"),
         ("return ValueError('no line')", "raised, not returned"),
         ("return None + 1", "A value is None"),

@@ -352,6 +352,7 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
         ("moving", "begins_when_the_start_is_safe", "contains the time 0?"),
         ("configurations", "complains_when_too_far", "acos got a cosine beyond 1"),
         ("configurations", "angle_between_directions", "Take the difference of the angles"),
+        ("kinodynamic", "phi_for_tan", "The message lists all that this problem has"),
         ("kinodynamic", "drives_in_contact_set_the_least", "Only a free drive may set the least"),
         ("polygons_in_the_plane", "path_of_the_call_not_returned", "do you return the path that"),
         ("polygons_in_the_plane", "parent_0_taken_for_none", "compare with None"),

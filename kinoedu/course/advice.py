@@ -52,6 +52,8 @@ COMMON_ERRORS = (
     ("seed", "AttributeError", f"'int' object has no attribute '({OF_GENERATORS})"),
     ("no_value", "UnboundLocalError", ""),
     ("unknown_name", "NameError", ""),
+    ("unknown_name", "AttributeError", "^module "),
+    ("problem_parts", "AttributeError", "^a problem has no "),
     ("endless_calls", "RecursionError", ""),
     ("divided_by_zero", "ZeroDivisionError", ""),
     ("none", "TypeError", "NoneType"),
