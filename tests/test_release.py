@@ -20,6 +20,7 @@ from kinoedu.course.release import (
     release,
     remove_answers,
     require_released,
+    run_notebook,
 )
 from kinoedu.errors import InvalidParameter, UnreadableScene
 from kinoedu.grading.assignments import questions
@@ -287,3 +288,12 @@ def test_a_damaged_notebook_of_the_course_is_named(house, damage):
         with pytest.raises(UnreadableScene, match=r"09_cut\.ipynb: expected"):
             read()
     assert read_assignment("01_geometry", house).questions
+
+
+def test_no_warning_of_the_teachers_computer_is_stored(tmp_path):
+    """Such as matplotlib's that it builds its list of fonts; it may name the teacher's folders."""
+    code = "import sys\nprint('kept')\nprint('/home/somebody', file=sys.stderr)"
+    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(code)])
+    book.metadata = {"kernelspec": {"name": "python3", "display_name": "Python 3"}}
+    (cell,) = run_notebook(book, tmp_path).cells
+    assert [output.text for output in cell.outputs] == ["kept\n"]

@@ -167,7 +167,7 @@ def is_model_answer(cell: Any) -> bool:
 
 
 def run_notebook(book: Any, folder: Path) -> Any:
-    """Run a notebook in a folder; outputs are kept, timestamps are not.
+    """Run a notebook in a folder; outputs are kept, timestamps and warnings are not.
 
     Raises
     ------
@@ -191,6 +191,9 @@ def run_notebook(book: Any, folder: Path) -> Any:
             f"an exercise notebook must run without errors before it is answered: {error}"
         ) from error
     book.metadata = {"kernelspec": book.metadata["kernelspec"]}
+    for cell in book.cells:
+        if cell.cell_type == "code":  # warnings are about this computer, with paths of its user
+            cell.outputs = [one for one in cell.outputs if one.get("name") != "stderr"]
     return book
 
 
