@@ -57,11 +57,15 @@ def test_a_part_stays_in_its_place_while_boards_above_it_come(page):
 
 
 def test_a_picture_is_as_narrow_as_its_column_on_paper(page):
-    """It keeps its shape, and covers nothing beside it; a page is printed before it is laid out."""
+    """It keeps its shape, and covers nothing beside it; a page is printed before it is laid out.
+    Nobody is told to drag something.
+    """
     opened, address = page
     opened.goto(address)
     opened.wait_for_selector(".kinoedu-board[data-paints]")
     opened.emulate_media(media="print")
+    hint = opened.locator(".kinoedu-hint").first
+    assert hint.evaluate("hint => getComputedStyle(hint).display") == "none"
     width, shape = opened.evaluate("""() => {
         const stage = document.querySelector('.kinoedu-stage');
         const wide = stage.getBoundingClientRect();
