@@ -347,17 +347,19 @@ def test_a_link_leads_to_its_section(browser_page):
         assert page.evaluate(place, part)
 
 
-def test_a_lesson_is_whole_on_paper(browser_page):
-    """No line of code and no wide figure is cut off, and nothing stands over the text."""
+def test_a_page_is_whole_on_paper(browser_page):
+    """No line of code, wide figure or column is cut off, and nothing stands over the text."""
     page, address = browser_page
     size = page.viewport_size
-    page.goto(f"{address}/notebooks/09_trees.html", wait_until="load")
     page.emulate_media(media="print")
     page.set_viewport_size({"width": 703, "height": 1032})  # A4 without margins of 12 mm
-    assert page.locator(".cell_output img.wide").count() > 5
-    assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre, .cell_output')]
-        .every((part) => part.scrollWidth <= part.clientWidth)""")
-    assert not page.locator(".skip-to-content").is_visible()
+    for name, wide in (("notebooks/09_trees", "img.wide"), ("docs/algorithms", "table")):
+        page.goto(f"{address}/{name}.html", wait_until="load")
+        assert page.locator(wide).count() > 0
+        assert page.evaluate("""() => [...document.querySelectorAll(
+                '.highlight pre, .cell_output, .table-wrapper')]
+            .every((part) => part.scrollWidth <= part.clientWidth)""")
+        assert not page.locator(".skip-to-content").is_visible()
     page.emulate_media(media="screen")
     page.set_viewport_size(size)
 
