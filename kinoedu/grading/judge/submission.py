@@ -76,15 +76,17 @@ def grade(
         return ask_questions(sandbox, of, questions, secret, task.lent, patience)
 
     records, answers = ask(task.questions, cells)
-    for at, question in enumerate(task.questions):
-        if records[at]["status"] == RIGHT or records[at]["late"]:
-            continue
-        as_checked = find_cells_as_checked(question.exercise.name, cells)
-        if as_checked:
-            (again,), _ = ask([question], list(leave_out_stopped(as_checked, answers)))
-            records[at] = max(records[at], again, key=lambda record: record["score"])
-            if again["late"]:
-                break
+    wrong = {
+        one["question"]: at
+        for at, one in enumerate(records)
+        if one["status"] != RIGHT and not one["late"]
+    }
+    for name, as_checked in find_cells_as_checked(wrong, cells).items():
+        at = wrong[name]
+        (again,), _ = ask([task.questions[at]], list(leave_out_stopped(as_checked, answers)))
+        records[at] = max(records[at], again, key=lambda record: record["score"])
+        if again["late"]:
+            break
     theirs = python_of(data)
     errors = find_syntax_errors(cells, theirs)
     return ({"python": PYTHON} if theirs > OURS else {}) | {
