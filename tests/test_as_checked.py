@@ -1,11 +1,77 @@
-"""Functions as their checks saw them: what is found, and at what cost."""
+"""Functions as their checks saw them: what is found, at what cost, and what is too late."""
 
 import time
 
 import pytest
+from submissions import notebook
 
+from kinoedu.course.outcomes import Late
+from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.collect.notebook import Cell
+from kinoedu.grading.judge import submission
+from kinoedu.grading.judge.answers import Run
 from kinoedu.grading.judge.as_checked import find_cells_as_checked
+from kinoedu.grading.sandbox import sandbox
+from kinoedu.grading.sandbox.sandbox import Sandbox
+
+NO_SANDBOX = sandbox.explain_no_sandbox()
+needs_sandbox = pytest.mark.skipif(bool(NO_SANDBOX), reason=NO_SANDBOX or "there is one")
+HELPED = """
+import numpy as np
+def dist(a, b):
+    return np.linalg.norm(a - b)
+def {0}(q, p1, p2):
+    way = p2 - p1
+    t = np.dot(q - p1, way) / np.dot(way, way) if way.any() else 0.0
+    return dist(q, p1 + min(max(t, 0.0), 1.0) * way)
+check({0})
+"""
+LINE, SEGMENT = map(HELPED.format, ("point_line_distance", "point_segment_distance"))
+CHANGED = "def dist(q):\n    pass"
+
+
+def graded(*sources, patience=1.0):
+    """The questions of lesson 1 by name, for these code cells."""
+    box = Sandbox()
+    try:
+        record = submission.grade(
+            notebook(*sources), read_assignment("01_geometry"), b"a secret", box, patience=patience
+        )
+    finally:
+        box.close()
+    return {question["question"]: question for question in record["questions"]}
+
+
+@needs_sandbox
+def test_what_is_late_as_its_check_saw_it_is_told_to_be_late(monkeypatch):
+    """Late notebooks are graded again, alone and with more time: the computer may be busy."""
+    ask_apart = Run.ask_apart
+
+    def ask(run, cells, questions):
+        if cells[-1].source == CHANGED:
+            ask_apart(run, cells, questions)
+        else:
+            run.found.outcomes.update({one.name: [Late(False)] for one in questions})
+
+    monkeypatch.setattr(Run, "ask_apart", ask)
+    question = graded(SEGMENT, CHANGED)["point_segment_distance"]
+    assert (question["status"], question["late"]) == ("wrong", True)
+
+
+@needs_sandbox
+def test_a_draft_below_that_never_ends_costs_nothing():
+    """A check has called the function above it right."""
+    draft = "def point_segment_distance(q, p1, p2):\n    while True:\n        pass"
+    assert graded(SEGMENT, draft, patience=0.2)["point_segment_distance"]["status"] == "right"
+
+
+@needs_sandbox
+def test_all_calls_as_checks_saw_functions_have_the_time_of_one_program(monkeypatch):
+    """A notebook with many wrong answers does not take many times longer."""
+    monkeypatch.setattr(submission, "LONGEST", 0.0)
+    result = graded(LINE, SEGMENT, CHANGED)
+    assert result["point_line_distance"]["late"]
+    assert result["point_segment_distance"]["status"] == "wrong"
 
 
 def test_cells_as_checked_are_found_without_compiling():

@@ -1,6 +1,7 @@
 """Grade a submission: run it in the sandbox, judge the outcomes, record scores and reasons."""
 
 import sys
+import time
 from collections.abc import Sequence
 from typing import Any
 
@@ -21,6 +22,7 @@ from ..collect.left_out import find_left_out
 from ..collect.notebook import Cell, UnreadableSubmission, python_of, read_cells
 from ..sandbox.cells import Failure, find_names, is_placeholder, parse_cell
 from ..sandbox.sandbox import Sandbox
+from ..sandbox.talk import LONGEST
 from .answers import (
     NO_VALUE,
     Answers,
@@ -47,7 +49,8 @@ def grade(
     """Grade the bytes of a notebook.
 
     Functions are called after all cells have run. If a cell below a question's check changes what
-    the function uses, it is also called as its check saw it, and the better result counts.
+    the function uses, it is also called as its check saw it, and the better result counts. All
+    these calls together have as much time as one program; "late" says that they took longer.
 
     Returns
     -------
@@ -76,16 +79,15 @@ def grade(
         return ask_questions(sandbox, of, questions, secret, task.lent, patience)
 
     records, answers = ask(task.questions, cells)
-    wrong = {
-        one["question"]: at
-        for at, one in enumerate(records)
-        if one["status"] != RIGHT and not one["late"]
-    }
+    wrong = {one["question"]: at for at, one in enumerate(records) if one["status"] != RIGHT}
+    until = time.monotonic() + LONGEST * patience * slowdown()
     for name, as_checked in find_cells_as_checked(wrong, cells).items():
         at = wrong[name]
         (again,), _ = ask([task.questions[at]], list(leave_out_stopped(as_checked, answers)))
-        records[at] = max(records[at], again, key=lambda record: record["score"])
-        if again["late"]:
+        better = max(records[at], again, key=lambda record: record["score"])
+        is_over = again["late"] or time.monotonic() > until
+        records[at] = {**better, "late": is_over or records[at]["late"]}
+        if is_over:
             break
     theirs = python_of(data)
     errors = find_syntax_errors(cells, theirs)
