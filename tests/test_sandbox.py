@@ -150,6 +150,7 @@ from kinoedu.graphs import Graph, bfs_path
 graph = Graph(3, [(0, 1)])
 graph.add_edge(1, 2)
 said = [list(map(int, graph.neighbours(1))), graph.size]
+said += [len(graph), list(graph), 2 in graph, 3 in graph, bool(Graph(0))]
 said += [graph.edges.tolist(), bfs_path(graph, 0, 2).tolist()]
 for absent in ("_embedding", "neighbors", "nodes"):
     try:
@@ -158,11 +159,12 @@ for absent in ("_embedding", "neighbors", "nodes"):
         said.append(type(error).__name__)
 raise ValueError(json.dumps(said))
 """
-    near, size, edges, path, *errors = say(
+    near, size, length, nodes, *has, edges, path, first, second, third = say(
         box, source, ("kinoedu.graphs:Graph", "kinoedu.graphs:bfs_path")
     )
     assert (sorted(near), size, edges, path) == ([0, 2], 3, [[0, 1], [1, 2]], [0, 1, 2])
-    assert errors == ["AttributeError", "AttributeError", "InvalidGraph"]
+    assert (length, nodes, has) == (3, [0, 1, 2], [True, False, False])
+    assert [first, second, third] == ["AttributeError", "AttributeError", "InvalidGraph"]
 
 
 @needs_sandbox
@@ -174,7 +176,8 @@ from kinoedu.graphs import Graph, dijkstra_expansions
 graph = Graph(2, [(0, 1)])
 running = dijkstra_expansions(graph, 0)
 said = []
-asked = ((running, "gi_frame"), (running, "close"), (graph, "mro"), (graph, "__class__"))
+asked = ((running, "gi_frame"), (running, "close"), (running, "__iter__"), (graph, "mro"))
+asked += ((graph, "__class__"), (graph, "__repr__"), (graph, "__dict__"))
 for thing, name in asked:
     try:
         said.append(str(thing._ask(thing._number, name, ())))
@@ -183,7 +186,7 @@ for thing, name in asked:
 raise ValueError(json.dumps(said))
 """
     said = say(box, source, ("kinoedu.graphs:Graph", "kinoedu.graphs:dijkstra_expansions"))
-    assert said == ["TypeError", "TypeError", "AttributeError", "AttributeError"]
+    assert said == ["TypeError"] * 3 + ["AttributeError"] * 4
 
 
 @pytest.mark.parametrize("name", assignments())

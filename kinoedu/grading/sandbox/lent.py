@@ -39,7 +39,7 @@ class LentFunction(Lent):
 
 
 class LentThing(Lent):
-    """A thing made by a class that is lent, such as a graph: its methods and its data."""
+    """A thing made by a class that is lent: its methods and its data."""
 
     def __init__(self, number: int, ask: Ask, methods: list[str]) -> None:
         super().__init__(number, ask)
@@ -51,6 +51,19 @@ class LentThing(Lent):
         if name not in self._methods:
             return self._ask(self._number, name, ())
         return lambda *given, **named: self._ask(self._number, name, given, named)
+
+
+class LentCollection(LentThing):
+    """A thing with a length, such as a graph with its nodes."""
+
+    def __len__(self) -> int:
+        return self._ask(self._number, "__len__", ())
+
+    def __iter__(self) -> Any:
+        return iter(self._ask(self._number, "__iter__", ()))
+
+    def __contains__(self, item: object) -> bool:
+        return self._ask(self._number, "__contains__", (item,))
 
 
 class LentRecord(Lent):
@@ -108,7 +121,8 @@ class LentValues:
         if content["is"] == "function":
             return LentFunction(number, self.ask)
         if content["is"] == "thing":
-            return LentThing(number, self.ask, self.decode(content["methods"]))
+            kind = LentCollection if "__len__" in content["methods"] else LentThing
+            return kind(number, self.ask, content["methods"])
         parts = {name: self.decode(part) for name, part in content["parts"].items()}
         if content["is"] == "record":
             return LentRecord(number, self.ask, parts)

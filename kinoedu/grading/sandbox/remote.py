@@ -5,6 +5,7 @@ comes from the program is run or trusted; see `wire.py`.
 """
 
 import contextlib
+import operator
 import os
 import random
 import select
@@ -33,6 +34,11 @@ MOST_LINE = 4 * 2**20  # bytes
 MOST_OUTPUT = 64 * 2**20  # bytes of a whole run
 MOST_LENT = 100_000  # things lent in a whole run
 NO_VALUE = Maybe(Truth())
+COLLECTION: dict[str, Callable[..., Any]] = {
+    "__len__": len,
+    "__iter__": list,
+    "__contains__": operator.contains,
+}
 
 
 class Ended(Exception):
@@ -161,8 +167,11 @@ class Lent(NamedTuple):
 def ask_thing(thing: Any, name: str, *given: Any, **named: Any) -> Any:
     """What a method of a thing returns, or its data of that name.
 
-    Only what its class defines for all to use is asked for. Raises AttributeError.
+    Only what its class defines for all to use is asked for, and what COLLECTION holds. Raises
+    AttributeError.
     """
+    if name in COLLECTION:
+        return COLLECTION[name](thing, *given)
     if name.startswith("_") or not hasattr(type(thing), name):
         raise AttributeError(name)
     part = getattr(thing, name)
