@@ -284,7 +284,10 @@ def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
             yield from group[: 1 if group[0].assignment else None]
         else:
             names = list_some([one.file for one in group])
-            wrong = f"handed in more than once, with differences: {names}; leave one"
+            wrong = (
+                f"handed in more than once, with differences: {names}; leave one, or, if they are "
+                "of several students, grade the folder in which each has a folder"
+            )
             yield group[0]._replace(
                 data=b"", file=names, trouble=wrong, late=any(one.late for one in group)
             )
