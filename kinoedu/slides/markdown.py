@@ -11,6 +11,7 @@ ITEM = re.compile(r"(\d+\.|[-*]) ")
 ABBREVIATED = re.compile(r"(\b[A-Z]|e\.g|i\.e|\bFig|^\d+)\.$")
 SHORT = 32  # words of a paragraph that is shown whole
 SENTENCE = re.compile(r"(?<=[.?!])(?:\*\*|\*)?\s+")
+LABEL = re.compile(r"\*\*[^*?]+\*\*")  # such as "Line by line."
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<![\\$])\$([^$]+?)\$", re.DOTALL)
 LESSON_LINK = re.compile(r'<a href="(\d\d_\w+)\.ipynb">')
 OTHER_LINK = re.compile(r'<a href="(?!https?:|\d\d_\w+\.html)[^"]*">(.*?)</a>', re.DOTALL)
@@ -91,14 +92,18 @@ def cut_into_sentences(text: str) -> list[str]:
 
 def shorten(text: str) -> str:
     """What a slide shows of a paragraph: all of a short one; of a long one the first sentence,
-    questions, and what is in bold.
+    questions, and what is in bold. A first sentence in bold is a label of the second.
 
     >>> shorten("It is so. " + "It is long. " * 20 + "**Why?**")
     'It is so. **Why?**'
+    >>> shorten("**Line by line.** It is so. " + "It is long. " * 20)
+    '**Line by line.** It is so.'
     """
     if len(text.split()) <= SHORT:
         return text
     first, *rest = cut_into_sentences(text)
+    if rest and LABEL.fullmatch(first):
+        first += f" {rest.pop(0)}"
     kept = [one for one in rest if "**" in one or one.rstrip("*").endswith("?")]
     return " ".join([first, *kept])
 

@@ -2,8 +2,9 @@
 
 1. A slide begins at each heading, with each figure or board (text before it is beside it, else the
    first paragraph after it), and where a slide has as much text as one can read.
-2. Of a long paragraph the slide shows the first sentence, questions and what is in bold; all of it
-   is in the notes. Lists, tables, formulas and theorems are shown whole; a proof is in the notes.
+2. Of a long paragraph the slide shows the first sentence (two, if the first is a label in bold),
+   questions and what is in bold; all of it is in the notes. Lists, tables, formulas and theorems
+   are shown whole; a proof is in the notes.
 3. A question ("Predict") is shown whole. What is computed afterwards comes on the next slide; a
    board comes on the same one, since it is for trying.
 4. Code of at most eight lines is shown with what it prints. Behind a picture, code is folded. Of a
