@@ -648,6 +648,7 @@ def complaint(code):
         ("import math\n    return math.log(0)", "no logarithm"),
         ("return max(0, (-len(q)) ** 0.5)", "A negative number has no root"),
         ("return [q].shape", "A list is no array"),
+        ("return np.zeros(3).index(0)", "An array is no list"),
         ("return np.array([q, [1]])", "All rows of an array have the same length"),
         ("return [1].index(2)", "The list does not hold this item"),
         ("return int(float('inf'))", "A number is infinite here"),

@@ -7,6 +7,7 @@ from .outcomes import Misshapen, Outcome, Raised
 
 OF_ARRAYS = "shape|size|ndim|T|dtype|sum|min|max|mean|tolist|astype|reshape|any|all"
 OF_GENERATORS = "rand|uniform|integers|choice|normal|standard|shuffle|permut"  # how methods begin
+OF_LISTS = "index|insert|extend|pop|remove|reverse|count"
 # (key of the message, class of the exception, pattern of its text); the first match is used
 COMMON_ERRORS = (
     ("ambiguous", "ValueError", "truth value of an array"),
@@ -19,6 +20,7 @@ COMMON_ERRORS = (
     ("whole", "TypeError", "scalar index"),
     ("one_number", "TypeError", "arrays can be converted"),
     ("no_append", "AttributeError", "ndarray' object has no attribute 'append'"),
+    ("not_a_list", "AttributeError", f"'numpy.ndarray' object has no attribute '({OF_LISTS})'"),
     ("not_an_array", "AttributeError", f"'(list|tuple)' object has no attribute '({OF_ARRAYS})'"),
     ("rows_differ", "ValueError", "array element with a sequence"),
     ("not_in_list", "ValueError", "not in (list|deque)|tuple.index"),

@@ -14,6 +14,9 @@ from .checking import PASSED
 from .lessons import EXERCISES
 from .withheld import IN_THE_KIT, is_withheld
 
+# of JupyterLab, of the site, and of pages that other programs make of a notebook
+CODE_FONT = "font-family: var(--jp-code-font-family, var(--font-stack--monospace, monospace))"
+
 
 class Source:
     """The source of one function, with its file."""
@@ -31,7 +34,9 @@ class Source:
         from pygments.formatters import HtmlFormatter
         from pygments.lexers import PythonLexer
 
-        formatter = HtmlFormatter(noclasses=True, nobackground=True, style="friendly")
+        formatter = HtmlFormatter(
+            noclasses=True, nobackground=True, style="friendly", prestyles=CODE_FONT
+        )
         body = highlight(self.text, PythonLexer(), formatter)
         return f"<div style='opacity:.75'>{escape(self.place)}</div>{body}"
 

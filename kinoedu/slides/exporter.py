@@ -14,10 +14,8 @@ from ..boards.core.recorded import RECORD
 from .rule import base64_of_picture, describe_picture, record_html
 
 PLAYS = ".kinoedu-plays > img { display: none; }"  # the board itself is there instead
-# Shown programs are in the font of code; on paper lines are wrapped, not cut, and headings stay
-# with what follows.
+# On paper lines are wrapped, not cut, and headings stay with what follows.
 PAGE = """
-.jp-RenderedHTML .highlight pre { font-family: var(--jp-code-font-family); }
 @media print {
   .jp-Cell .highlight pre { white-space: pre-wrap; }
   h1, h2, h3 { break-after: avoid; }
