@@ -9,7 +9,7 @@ from ..errors import InvalidParameter
 from ..support.csv_cells import escape_formula, number, write_rows
 from .assignments.questions import read_course_secret
 from .class_grading import Run, grade_found, list_pairs
-from .collect.submissions import collect
+from .collect.submissions import Submission, collect
 from .judge.class_list import Class, Entry, list_varied, mark_secret, read_class
 from .judge.contracts import add_section
 from .report.decisions import BY_HAND, OVERRIDES, Decisions, read_decisions
@@ -69,17 +69,12 @@ def regrade(
             f"{old} was graded with the secret that was in {before.secret_file}; give it with "
             "--secret"
         )
-    sources = dict.fromkeys((entry.folder, entry.only, entry.letter) for entry in before.entries)
-    if folder is not None and len({place for place, _, _ in sources}) > 1:
+    places = dict.fromkeys(entry.folder for entry in before.entries)
+    if folder is not None and len(places) > 1:
         raise InvalidParameter(
-            f"{old} was made of several folders; put each where it was: "
-            f"{', '.join(place for place, _, _ in sources)}"
+            f"{old} was made of several folders; put each where it was: {', '.join(places)}"
         )
-    found = [
-        (place, only, [add_section(one, run.letter or letter) for one in collect(place, only)])
-        for name, only, letter in sources
-        for place in (Path(name) if folder is None else folder,)
-    ]
+    found = list(collect_again(before.entries, folder, run.letter))
     if not (out / OVERRIDES).exists():  # a copy of wrong lines would stay, and be read next time
         refuse_unknown_names(read_decisions(old), list_pairs(found, []))
     out.mkdir(parents=True, exist_ok=True)
@@ -90,6 +85,26 @@ def regrade(
     changes = list(find_changes(before, after, read_decisions(out)))
     write_changes(changes, out / "changes.csv")
     return after, changes
+
+
+def collect_again(
+    entries: list[Entry], folder: Path | None, letter: str
+) -> Iterator[tuple[Path, str, list[Submission]]]:
+    """Yield each folder of a class with its one assignment, or "", and its submissions.
+
+    A folder that was graded whole, and for one assignment again, has each submission once: as it
+    was graded last, and what was handed in since for that assignment alone.
+    """
+    last = {(one.student, one.assignment): (one.folder, one.only) for one in entries}
+    sources = {(one.folder, one.only): one.letter for one in entries}
+    for source in sorted(sources, key=lambda source: not source[1]):
+        place, only = Path(source[0]) if folder is None else folder, source[1]
+        mine = [
+            one
+            for one in collect(place, only)
+            if last.setdefault((one.student, one.assignment), source) == source
+        ]
+        yield place, only, [add_section(one, letter or sources[source]) for one in mine]
 
 
 def find_changes(before: Class, after: Class, decisions: Decisions) -> Iterator[Change]:

@@ -1,0 +1,54 @@
+"""A class that is graded again has each submission once, and each student under one name."""
+
+import csv
+
+import pytest
+from submissions import notebook
+
+from kinoedu.cli import main
+from kinoedu.grading import class_grading
+from kinoedu.grading.judge.running import Graded
+
+SECRET = b"a secret of the tests, no course's"
+LINE, BUG = "def line_through_points(p1, p2):\n    pass\n", "def bug1(*given):\n    pass\n"
+
+
+@pytest.fixture
+def start(tmp_path, monkeypatch):
+    """Run a command on folders within `tmp_path`; nothing is run, and no submission has a result.
+
+    Returns the lines of a table of a folder of grades.
+    """
+    monkeypatch.setattr(
+        class_grading,
+        "grade_all",
+        lambda submissions, *_, **__: [Graded(one, None, one.trouble) for one in submissions],
+    )
+    monkeypatch.setattr(class_grading, "require_sandbox", lambda trusted: None)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "secret").write_text(SECRET.hex())
+
+    def run(*command, out, table="grades.csv"):
+        assert main([*command, "--secret", "secret", "--out", out]) in (0, 1)
+        with (tmp_path / out / table).open(encoding="utf-8", newline="") as stream:
+            return list(csv.reader(stream))[1:]
+
+    return run
+
+
+def hand_in(folder, student, **sources):
+    """Write a student's notebooks."""
+    (folder / student).mkdir(parents=True, exist_ok=True)
+    for name, source in sources.items():
+        (folder / student / f"{name.strip('_')}.ipynb").write_bytes(notebook(source))
+
+
+def test_a_folder_that_was_graded_whole_and_in_part_has_each_submission_once(tmp_path, start):
+    """Also those that were handed in since."""
+    hand_in(tmp_path / "in", "ann", _01_geometry=LINE, _02_bug_algorithms=BUG)
+    start("grade", "in", out="out")
+    before = start("grade", "in", "--assignment", "01_geometry", out="out")
+    hand_in(tmp_path / "in", "bob", _01_geometry=LINE, _02_bug_algorithms=BUG)
+    after = start("regrade", "out", out="new")
+    asked = [row[:3] for row in before]
+    assert [row[:3] for row in after] == asked + [["bob", *row[1:]] for row in asked]
