@@ -1,6 +1,8 @@
 """A class that is graded again has each submission once, and each student under one name."""
 
 import csv
+import json
+import unicodedata
 
 import pytest
 from submissions import notebook
@@ -52,3 +54,19 @@ def test_a_folder_that_was_graded_whole_and_in_part_has_each_submission_once(tmp
     after = start("regrade", "out", out="new")
     asked = [row[:3] for row in before]
     assert [row[:3] for row in after] == asked + [["bob", *row[1:]] for row in asked]
+
+
+def test_a_name_that_an_older_version_spelled_otherwise_is_the_same_student(tmp_path, start):
+    """It kept an accent as macOS writes it; decisions and pages are those of one student."""
+    name, apart = (unicodedata.normalize(form, "zoë") for form in ("NFC", "NFD"))
+    hand_in(tmp_path / "in", apart, _01_geometry=LINE)
+    start("grade", "in", out="out")
+    file = tmp_path / "out" / "class.json"
+    file.write_text(file.read_text(encoding="ascii").replace(json.dumps(name), json.dumps(apart)))
+    (tmp_path / "out" / "overrides.csv").write_text(
+        f"student,assignment,question,score,comment\n{apart},01_geometry,exposing_case,1,\n",
+        encoding="utf-8",
+    )
+    assert start("regrade", "out", out="new", table="changes.csv") == []
+    hand_in(tmp_path / "more", "ann", _01_geometry=LINE)
+    assert {row[0] for row in start("grade", "more", out="out")} == {"ann", name}

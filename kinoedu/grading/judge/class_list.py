@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 from ...compiled.store import try_lock
 from ...errors import InvalidParameter
+from ...support.csv_cells import one_line
 from ...support.whole_files import written_whole
 from ..collect.names import Names, find_name
 from ..collect.submissions import Submission
@@ -172,7 +173,7 @@ def locked_class(out: Path) -> Iterator[None]:
 
 
 def read_class(out: Path) -> Class:
-    """The class that was graded into a folder.
+    """The class that was graded into a folder; in older files, names have other spellings.
 
     Raises
     ------
@@ -182,7 +183,10 @@ def read_class(out: Path) -> Class:
     try:
         data = json.loads((out / FILE).read_text(encoding="ascii"))
         variants = data.pop("variants", False)  # of all of them, in older files
-        entries = [Entry(**{"variants": variants, **entry}) for entry in data["entries"]]
+        entries = [
+            Entry(**{"variants": variants, **entry, "student": one_line(entry["student"])})
+            for entry in data["entries"]
+        ]
         return Class(out, **{**data, "entries": entries})
     except OSError as error:
         raise InvalidParameter(
