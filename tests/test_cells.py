@@ -258,6 +258,20 @@ def test_a_long_line_is_quoted_in_part(monkeypatch):
     assert lines == [f"line 1: {source[:MAX_LINE]}"]
 
 
+def test_a_function_as_handed_out_is_told_from_others_of_any_depth():
+    """The longest expressions that Python parses are deeper than its own functions may recurse."""
+    text = "def f():\n    'What it returns.'\n    raise {}"
+    deep = "+".join(["1"] * 2000)
+    for error, is_placeholder in (
+        ("NotImplementedError", True),
+        ("NotImplementedError('write it')", True),
+        ("ValueError('no NotImplementedError')", False),
+        (f"ValueError({deep})", False),
+        (f"NotImplementedError({deep})", True),
+    ):
+        assert cells.is_placeholder(ast.parse(text.format(error)).body[0]) == is_placeholder
+
+
 def test_an_await_that_never_ends_ends(monkeypatch):
     monkeypatch.setattr(cells, "MOST_STEPS", 100)
     source = "import asyncio\nwhile True:\n    await asyncio.sleep(0)"
