@@ -10,6 +10,7 @@ from submissions import notebook
 from kinoedu.cli import main
 from kinoedu.grading import class_grading
 from kinoedu.grading.judge.running import Graded
+from kinoedu.grading.judge.variants import write_variants
 
 SECRET = b"a secret of the tests, no course's"
 LINE, BUG = "def line_through_points(p1, p2):\n    pass\n", "def bug1(*given):\n    pass\n"
@@ -70,3 +71,16 @@ def test_a_name_that_an_older_version_spelled_otherwise_is_the_same_student(tmp_
     assert start("regrade", "out", out="new", table="changes.csv") == []
     hand_in(tmp_path / "more", "ann", _01_geometry=LINE)
     assert {row[0] for row in start("grade", "more", out="out")} == {"ann", name}
+
+
+def test_variants_are_remembered_where_a_moved_folder_has_left_a_link(tmp_path, start):
+    """The folder is found under both names."""
+    write_variants(["04_graph_search"], ["ann", "bob"], SECRET, tmp_path / "in")
+    (tmp_path / "in" / "variants.csv").unlink()
+    start("grade", "in", "--variants", out="out")
+    (tmp_path / "in").rename(tmp_path / "moved")
+    (tmp_path / "in").symlink_to(tmp_path / "moved")
+    for out in ("new", "newer"):
+        assert start("regrade", "out", out=out, table="changes.csv") == []
+    for command in (["grade", "in"], ["grade", "moved"]):
+        assert {row[5] for row in start(*command, out="out")} == {"not graded"}

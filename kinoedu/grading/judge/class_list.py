@@ -108,9 +108,7 @@ def list_varied(entries: Iterable[Entry], folder: Path | None = None) -> set[tup
     folder : where the submissions are now, if they were moved.
     """
     return {
-        (one.folder if folder is None else str(folder.resolve()), one.only)
-        for one in entries
-        if one.variants
+        (str((folder or Path(one.folder)).resolve()), one.only) for one in entries if one.variants
     }
 
 
