@@ -384,6 +384,7 @@ def test_submissions_are_found_as_they_are_laid_out(tmp_path):
     ("place", "student", "is_late"),
     [
         ("Dora Doe_99_assignsubmission_file_{}", "Dora Doe_99", False),
+        ("Dora_99_assignsubmission_file_Al_7_assignsubmission_file_{}", "Dora_99", False),
         ("doe_xcarl_LATE_123_456_{}", "doe_xcarl_123", True),
         ("doe_xcarl_123_456_{}", "doe_xcarl_123", False),
         ("anon_x7Yz2_456_{}", "anon_x7Yz2", False),

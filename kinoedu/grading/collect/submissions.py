@@ -31,7 +31,7 @@ CANVAS = re.compile(
     re.IGNORECASE,
 )
 MOODLE = re.compile(
-    r"^(?P<student>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)(?:_?|_(?P<file>.+))$"
+    r"^(?P<student>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)(?:_?|_(?P<file>.+))$"
 )
 GRADESCOPE = re.compile(r"^submission_\d+$")
 EXPORTED = re.compile(r"^assignment_\d+_export$")  # Gradescope's folder of all submissions
