@@ -57,6 +57,21 @@ def test_a_folder_that_was_graded_whole_and_in_part_has_each_submission_once(tmp
     assert [row[:3] for row in after] == asked + [["bob", *row[1:]] for row in asked]
 
 
+@pytest.mark.parametrize("command", [["in", "--assignment", "01_geometry"], ["again"]])
+def test_what_was_graded_again_from_elsewhere_has_not_changed(tmp_path, start, capsys, command):
+    """Such as work that was handed in again, in a folder of its own."""
+    hand_in(tmp_path / "in", "ann", _01_geometry=LINE, _02_bug_algorithms=BUG)
+    hand_in(tmp_path / "again", "ann", _01_geometry=f"{LINE}x = 1\n")
+    start("grade", "in", out="out")
+    start("grade", *command, out="out")
+    capsys.readouterr()
+    assert main(["export", "out", "--to", "csv", "--out", "table.csv"]) == 0
+    assert "changed" not in capsys.readouterr().err
+    hand_in(tmp_path / command[0], "ann", _01_geometry=f"{LINE}x = 2\n")
+    assert main(["export", "out", "--to", "csv", "--out", "table.csv"]) == 0
+    assert "came or went since they were graded: ann 01_geometry" in capsys.readouterr().err
+
+
 def test_a_name_that_an_older_version_spelled_otherwise_is_the_same_student(tmp_path, start):
     """It kept an accent as macOS writes it; decisions and pages are those of one student."""
     name, apart = (unicodedata.normalize(form, "zoë") for form in ("NFC", "NFD"))

@@ -35,7 +35,11 @@ def is_table_old(of: Class, rows: list[Row]) -> bool:
 
 
 def list_changed_files(of: Class) -> Iterator[str]:
-    """Yield a warning for submissions that changed, came or went since they were graded."""
+    """Yield a warning for submissions that changed, came or went since they were graded.
+
+    Those in whose place a later command graded others, such as corrected ones, do not count.
+    """
+    graded = {(entry.student, entry.assignment) for entry in of.entries}
     for folder, only in dict.fromkeys((entry.folder, entry.only) for entry in of.entries):
         try:
             found = collect(Path(folder), only)
@@ -48,7 +52,8 @@ def list_changed_files(of: Class) -> Iterator[str]:
             for entry in of.entries
             if (entry.folder, entry.only) == (folder, only)
         }
-        changed = sorted(who for who in {*now, *then} if now.get(who) != then.get(who))
+        mine = {*now, *then} - (graded - {*then})
+        changed = sorted(who for who in mine if now.get(who) != then.get(who))
         if changed:
             named = ", ".join(" ".join(who) for who in changed[:MOST_NAMED])
             more = f" and {len(changed) - MOST_NAMED} more" if len(changed) > MOST_NAMED else ""
