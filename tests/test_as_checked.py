@@ -90,6 +90,7 @@ def test_cells_as_checked_are_found_without_compiling():
         ("def f(x):\n    return d(x)", "d = 1", True),
         ("def f(x):\n    return [d(x) for d in x]", "d = 1", False),
         ("def f(d):\n    return d", "d = 1", False),
+        ("def f(x):\n    return d(x)", "del d", True),
         ("def f(x):\n    return d(min(x, key=lambda d: d[0]))", "d = 1", True),
         ("class C:\n    def f(self):\n        return d\nf = C().f", "import a as d", True),
         ("f = lambda x: d.e(x)", "e = 1", False),

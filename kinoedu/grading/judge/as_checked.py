@@ -18,8 +18,8 @@ from ..sandbox.cells import Failure, find_names, is_placeholder, parse_cell
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 
 
-class Names(NamedTuple):
-    """The names to which a cell gives a meaning, and those that its functions use."""
+class CellNames(NamedTuple):
+    """The names to which a cell gives or takes a meaning, and those that its functions use."""
 
     bound: set[str]
     used: set[str]
@@ -54,13 +54,13 @@ def find_cells_as_checked(questions: Iterable[str], cells: list[Cell]) -> dict[s
     return found
 
 
-def list_names(cell: Cell) -> Names:
+def list_names(cell: Cell) -> CellNames:
     """The names of a cell, apart from placeholders for answers.
 
     A star stands for all that a module holds. Every function uses it, since such an import may hide
     Python's own names.
     """
-    names = Names(set(), set())
+    names = CellNames(set(), set())
     for part in parse_cell(cell.source, ""):
         if isinstance(part, Failure) or is_placeholder(part):
             continue
@@ -68,6 +68,8 @@ def list_names(cell: Cell) -> Names:
         for node in ast.walk(part):
             if isinstance(node, ast.alias):
                 names.bound.add((node.asname or node.name).partition(".")[0])
+            elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Del):
+                names.bound.add(node.id)
             elif isinstance(node, FUNCTIONS):
                 names.used.update("*", list_used(node))
     return names
