@@ -48,14 +48,15 @@ def test_what_is_late_as_its_check_saw_it_is_told_to_be_late(monkeypatch):
     ask_apart = Run.ask_apart
 
     def ask(run, cells, questions):
-        if cells[-1].source == CHANGED:
-            ask_apart(run, cells, questions)
-        else:
+        if cells[-1].source == LINE:
             run.found.outcomes.update({one.name: [Late(False)] for one in questions})
+        else:
+            ask_apart(run, cells, questions)
 
     monkeypatch.setattr(Run, "ask_apart", ask)
-    question = graded(SEGMENT, CHANGED)["point_segment_distance"]
-    assert (question["status"], question["late"]) == ("wrong", True)
+    result = graded(LINE, SEGMENT, CHANGED)
+    assert result["point_line_distance"]["late"]
+    assert result["point_segment_distance"]["status"] == "right"
 
 
 @needs_sandbox

@@ -85,8 +85,8 @@ def grade(
         at = wrong[name]
         (again,), _ = ask([task.questions[at]], list(leave_out_stopped(as_checked, answers)))
         better = max(records[at], again, key=lambda record: record["score"])
-        is_over = again["late"] or time.monotonic() > until
-        records[at] = {**better, "late": is_over or records[at]["late"]}
+        is_over = time.monotonic() > until
+        records[at] = {**better, "late": is_over or again["late"] or records[at]["late"]}
         if is_over:
             break
     theirs = python_of(data)
