@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from ...course.feedback import hint_message, rule_message
@@ -23,14 +23,7 @@ from ..collect.notebook import Cell, UnreadableSubmission, python_of, read_cells
 from ..sandbox.cells import Failure, find_names, is_placeholder, parse_cell
 from ..sandbox.sandbox import Sandbox
 from ..sandbox.talk import LONGEST
-from .answers import (
-    NO_VALUE,
-    Answers,
-    Question,
-    is_stopped,
-    leave_out_stopped,
-    run_program,
-)
+from .answers import NO_VALUE, Answers, Question, is_stopped, leave_out_stopped, run_program
 from .as_checked import find_cells_as_checked
 
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
@@ -78,17 +71,15 @@ def grade(
     def ask(questions: Sequence[AssignmentQuestion], of: list[Cell]) -> tuple[list[Grade], Answers]:
         return ask_questions(sandbox, of, questions, secret, task.lent, patience)
 
+    def ask_again(name: str, of: list[Cell]) -> Grade:
+        one = next(one for one in task.questions if one.exercise.name == name)
+        (record,), _ = ask([one], list(leave_out_stopped(of, answers)))
+        return record
+
     records, answers = ask(task.questions, cells)
-    wrong = {one["question"]: at for at, one in enumerate(records) if one["status"] != RIGHT}
-    until = time.monotonic() + LONGEST * patience * slowdown()
-    for name, as_checked in find_cells_as_checked(wrong, cells).items():
-        at = wrong[name]
-        (again,), _ = ask([task.questions[at]], list(leave_out_stopped(as_checked, answers)))
-        better = max(records[at], again, key=lambda record: record["score"])
-        is_over = time.monotonic() > until
-        records[at] = {**better, "late": is_over or again["late"] or records[at]["late"]}
-        if is_over:
-            break
+    wrong = [record["question"] for record in records if record["status"] != RIGHT]
+    as_checked = find_cells_as_checked(wrong, cells)
+    records = list(take_better(records, as_checked, ask_again, LONGEST * patience * slowdown()))
     theirs = python_of(data)
     errors = find_syntax_errors(cells, theirs)
     return ({"python": PYTHON} if theirs > OURS else {}) | {
@@ -98,6 +89,30 @@ def grade(
         "cells": encode_troubles(answers, cells),
         "left_out": [one._asdict() for one in find_left_out(cells)],
     }
+
+
+def take_better(
+    records: list[Grade],
+    as_checked: dict[str, list[Cell]],
+    ask: Callable[[str, list[Cell]], Grade],
+    seconds: float,
+) -> Iterator[Grade]:
+    """Yield the records, or those of the questions as their checks saw them where they are better.
+
+    seconds : after which no more are asked. These count as late, so that the notebook is graded
+        again with more time.
+    """
+    until = time.monotonic() + seconds
+    for record in records:
+        cells = as_checked.get(record["question"])
+        if cells is None:
+            yield record
+        elif time.monotonic() > until:
+            yield record | {"late": True}
+        else:
+            again = ask(record["question"], cells)
+            better = max(record, again, key=lambda one: one["score"])
+            yield better | {"late": record["late"] or again["late"]}
 
 
 def ask_questions(
