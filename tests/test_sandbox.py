@@ -8,6 +8,7 @@ import subprocess
 import sys
 from array import array
 from collections import OrderedDict, deque
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -231,6 +232,16 @@ def test_plain_values_pass_unchanged(value):
     line = wire.write_line({"value": wire.encode(value, lambda one: None)})
     there = wire.decode(wire.read_line(line)["value"], lambda mark, content: None)
     assert there == value and repr(there) == repr(value)
+
+
+def test_fractions_pass_as_the_numbers_to_which_they_are_rounded():
+    """As `check` takes them; one that no float holds is no number there either."""
+    third = Fraction(1, 3)
+    for value in (third, [(third, 2)], np.array([third])):
+        there = wire.decode(wire.encode(value, lambda one: None), lambda mark, content: None)
+        assert np.array_equal(np.array(there), np.array(value, float))
+    huge = wire.encode(Fraction(10**400), lambda one: None)
+    assert huge == {wire.OTHER: "Fraction"}
 
 
 @pytest.mark.parametrize(

@@ -1,15 +1,17 @@
 """Values as lines of JSON, between a student's program and the library that answers it.
 
-Only plain data pass: numbers, text, truth values, None, lists, tuples, dicts and arrays of numbers.
-What is not plain stays where it is, and only its number passes: a function or a problem of the
-library is `lent`, and the program asks it by its number. So neither side ever runs what the other
-one sends. Needs Python and numpy alone.
+Only plain data pass: numbers, text, truth values, None, lists, tuples, dicts and arrays of numbers;
+a fraction passes as a float. What is not plain stays where it is, and only its number passes: a
+function or a problem of the library is `lent`, and the program asks it by its number. So neither
+side ever runs what the other one sends. Needs Python and numpy alone.
 
 A list is written as a list. Everything else that JSON lacks is written as {mark: content}.
 """
 
 import json
 from collections.abc import Callable, Sequence
+from contextlib import suppress
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -63,6 +65,9 @@ def encode(value: Any, lend: Callable[[Any], dict[str, Any] | None], deep: int =
         return value
     if kind is int and value.bit_length() < MOST_BITS:
         return value
+    if kind is Fraction:
+        with suppress(OverflowError):
+            return float(value)
     if isinstance(value, np.ndarray | np.generic) and value.dtype.kind in DTYPES:
         array: np.ndarray = np.asarray(value, DTYPES[value.dtype.kind])
         return {ARRAY: [list(array.shape), array.dtype.kind, array.ravel().tolist()]}
