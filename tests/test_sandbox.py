@@ -169,6 +169,34 @@ raise ValueError(json.dumps(said))
 
 
 @needs_sandbox
+def test_a_class_of_the_library_is_a_class_for_a_program_too(box):
+    source = """
+import json
+from kinoedu.graphs import Graph
+from kinoedu.problems import Problem
+
+class Rooms(Graph):
+    def __init__(self, names, doors):
+        self.early = hasattr(self, "names")
+        super().__init__(len(names), doors)
+        self.names = names
+
+    def neighbours(self, u):
+        return [self.names[v] for v in super().neighbours(u)]
+
+def count(graph: Graph | None, problem: None | Problem = None) -> int:
+    return len(graph) if isinstance(graph, Graph) else 0
+
+rooms = Rooms(["hall", "loft"], [(0, 1)])
+said = [count(rooms), count(Graph(3)), count(None), rooms.neighbours(0), rooms.size, rooms.early]
+said += [list(map(int, Graph.neighbours(rooms, 0))), Graph.__name__]
+raise ValueError(json.dumps(said))
+"""
+    said = say(box, source, ("kinoedu.graphs:Graph",))
+    assert said == [2, 3, 0, ["loft"], 2, False, [1], "Graph"]
+
+
+@needs_sandbox
 def test_what_no_lent_class_made_has_nothing_to_ask_for(box):
     """A generator of Python holds the library's own variables; nor is a graph's class asked."""
     source = """

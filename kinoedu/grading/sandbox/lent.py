@@ -38,19 +38,24 @@ class LentFunction(Lent):
         return self._ask(self._number, "", given, named)
 
 
-class LentThing(Lent):
-    """A thing made by a class that is lent: its methods and its data."""
+class LentThing:
+    """A thing made by a class that is lent: its methods, which `make_class` adds, and its data.
 
-    def __init__(self, number: int, ask: Ask, methods: list[str]) -> None:
-        super().__init__(number, ask)
-        self._methods = methods
+    A class derived from it makes such a thing as well, and calls its methods by `super()`.
+    """
+
+    _ask: ClassVar[Ask]
+    _number: int  # of the class; each thing has its own
+    _is_made = False
+
+    def __init__(self, *given: Any, **named: Any) -> None:
+        made = self._ask(type(self)._number, "", given, named)
+        self._number, self._is_made = made._number, True
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
+        if name.startswith("_") or not self._is_made:
             raise AttributeError(name)
-        if name not in self._methods:
-            return self._ask(self._number, name, ())
-        return lambda *given, **named: self._ask(self._number, name, given, named)
+        return self._ask(self._number, name, ())
 
 
 class LentCollection(LentThing):
@@ -64,6 +69,17 @@ class LentCollection(LentThing):
 
     def __contains__(self, item: object) -> bool:
         return self._ask(self._number, "__contains__", (item,))
+
+
+def make_class(number: int, ask: Ask, name: str, methods: list[str]) -> type[LentThing]:
+    """A class that is lent, as a class: for `isinstance`, annotations, and classes derived."""
+
+    def make_method(question: str) -> Callable[..., Any]:
+        return lambda self, *given, **named: ask(self._number, question, given, named)
+
+    kind = LentCollection if "__len__" in methods else LentThing
+    parts = {one: make_method(one) for one in methods if not one.startswith("_")}
+    return type(name, (kind,), {**parts, "_ask": staticmethod(ask), "_number": number})
 
 
 class LentRecord(Lent):
@@ -91,6 +107,7 @@ class LentValues:
         self.ask = ask
         self.generators: dict[int, np.random.Generator] = {}
         self.numbers: dict[int, int] = {}  # of generators, by their identity
+        self.classes: dict[int, type[LentThing]] = {}
 
     def encode(self, value: Any) -> Any:
         """A value as JSON data."""
@@ -120,9 +137,14 @@ class LentValues:
         number = content["number"]
         if content["is"] == "function":
             return LentFunction(number, self.ask)
+        if content["is"] == "class":
+            made = make_class(number, self.ask, content["name"], content["methods"])
+            return self.classes.setdefault(number, made)
         if content["is"] == "thing":
-            kind = LentCollection if "__len__" in content["methods"] else LentThing
-            return kind(number, self.ask, content["methods"])
+            kind = self.classes[content["of"]]
+            thing = kind.__new__(kind)
+            thing._number, thing._is_made = number, True
+            return thing
         parts = {name: self.decode(part) for name, part in content["parts"].items()}
         if content["is"] == "record":
             return LentRecord(number, self.ask, parts)
@@ -185,10 +207,15 @@ def error_of_library(name: str) -> type[Exception]:
 
 
 class NotLent:
-    """A name of the library that this assignment does not lend."""
+    """A name of the library that this assignment does not lend; it may stand in annotations."""
 
     def __init__(self, name: str) -> None:
         self._name = name
+
+    def __or__(self, other: object) -> "NotLent":
+        return self
+
+    __ror__ = __or__
 
     def __call__(self, *given: Any, **named: Any) -> Any:
         raise NotLentError(

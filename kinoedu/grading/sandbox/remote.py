@@ -188,7 +188,7 @@ class Student:
         self.end = ""
         self.module = ""  # of the exercise whose cases are run
         self.lent: list[Lent] = []
-        self.classes: set[type] = set()  # those of them that are classes
+        self.classes: dict[type, int] = {}  # the numbers of those of them that are classes
         self.generators: dict[int, np.random.Generator] = {}
 
     def start(self, limits: dict[str, int]) -> None:
@@ -313,11 +313,13 @@ class Student:
         fields = getattr(value, "_fields", None)
         if fields is None and type(value) in self.classes:
             self.lent.append(Lent(value, partial(ask_thing, value)))
-            methods = [name for name in dir(type(value)) if callable(getattr(type(value), name))]
-            return {wire.LENT: {"is": "thing", "number": number, "methods": methods}}
-        if isinstance(value, type):
-            self.classes.add(value)
+            return {wire.LENT: {"is": "thing", "number": number, "of": self.classes[type(value)]}}
         self.lent.append(Lent(value, lambda name, *given, **named: value(*given, **named)))
+        if fields is None and isinstance(value, type):
+            number = self.classes.setdefault(value, number)
+            methods = [name for name in dir(value) if callable(getattr(value, name))]
+            name = class_name(value)
+            return {wire.LENT: {"is": "class", "number": number, "name": name, "methods": methods}}
         if fields is None or isinstance(value, type):
             return {wire.LENT: {"is": "function", "number": number}}
         parts = {name: self.encode(getattr(value, name)) for name in fields}
