@@ -84,6 +84,26 @@ raise ValueError(json.dumps(found))
 
 
 @needs_sandbox
+def test_a_program_that_draws_can_measure_and_save_its_text(box):
+    source = """
+import io, json
+from matplotlib import pyplot as plt
+figure, ax = plt.subplots()
+ax.plot([0, 1], label="way")
+ax.set(title=r"$\\theta_1$ and $\\sqrt{x}$", xlabel="\u4e00")
+text = ax.text(0, 0, "start", family="monospace", weight="bold")
+ax.legend(prop={"family": "serif"})
+figure.tight_layout()
+figure.canvas.draw()
+kept = io.BytesIO()
+figure.savefig(kept, bbox_inches="tight")
+said = [kept.getvalue()[1:4].decode(), bool(text.get_window_extent().width > 20)]
+raise ValueError(json.dumps(said))
+"""
+    assert say(box, source, modules=DRAWING) == ["PNG", True]
+
+
+@needs_sandbox
 def test_pythons_library_and_numpy_are_there_without_a_disk(box):
     source = """
 import json, collections, dataclasses, fractions, functools, heapq, itertools, statistics, decimal

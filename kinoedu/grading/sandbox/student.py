@@ -58,7 +58,7 @@ if not __package__:  # it is run as a program, and not read by a tool
 import numpy as np  # noqa: E402
 
 from kinoedu.course.exceptions import describe_exception  # noqa: E402
-from kinoedu.grading.sandbox import cells, imports, shut_in, stand_ins, wire  # noqa: E402
+from kinoedu.grading.sandbox import cells, fonts, imports, shut_in, stand_ins, wire  # noqa: E402
 from kinoedu.grading.sandbox.cells import TimeUp  # noqa: E402
 from kinoedu.grading.sandbox.lent import (  # noqa: E402
     LentModules,
@@ -82,6 +82,7 @@ def main() -> None:
     for name in (*USUAL, *sys.argv[2:]):
         importlib.import_module(name)
     imports.keep_libraries()
+    fonts.keep_fonts()
     take_from_library()
     forget_library()
     gc.freeze()
@@ -209,6 +210,8 @@ class Program:
         }
         sys.meta_path.insert(0, LentModules(modules))
         stand_ins.install(self.space, has_pictures=drawing)
+        if drawing:
+            fonts.install_fonts()
         return {"lent": True}
 
     def run_cell(self, request: dict[str, Any]) -> dict[str, Any]:
