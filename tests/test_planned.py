@@ -18,7 +18,7 @@ from kinoedu.course.lessons.shared.planned import (
     problem_of,
 )
 from kinoedu.course.lessons.trees.exposing_room import is_connected
-from kinoedu.course.watching import FAR
+from kinoedu.course.watching import FAR, read_samples
 from kinoedu.planners import rrt
 
 WAYS = [name for name in TRAPS if name != "sealed"]
@@ -35,6 +35,16 @@ def test_what_the_library_builds_is_accepted(name, seed):
     assert find_tree_fault(problem, nodes, parent, 1.0) is None
     assert find_node_off_nearest(problem, nodes, parent) is None
     assert find_motion_off_tree(plan.path, nodes, parent) is None
+
+
+@pytest.mark.parametrize("bits", [np.random.MT19937, np.random.Philox, np.random.SFC64])
+def test_what_was_drawn_is_read_whatever_bits_a_generator_has(bits):
+    """Some keep arrays in their states."""
+    problem, rng = TRAPS["wall"].fresh_copy(), np.random.Generator(bits(3))
+    samples = [problem.sample(rng) for _ in range(2)]
+    run = read_samples(problem, 3)
+    assert (run.samples.tolist(), run.generators) == (np.array(samples).tolist(), 1)
+    assert run.others == 1, "only the first state is not that of the usual generator"
 
 
 def test_a_wrong_path_is_named():

@@ -88,8 +88,18 @@ class StudentProblem(Recorder):
 
 
 def state_of(rng: Any) -> object:
-    """State of a generator; for an object without one, an object that equals no state."""
-    return getattr(getattr(rng, "bit_generator", None), "state", object())
+    """State of a generator, which can be compared.
+
+    For an object without one, it is an object that equals no state.
+    """
+    return without_arrays(getattr(getattr(rng, "bit_generator", None), "state", object()))
+
+
+def without_arrays(state: object) -> object:
+    """A state with each of its arrays as a list."""
+    if isinstance(state, dict):
+        return {name: without_arrays(part) for name, part in state.items()}
+    return state.tolist() if isinstance(state, np.ndarray) else state
 
 
 def runs_as_code(rows: list[str]) -> str:
