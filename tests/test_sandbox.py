@@ -282,6 +282,12 @@ def test_plain_values_pass_unchanged(value):
     assert there == value and repr(there) == repr(value)
 
 
+def test_text_of_numpy_passes_as_text():
+    """As the names of planners in an array, which are given back to `run`."""
+    names = np.array(["RRT", "PRM"])
+    assert wire.encode((names, names[0]), lambda one: None) == {wire.TUPLE: [["RRT", "PRM"], "RRT"]}
+
+
 def test_fractions_pass_as_the_numbers_to_which_they_are_rounded():
     """As `check` takes them; one that no float holds is no number there either."""
     third = Fraction(1, 3)

@@ -65,6 +65,8 @@ def encode(value: Any, lend: Callable[[Any], dict[str, Any] | None], deep: int =
         return value
     if kind is int and value.bit_length() < MOST_BITS:
         return value
+    if kind is np.str_:
+        return str(value)
     if kind is Fraction:
         with suppress(OverflowError):
             return float(value)
