@@ -21,6 +21,7 @@ from kinoedu.course.release import assignments
 from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.judge.answers import DRAWING, PLANNING
 from kinoedu.grading.sandbox import sandbox, wire
+from kinoedu.grading.sandbox.lent import LentValues
 from kinoedu.grading.sandbox.sandbox import Sandbox
 
 NO_SANDBOX = sandbox.explain_no_sandbox()
@@ -101,6 +102,11 @@ said = [kept.getvalue()[1:4].decode(), bool(text.get_window_extent().width > 20)
 raise ValueError(json.dumps(said))
 """
     assert say(box, source, modules=DRAWING) == ["PNG", True]
+
+
+def test_axes_have_the_canvas_that_they_have_in_a_notebook():
+    ax = LentValues(lambda *_: None).find(wire.LENT, {"is": "axes"})
+    assert ax.figure.canvas.get_renderer().width == ax.figure.bbox.width
 
 
 @needs_sandbox

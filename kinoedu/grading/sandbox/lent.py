@@ -131,9 +131,12 @@ class LentValues:
     def find(self, mark: str, content: Any) -> Any:
         """What a mark stands for."""
         if content["is"] == "axes":
+            from matplotlib.backends.backend_agg import FigureCanvasAgg
             from matplotlib.figure import Figure
 
-            return Figure().add_subplot()
+            figure = Figure()
+            FigureCanvasAgg(figure)
+            return figure.add_subplot()
         number = content["number"]
         if content["is"] == "function":
             return LentFunction(number, self.ask)
