@@ -394,6 +394,26 @@ def test_a_state_that_reads_memory_beyond_its_numbers_is_no_state(bits, where, m
             wire.generator_of(state)
 
 
+def test_a_generator_of_the_older_kind_passes_with_its_state():
+    """Of it the half that is kept of two normal numbers is a part."""
+    here = np.random.RandomState(5)
+    here.standard_normal()
+    state = wire.read_line(wire.write_line(wire.read_state(here)))
+    there = wire.generator_of(state)
+    assert there.standard_normal(3).tolist() == here.standard_normal(3).tolist()
+    for name, wrong in (
+        ("has_gauss", "x"),
+        ("gauss", [1]),
+        ("state", 3),
+        ("bit_generator", "SFC64"),
+    ):
+        with pytest.raises(wire.Unfit, match="state of a generator"):
+            wire.set_state(there, {**state, name: wrong})
+    state["state"]["pos"] = 625
+    with pytest.raises(wire.Unfit, match="state of a generator"):
+        wire.generator_of(state)
+
+
 @pytest.mark.parametrize("bits", ["PCG64", "MT19937", "Philox", "none", [], None])
 @pytest.mark.parametrize("inner", [{}, {"state": [1]}, {"state": None}, {"state": 7}])
 def test_a_state_of_another_shape_is_no_state(bits, inner):

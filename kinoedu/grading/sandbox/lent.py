@@ -105,7 +105,7 @@ class LentValues:
 
     def __init__(self, ask: Ask) -> None:
         self.ask = ask
-        self.generators: dict[int, np.random.Generator] = {}
+        self.generators: dict[int, Any] = {}  # of numpy, of today's or of the older kind
         self.numbers: dict[int, int] = {}  # of generators, by their identity
         self.classes: dict[int, type[LentThing]] = {}
 
@@ -122,10 +122,10 @@ class LentValues:
         number = getattr(value, "_number", None)
         if type(number) is int:
             return {wire.LENT: number}
-        if isinstance(value, np.random.Generator):
+        if isinstance(value, np.random.Generator | np.random.RandomState):
             number = self.numbers.setdefault(id(value), len(self.numbers))
             self.generators[number] = value
-            return {wire.GENERATOR: [number, wire.encode_state(value.bit_generator.state)]}
+            return {wire.GENERATOR: [number, wire.read_state(value)]}
         return None
 
     def find(self, mark: str, content: Any) -> Any:

@@ -189,7 +189,7 @@ class Student:
         self.module = ""  # of the exercise whose cases are run
         self.lent: list[Lent] = []
         self.classes: dict[type, int] = {}  # the numbers of those of them that are classes
-        self.generators: dict[int, np.random.Generator] = {}
+        self.generators: dict[int, Any] = {}
 
     def start(self, limits: dict[str, int]) -> None:
         """Send the limits, and wait until the process has given up its rights. Raises Ended."""
@@ -268,7 +268,7 @@ class Student:
         except Exception as error:
             kinds = [class_name(kind) for kind in type(error).__mro__]
             reply = {"raised": [kinds, message_of(error)]}
-        states = [[number, wire.encode_state(used[number].bit_generator.state)] for number in used]
+        states = [[number, wire.read_state(used[number])] for number in used]
         return {**reply, "states": states}
 
     def encode_names(self, names: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:

@@ -139,6 +139,13 @@ def as_array(content: Any) -> Any:
     return array if array.ndim else array[()]
 
 
+def read_state(generator: Any) -> Any:
+    """The state of a generator of numpy, of today's or of the older kind, as JSON data."""
+    if isinstance(generator, np.random.RandomState):
+        return encode_state(generator.get_state(legacy=False))
+    return encode_state(generator.bit_generator.state)
+
+
 def encode_state(state: Any) -> Any:
     """The state of a generator's bits as JSON data."""
     if isinstance(state, dict):
@@ -146,21 +153,25 @@ def encode_state(state: Any) -> Any:
     return state.tolist() if isinstance(state, np.ndarray | np.generic) else state
 
 
-def generator_of(state: Any) -> np.random.Generator:
-    """A new generator with the kind of bits of a state. Raises Unfit."""
+def generator_of(state: Any) -> Any:
+    """A new generator of the kind of a state. Raises Unfit."""
     kinds = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
     if not isinstance(state, dict) or state.get("bit_generator") not in kinds:
         raise Unfit("not the state of a generator")
-    generator = np.random.Generator(getattr(np.random, state["bit_generator"])(0))
+    kind = np.random.RandomState if "has_gauss" in state else np.random.Generator
+    generator = kind(getattr(np.random, state["bit_generator"])(0))
     set_state(generator, state)
     return generator
 
 
-def set_state(generator: np.random.Generator, state: Any) -> None:
+def set_state(generator: Any, state: Any) -> None:
     """Give a generator a state. Raises Unfit."""
     try:
         check_used(state)
-        generator.bit_generator.state = restore_arrays(state)
+        if isinstance(generator, np.random.RandomState):
+            generator.set_state(restore_arrays(state))
+        else:
+            generator.bit_generator.state = restore_arrays(state)
     except (TypeError, ValueError, LookupError, OverflowError, RecursionError) as error:
         raise Unfit("not the state of a generator") from error
 
