@@ -152,6 +152,7 @@ from kinoedu.geometry import convex_hull, minkowski_sum
 from kinoedu.planners.trees.rrt import grow
 hull = convex_hull([(0, 0), (2, 0), (1, 1), (1, 0.5), (1, 3)])
 said = [np.asarray(hull).tolist(), ke.geometry.convex_hull is convex_hull]
+said += [convex_hull.__name__]
 for absent in (minkowski_sum, grow, ke.rrt, ke.geometry.point_in_polygon):
     try:
         absent(hull, hull)
@@ -163,7 +164,8 @@ except ValueError as error:
     said.append(type(error).__name__)
 raise ValueError(json.dumps(said))
 """
-    hull, same, *errors = say(box, source, ("kinoedu.geometry:convex_hull",))
+    hull, same, name, *errors = say(box, source, ("kinoedu.geometry:convex_hull",))
+    assert name == "convex_hull"
     assert sorted(hull) == [[0.0, 0.0], [1.0, 3.0], [2.0, 0.0]]
     assert same and errors == ["NotLentError"] * 4 + ["InvalidPoint"]
 

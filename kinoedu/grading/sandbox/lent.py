@@ -32,7 +32,12 @@ class Lent:
 
 
 class LentFunction(Lent):
-    """A function of the library."""
+    """A function of the library, with its name if it has one."""
+
+    def __init__(self, number: int, ask: Ask, name: str) -> None:
+        super().__init__(number, ask)
+        if name:
+            self.__name__ = self.__qualname__ = name
 
     def __call__(self, *given: Any, **named: Any) -> Any:
         return self._ask(self._number, "", given, named)
@@ -139,7 +144,7 @@ class LentValues:
             return figure.add_subplot()
         number = content["number"]
         if content["is"] == "function":
-            return LentFunction(number, self.ask)
+            return LentFunction(number, self.ask, content["name"])
         if content["is"] == "class":
             made = make_class(number, self.ask, content["name"], content["methods"])
             return self.classes.setdefault(number, made)

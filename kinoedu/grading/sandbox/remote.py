@@ -321,7 +321,8 @@ class Student:
             name = class_name(value)
             return {wire.LENT: {"is": "class", "number": number, "name": name, "methods": methods}}
         if fields is None or isinstance(value, type):
-            return {wire.LENT: {"is": "function", "number": number}}
+            name = str(getattr(value, "__name__", ""))
+            return {wire.LENT: {"is": "function", "number": number, "name": name}}
         parts = {name: self.encode(getattr(value, name)) for name in fields}
         return {wire.LENT: {"is": "record", "number": number, "parts": parts}}
 
