@@ -178,6 +178,7 @@ import json
 from kinoedu.graphs import Graph, bfs_path
 graph = Graph(3, [(0, 1)])
 graph.add_edge(1, 2)
+assert len(graph.node_data) == 3 and not graph.directed
 said = [list(map(int, graph.neighbours(1))), graph.size]
 said += [len(graph), list(graph), 2 in graph, 3 in graph, bool(Graph(0))]
 said += [graph.edges.tolist(), bfs_path(graph, 0, 2).tolist()]

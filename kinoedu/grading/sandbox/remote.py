@@ -167,12 +167,11 @@ class Lent(NamedTuple):
 def ask_thing(thing: Any, name: str, *given: Any, **named: Any) -> Any:
     """What a method of a thing returns, or its data of that name.
 
-    Only what its class defines for all to use is asked for, and what COLLECTION holds. Raises
-    AttributeError.
+    Only what is public is asked for, and what COLLECTION holds. Raises AttributeError.
     """
     if name in COLLECTION:
         return COLLECTION[name](thing, *given)
-    if name.startswith("_") or not hasattr(type(thing), name):
+    if name.startswith("_"):
         raise AttributeError(name)
     part = getattr(thing, name)
     return part(*given, **named) if callable(part) else part
