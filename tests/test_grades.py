@@ -428,7 +428,7 @@ def test_a_file_that_takes_the_place_of_another_folders_is_told(caplog):
     warn_of_replaced([old._replace(digest="e")], [old])
     assert not caplog.text
     warn_of_replaced([old._replace(folder="two", digest="e")], [old])
-    assert "such as that of ann, which were graded from one" in caplog.text
+    assert "such as that of ann from one" in caplog.text
 
 
 LINKS = """[a](javascript:alert(1)) [b][1] ![c](http://evil/x.png) $\\href{javascript:alert(4)}{d}$

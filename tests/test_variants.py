@@ -461,9 +461,9 @@ def test_an_assignment_in_the_usual_form_keeps_it_beside_one_with_variants(
 def test_one_notebook_without_checks_is_graded_by_its_students_variants(caplog):
     """Only several without any tell that the exercise was handed out in the usual form."""
     one = Submission("ann", GRAPHS, "x", b'{"nbformat": 4, "cells": []}')
-    vary([one], SECRET, has_own=True)
+    vary([one], SECRET)
     with pytest.raises(InvalidParameter, match="no notebook of"):
-        vary([one, one._replace(student="bob")], SECRET, has_own=True)
+        vary([one, one._replace(student="bob")], SECRET)
 
 
 @needs_sandbox

@@ -13,6 +13,7 @@ from ..files.scenes import parse_problem
 from ..geometry.checks import Array
 from ..messages import get_message
 from ..problems import ProblemRecord, Recorder
+from ..support.generators import plain_state
 from ..support.json_fields import Field, Json, JsonObject
 from .lent_problem import LentProblem, Metric
 from .plain import WrongShape, wrong_shape
@@ -92,14 +93,7 @@ def state_of(rng: Any) -> object:
 
     For an object without one, it is an object that equals no state.
     """
-    return without_arrays(getattr(getattr(rng, "bit_generator", None), "state", object()))
-
-
-def without_arrays(state: object) -> object:
-    """A state with each of its arrays as a list."""
-    if isinstance(state, dict):
-        return {name: without_arrays(part) for name, part in state.items()}
-    return state.tolist() if isinstance(state, np.ndarray) else state
+    return plain_state(getattr(getattr(rng, "bit_generator", None), "state", object()))
 
 
 def runs_as_code(rows: list[str]) -> str:

@@ -60,8 +60,9 @@ def frame(points: ArrayLike, ax: Axes, *, margin: float = 0.2, shape: float = SH
 
 
 def title(text: str, ax: Axes) -> Artist:
-    """Write the title: what to see."""
-    return ax.set_title(fill(text, 60), fontsize=palette.TEXT_SIZE + 1)
+    """Write the title: what to see. Long lines are broken."""
+    lines = "\n".join(fill(line, 60) for line in text.splitlines())
+    return ax.set_title(lines, fontsize=palette.TEXT_SIZE + 1)
 
 
 def dot(

@@ -22,7 +22,7 @@ from .judge.class_list import (
     warn_of_replaced,
     write_class,
 )
-from .judge.contracts import add_section, vary
+from .judge.contracts import add_section, leave_usual, vary
 from .judge.running import Place, Progress, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.rows import refuse_unknown_names
@@ -154,7 +154,7 @@ def grade_found(
     submissions = []
     for folder, only, found in sources:
         has_own = run.variants or (str(folder.resolve()), only) in varied
-        submissions += vary(found, secret, has_own=has_own)
+        submissions += vary(found, secret) if has_own else leave_usual(found)
     out.mkdir(parents=True, exist_ok=True)
     graded = iter(
         grade_all(

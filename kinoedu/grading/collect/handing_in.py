@@ -139,9 +139,10 @@ def find_functions(cells: list[Cell]) -> tuple[dict[str, bool], dict[str, str]]:
             message = get_message("hand_in.unreadable", message=reason, line=part.line)
             written |= dict.fromkeys(part.names, False)
             broken |= dict.fromkeys(part.names, message)
+        elif is_placeholder(part):  # it does not take the place of an answer above it
+            written = dict.fromkeys(find_names(part), False) | written
         else:
-            known = written if is_placeholder(part) else dict.fromkeys(find_names(part), True)
-            written |= {name: known.get(name, False) for name in find_names(part)}
+            written |= dict.fromkeys(find_names(part), True)
     return written, broken
 
 

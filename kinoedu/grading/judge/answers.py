@@ -255,6 +255,7 @@ def store_reply(reply: Reply, questions: list[Question], found: Answers) -> None
                 Trouble(decode_line(one["outcome"], NO_VALUE), one["line"])
                 for one in line["troubles"]
             ]
+            # of a cell whose definitions are run again, what ended it stays
             before = filter(ends_a_cell, found.troubles.get(line["cell"], []))
             found.troubles[line["cell"]] = now if any(map(ends_a_cell, now)) else [*before, *now]
         elif line.get("missing"):
@@ -300,8 +301,7 @@ def drop_cell(culprit: Cell, cells: list[Cell], done: set[int], found: Answers) 
     before are run.
     """
     is_broken = len(found.stopped()) >= BROKEN_CELLS
-    defined = keep_definitions(culprit)
-    again = [defined if cell == culprit else cell for cell in cells]
+    again = [keep_definitions(cell) if cell == culprit else cell for cell in cells]
     return [
         cell
         for cell in again

@@ -28,8 +28,8 @@ from .submission import Grade
 
 FILE, LOCK = "class.json", ".lock"
 REPLACED = (
-    "%d notebooks take the place of others of the same student and assignment, such as that of %s, "
-    "which were graded from %s; to keep both, grade each folder into another folder of grades"
+    "another notebook of the same student and assignment takes the place of what was graded before "
+    "(%d in all, such as that of %s from %s); to keep both, grade each folder into its own grades"
 )
 log = logging.getLogger("kinoedu")
 
@@ -171,7 +171,7 @@ def locked_class(out: Path) -> Iterator[None]:
 
 
 def read_class(out: Path) -> Class:
-    """The class that was graded into a folder; in older files, names have other spellings.
+    """The class that was graded into a folder; names have today's spelling, in older files too.
 
     Raises
     ------

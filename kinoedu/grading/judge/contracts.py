@@ -55,19 +55,26 @@ def apply_contracts(task: Assignment, chosen: Choices) -> Assignment:
     )
 
 
-def vary(found: list[Submission], secret: bytes, *, has_own: bool) -> list[Submission]:
-    """The submissions of a folder with their contracts; those of a section have theirs already.
-
-    has_own : whether each student has contracts of their own.
+def leave_usual(found: list[Submission]) -> list[Submission]:
+    """The submissions of a folder, to be graded in the usual form or in that of their section.
 
     Raises
     ------
     InvalidParameter
-        Where the notebooks were handed out otherwise.
+        Where most of the notebooks ask for variants.
     """
-    if not has_own:
-        refuse_forgotten(one for one in found if not one.letter)
-        return [set_apart(one) for one in found]
+    refuse_forgotten(one for one in found if not one.letter)
+    return [set_apart(one) for one in found]
+
+
+def vary(found: list[Submission], secret: bytes) -> list[Submission]:
+    """The submissions of a folder with each student's contracts; those of a section keep theirs.
+
+    Raises
+    ------
+    InvalidParameter
+        Where no notebook of an assignment asks for variants.
+    """
     varied = [one if one.letter else add_contracts(one, secret) for one in found]
     refuse_usual(one for one in varied if not one.letter)
     warn_of_other_variants(one for one in varied if not one.letter)

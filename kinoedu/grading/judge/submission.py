@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from typing import Any
 
 from ...course.feedback import hint_message, rule_message
@@ -43,7 +43,7 @@ def grade(
 
     Functions are called after all cells have run. If a cell below a question's check changes what
     the function uses, it is also called as its check saw it, and the better result counts. All
-    these calls together have as much time as one program; "late" says that they took longer.
+    these calls together have as much time as one program; those that come too late are marked.
 
     Returns
     -------
@@ -68,18 +68,19 @@ def grade(
             "left_out": [],
         }
 
-    def ask(questions: Sequence[AssignmentQuestion], of: list[Cell]) -> tuple[list[Grade], Answers]:
-        return ask_questions(sandbox, of, questions, secret, task.lent, patience)
-
-    def ask_again(name: str, of: list[Cell]) -> Grade:
-        one = next(one for one in task.questions if one.exercise.name == name)
-        (record,), _ = ask([one], list(leave_out_stopped(of, answers)))
-        return record
-
-    records, answers = ask(task.questions, cells)
+    how = (secret, task.lent, patience)
+    records, answers = ask_questions(sandbox, cells, task.questions, *how)
     wrong = [record["question"] for record in records if record["status"] != RIGHT]
     as_checked = find_cells_as_checked(wrong, cells)
-    records = list(take_better(records, as_checked, ask_again, LONGEST * patience * slowdown()))
+
+    def ask_as_checked(name: str) -> Grade:
+        above = list(leave_out_stopped(as_checked[name], answers))
+        asked = [one for one in task.questions if one.exercise.name == name]
+        (record,), _ = ask_questions(sandbox, above, asked, *how)
+        return record
+
+    seconds = LONGEST * patience * slowdown()
+    records = list(take_better(records, as_checked, ask_as_checked, seconds))
     theirs = python_of(data)
     errors = find_syntax_errors(cells, theirs)
     return ({"python": PYTHON} if theirs > OURS else {}) | {
@@ -92,25 +93,22 @@ def grade(
 
 
 def take_better(
-    records: list[Grade],
-    as_checked: dict[str, list[Cell]],
-    ask: Callable[[str, list[Cell]], Grade],
-    seconds: float,
+    records: list[Grade], names: Container[str], ask: Callable[[str], Grade], seconds: float
 ) -> Iterator[Grade]:
     """Yield the records, or those of the questions as their checks saw them where they are better.
 
+    names : the questions to ask so.
     seconds : after which no more are asked. These count as late, so that the notebook is graded
         again with more time.
     """
     until = time.monotonic() + seconds
     for record in records:
-        cells = as_checked.get(record["question"])
-        if cells is None:
+        if record["question"] not in names:
             yield record
         elif time.monotonic() > until:
             yield record | {"late": True}
         else:
-            again = ask(record["question"], cells)
+            again = ask(record["question"])
             better = max(record, again, key=lambda one: one["score"])
             yield better | {"late": record["late"] or again["late"]}
 

@@ -16,6 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from ...support.generators import plain_state
+
 TUPLE, DICT, ARRAY, LENT, GENERATOR, OTHER = "t", "d", "a", "h", "g", "o"
 DTYPES = {"f": np.float64, "i": np.int64, "u": np.uint64, "b": np.bool_}  # by numpy's kinds
 TEXT = (str, bytes, bytearray, memoryview)  # sequences that are not lists of values
@@ -142,15 +144,8 @@ def as_array(content: Any) -> Any:
 def read_state(generator: Any) -> Any:
     """The state of a generator of numpy, of today's or of the older kind, as JSON data."""
     if isinstance(generator, np.random.RandomState):
-        return encode_state(generator.get_state(legacy=False))
-    return encode_state(generator.bit_generator.state)
-
-
-def encode_state(state: Any) -> Any:
-    """The state of a generator's bits as JSON data."""
-    if isinstance(state, dict):
-        return {name: encode_state(part) for name, part in state.items()}
-    return state.tolist() if isinstance(state, np.ndarray | np.generic) else state
+        return plain_state(generator.get_state(legacy=False))
+    return plain_state(generator.bit_generator.state)
 
 
 def generator_of(state: Any) -> Any:
@@ -187,7 +182,7 @@ def check_used(state: Any) -> None:
 
 
 def restore_arrays(state: Any) -> Any:
-    """The state that `encode_state` wrote."""
+    """The state that `plain_state` wrote."""
     if isinstance(state, dict):
         return {name: restore_arrays(part) for name, part in state.items()}
     return np.array(state, np.uint64) if isinstance(state, list) else state

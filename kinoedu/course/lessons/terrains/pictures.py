@@ -43,7 +43,7 @@ def draw_costs(exercise: Exercise, case: Case, found: float | None, truth: str, 
         if found is None
         else get_message("picture.yours", value=format_value(found))
     )
-    plane.title(f"{exercise.message(f'pictures.{case.kind}')}: {truth}; {yours}", ax)
+    plane.title(f"{exercise.message(f'pictures.{case.kind}')}\n{truth}; {yours}", ax)
 
 
 def set_cell_axes(ax: Axes, columns: int, rows: int) -> None:

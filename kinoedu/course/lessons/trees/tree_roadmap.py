@@ -176,18 +176,22 @@ class TreeRoadmap(ValueExercise):
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the student's tree and its first fault."""
         problem = case.given["problem"]
-        trees = [Tree(*outcome.value)] if isinstance(outcome, Answer) else []
-        fault = find_tree_fault(problem, *trees[0], step=np.inf) if trees else None
-        at = (
-            find_first_difference(outcome.value, self.truth(case))
-            if isinstance(outcome, Answer)
-            else 0
-        )
-        if fault is None and trees and at < len(trees[0].nodes):
-            fault = Fault("other", trees[0].nodes[at : at + 1])
-        title = self.message(f"pictures.{'ends' if trees and fault is None else case.kind}")
-        fault = None if fault is None or fault.marked.shape[1] != len(problem.start) else fault
-        draw_answer(problem.problem, trees, None, fault, title, ax)
+        trees, fault, seen = [], None, "begins"
+        if isinstance(outcome, Answer):
+            trees = [Tree(*outcome.value)]
+            fault = self.find_fault(case, trees[0])
+            seen = "ends" if fault is None else case.kind
+        if fault is not None and fault.marked.shape[1] != len(problem.start):
+            fault = None
+        draw_answer(problem.problem, trees, None, fault, self.message(f"pictures.{seen}"), ax)
+
+    def find_fault(self, case: Case, tree: Tree) -> Fault | None:
+        """The first fault of a tree, or node that differs; None if it only ends early."""
+        fault = find_tree_fault(case.given["problem"], *tree, step=np.inf)
+        at = find_first_difference(tree, self.truth(case))
+        if fault is None and at < len(tree.nodes):
+            return Fault("other", tree.nodes[at : at + 1])
+        return fault
 
 
 def find_first_difference(value: Value, truth: Value) -> int:
