@@ -1105,6 +1105,7 @@ def stop_draws(times: int) -> tuple[int, list[str]]:
 
     def draw_until_stopped() -> None:
         try:
+            started.set()  # what is told earlier would end the thread outside of this function
             rng = np.random.default_rng(0)
             while True:
                 draw(rng, scale)
@@ -1116,8 +1117,10 @@ def stop_draws(times: int) -> tuple[int, list[str]]:
     with running(COMPILED_FIRST):
         draw(np.random.default_rng(0), scale)
         for _ in range(times):
+            started = threading.Event()
             thread = threading.Thread(target=draw_until_stopped)
             thread.start()
+            started.wait()
             time.sleep(5e-4 * pause.random())
             raise_in(cast(int, thread.ident), StopThread)
             thread.join()
