@@ -124,18 +124,19 @@ def compress_rows(
     for u in range(2, size + 2):
         by_source[u] += by_source[u - 1]
         by_target[u] += by_target[u - 1]
-    arcs = np.empty(directions * m, np.int64)  # the edge, and the direction as the lowest bit
+    source, its_weight = np.empty(directions * m, np.int64), np.empty(directions * m)
     for direction in range(directions):
         for e in range(m):
-            at = by_target[edges[e, 1 - direction] + 1]
-            by_target[edges[e, 1 - direction] + 1] += 1
-            arcs[at] = 2 * e + direction
+            target = edges[e, 1 - direction]
+            at = by_target[target + 1]
+            by_target[target + 1] += 1
+            source[at], its_weight[at] = edges[e, direction], weights[e]
     to, weight = np.empty(directions * m, np.int64), np.empty(directions * m)
-    for i in range(len(arcs)):
-        e, direction = arcs[i] >> 1, arcs[i] & 1
-        at = by_source[edges[e, direction] + 1]
-        by_source[edges[e, direction] + 1] += 1
-        to[at], weight[at] = edges[e, 1 - direction], weights[e]
+    for target in range(size):
+        for i in range(by_target[target], by_target[target + 1]):
+            at = by_source[source[i] + 1]
+            by_source[source[i] + 1] += 1
+            to[at], weight[at] = target, its_weight[i]
     return by_source[:-1].copy(), to, weight
 
 
