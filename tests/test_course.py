@@ -617,6 +617,8 @@ def complaint(code):
     [
         ("return 0 if p1 == p2 else 1", "np.array_equal"),
         ("return (q ^ 2)", "In Python the power is **"),
+        ("return (q[0] > 1) - (q[0] < 1)", "numpy does not subtract truth values"),
+        ("return -(q > 1)", "numpy does not subtract truth values"),
         ("return 0 if q in [p1, p2] else 1", "np.array_equal(p1, p2), not ==, `in`"),
         ("return p1[2]", "The last of n items"),
         ("return [].pop()", "What should your function return when there are none left"),
