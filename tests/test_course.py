@@ -282,6 +282,8 @@ ALSO_RIGHT = {
     "exposing_motion": [
         lambda: (np.array([[1, 0], [1, 1]], bool), [0.9985, 0.6485], np.array([1.5, 1.15])),
         lambda: ([(True, False), (True, 1)], (0.9985, 0.6485), (1.5, 1.15)),
+        lambda: (list(np.array([[2, 0], [1, 1]]) > 0), (0.9985, 0.6485), (1.5, 1.15)),
+        lambda: ([[*row] for row in np.array([[2, 0], [1, 1]]) > 0], (0.9985, 0.6485), (1.5, 1.15)),
     ],
     "visibility_roadmap": [lambda *given: seen_in_another_order(*given)],
     "radius_neighbours": [

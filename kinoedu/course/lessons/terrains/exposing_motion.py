@@ -19,17 +19,19 @@ class Cells(Numbers):
     """The shape of a terrain: numbers, or truth values, which count as 1 and 0."""
 
     def encode(self, value: Value) -> object:
-        """Encode an array, or nested lists and tuples that make one."""
-        if type(value) is np.ndarray and value.dtype == bool:
-            value = value.astype(int)
-        if type(value) in (list, tuple):
-            value = [
-                [int(cell) if type(cell) is bool else cell for cell in row]
-                if type(row) in (list, tuple)
-                else row
-                for row in value
-            ]
-        return super().encode(value)
+        """Encode an array, or nested lists, tuples and arrays that make one."""
+        return super().encode(count_truths(value, 2))
+
+
+def count_truths(value: Value, depth: int) -> Value:
+    """A value with 1 and 0 for the truth values in it, in nested lists down to a depth."""
+    if type(value) is np.ndarray and value.dtype == bool:
+        return value.astype(int)
+    if type(value) in (bool, np.bool_):
+        return int(value)
+    if depth and type(value) in (list, tuple):
+        return [count_truths(one, depth - 1) for one in value]
+    return value
 
 
 class ExposeSampling(Exercise):
