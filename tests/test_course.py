@@ -20,6 +20,7 @@ import pytest
 from kinoedu import messages
 from kinoedu.course import EXERCISES, ValueExercise, check, outcomes
 from kinoedu.course.advice import COMMON_ERRORS
+from kinoedu.course.bank import Solutions
 from kinoedu.course.feedback import Feedback, fold_line, html_entry
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lent_problem import LentProblem
@@ -274,6 +275,7 @@ ALSO_RIGHT = {
         lambda table: np.array(EXERCISES["repeated_rows"].source(table)[::-1]).reshape(-1, 3)
     ],
     "cost_along": [lambda cost, a, b: np.float64(EXERCISES["cost_along"].source(cost, b, a))],
+    "rrt_on_terrain": [lambda *given: arriving_where_a_step_ends(*given)],
     "prm_on_terrain": [
         lambda *given: [
             np.array(x)[:, ::-1] if i == 1 else x for i, x in enumerate(prm_answer(*given))
@@ -309,6 +311,16 @@ ALSO_RIGHT = {
         lambda: ([1, 2], [[0, 4], [4, 2], [0, 0]]),
     ],
 }
+
+
+def arriving_where_a_step_ends(*given):
+    """The tree of a program that steers to the goal, to test whether it is within a step."""
+    solutions = Solutions(HOUSE / "solutions" / "10_terrains.ipynb")
+    within, there = (
+        "problem.distance(nodes[-1], goal) <= step",
+        "(problem.steer(nodes[-1], goal, step) == goal).all()",
+    )
+    return solutions.changed("rrt_on_terrain", (within, there)).function(*given)
 
 
 def prm_answer(*given):

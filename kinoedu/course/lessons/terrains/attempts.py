@@ -35,8 +35,8 @@ class Attempts(NamedTuple):
 def find_attempt_fault(given: Given, nodes: Array, path: Array | None, log: Array) -> Fault | None:
     """Return the first rule that the attempts break, or None.
 
-    A program may steer by code of its own, or leave out an attempt that cannot succeed: then less
-    is known of it, and less is judged.
+    A program may steer by code of its own, leave out an attempt that cannot succeed, or steer to
+    test whether the goal is within a step: then less is known of it, and less is judged.
     """
     problem, bias = given["problem"], given["goal_bias"]
     if log[:, 1].any():
@@ -44,9 +44,10 @@ def find_attempt_fault(given: Given, nodes: Array, path: Array | None, log: Arra
     samples = log[log[:, 0] == SAMPLE, 2:4]
     if bias < 1.0 and len(samples) >= FEW and is_without_coins(problem, given["rng"], samples):
         return Fault("coin", NOWHERE)
-    if not (log[:, 0] == STEER).any():
+    grown = nodes[: len(nodes) - (path is not None)]
+    if not (log[:, 0] == STEER).any() or tests_by_steering(problem, grown, log):
         return None
-    done = replay(given, nodes[: len(nodes) - (path is not None)], log)
+    done = replay(given, grown, log)
     return done if isinstance(done, Fault) else judge_attempts(given, path, done)
 
 
@@ -54,6 +55,13 @@ def is_without_coins(problem: StudentProblem, rng: int, samples: Array) -> bool:
     """Whether nothing but these samples was drawn from the generator of this seed."""
     chance = np.random.default_rng(rng)
     return all(np.array_equal(problem.problem.sample(chance), q) for q in samples)
+
+
+def tests_by_steering(problem: StudentProblem, nodes: Array, log: Array) -> bool:
+    """Whether every node was steered to the goal, as by a program that tests so if it is there."""
+    to_goal = np.abs(log[:, 4:6] - problem.goal).max(axis=1) <= SAME
+    begins = log[(log[:, 0] == STEER) & to_goal, 2:4]
+    return all((np.abs(begins - q).max(axis=1) <= SAME).any() for q in nodes)
 
 
 def replay(given: Given, nodes: Array, log: Array) -> Fault | Attempts:
