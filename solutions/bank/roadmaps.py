@@ -933,6 +933,32 @@ hundred_tries = changed(
 
 
 larger_of_two_equally_far = changed("component_k_closest", ("nodes[i]), j)", "nodes[i]), -j)"))
+in_the_order_of_joining = changed(
+    "component_k_closest",
+    ("merged, rest = {i}, []", "merged, rest = [i], []"),
+    ("merged |= component", "merged = merged[:-1] + component + [i]"),
+    ("(problem.distance(nodes[j], nodes[i]), j))", "problem.distance(nodes[j], nodes[i]))"),
+)
+in_the_order_against_joining = changed(
+    "component_k_closest",
+    ("merged, rest = {i}, []", "merged, rest = [i], []"),
+    ("merged |= component", "merged = component + merged"),
+    ("(problem.distance(nodes[j], nodes[i]), j))", "problem.distance(nodes[j], nodes[i]))"),
+)
+rounds_distances = changed(
+    "component_k_closest",
+    (
+        "(problem.distance(nodes[j], nodes[i]), j)",
+        "(round(problem.distance(nodes[j], nodes[i]), 3), j)",
+    ),
+)
+never_at_the_same_place = changed(
+    "component_k_closest",
+    (
+        "if problem.is_free_path",
+        "if problem.distance(nodes[j], nodes[i]) > 0 and problem.is_free_path",
+    ),
+)
 components_not_merged = changed(
     "component_k_closest",
     ("merged, rest = {i}, []", "joined = False"),

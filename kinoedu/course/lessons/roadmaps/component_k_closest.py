@@ -80,12 +80,15 @@ class ComponentNeighbours(RuleExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield a row, a node that joins two parts, and a wall; then random nodes.
 
-        At the wall only the second closest node can be joined.
+        At the wall only the second closest node can be joined. Last, two nodes are equally far in a
+        component that was joined in another order than that of their numbers.
         """
         apart = ((6, 3), (10, 3), (8, 8))
         yield make_case("few", make_hall(), ((1, 1), (3, 1)), 1)
         yield make_case("few", make_hall(), ((1, 1), (3, 1), (6, 1)), 1)
         yield make_case("few", make_hall(), ((1, 1), (1, 5), (3, 3)), 1)  # equally far
+        yield make_case("few", make_hall(), ((1, 1), (1, 5), (3, 3.0000001)), 1)  # nearly
+        yield make_case("few", make_hall(), ((1, 1), (1, 1), (3, 1)), 1)
         yield make_case("parts", make_hall(WALL), apart, 1)
         yield make_case("wall", make_hall(WALL), ((10, 3), (10, 8), (6, 4)), 1)
         yield make_case("wall", make_hall(WALL), ((10, 3), (10, 8), (6, 4)), 2)
@@ -107,6 +110,9 @@ class ComponentNeighbours(RuleExercise):
                 yield make_case(
                     kind, problem, draw_free_nodes(rng, problem, 5 + i), int(rng.integers(1, 4))
                 )
+        beside, over, above = ((6, 6), (10, 6)), (8, 9.5), (8, 6.5)
+        yield make_case("wall", make_hall(WALL), (*beside, over, above), 1)
+        yield make_case("wall", make_hall(WALL), (*beside, (5, 6), over, above), 1)
 
 
 def draw_pair(rng: np.random.Generator, left: float, right: float, low: float = 1.0) -> Array:
