@@ -334,6 +334,8 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
 @pytest.mark.parametrize(
     ("lesson", "program", "said"),
     [
+        ("decomposition", "only_from_cell_to_cell", "One cell is a way too"),
+        ("roadmaps", "in_the_order_of_joining", "by their numbers where two are equally far"),
         ("roadmaps", "components_not_merged", "two of your components have the same node"),
         ("roadmaps", "first_obstacle_only", "Are the vertices of all obstacles looked at?"),
         ("roadmaps", "one_list_for_all", "[[] for _ in nodes] makes one for each"),

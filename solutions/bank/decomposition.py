@@ -428,6 +428,10 @@ OVERLAP = "max(left[4], right[2]) < min(left[5], right[3])"
 touching_from_above = changed(
     "neighbours", (OVERLAP, f"({OVERLAP} or left[4] == right[3])"), slip="point"
 )
+triangles_left_out = changed("neighbours", (OVERLAP, f"{OVERLAP} and left[2] < left[3]"))
+triangles_on_the_right_left_out = changed(
+    "neighbours", (OVERLAP, f"{OVERLAP} and right[4] < right[5]")
+)
 short_walls_left_out = changed("neighbours", (OVERLAP, OVERLAP.replace("<", "+ 1e-6 <")))
 
 
@@ -590,6 +594,9 @@ def gives_up_beyond_the_neighbour(start, goal, trapezoids, pairs):
     return path if path is not None and len(path) <= 5 else None
 
 
+only_from_cell_to_cell = changed(
+    "plan_by_decomposition", ("if cells is None:", "if cells is None or len(cells) < 2:")
+)
 middles_to_three_digits = changed(
     "plan_by_decomposition",
     ("(left[1], (low + high) / 2)", "(left[1], round((low + high) / 2, 3))"),

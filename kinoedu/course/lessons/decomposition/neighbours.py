@@ -31,6 +31,7 @@ from .slips import (
 THIN_PLATE = np.array(  # attached to the ceiling
     [(0, 1000, 0, 900, 0, 900), (1000, 1000.001, 0, 300, 0, 300), (1000.001, 2000, 0, 900, 0, 900)]
 )
+TWO_TIPS = np.array([(0, 4, 0, 0, -2, 2), (4, 8, -2, 2, 4, 4)], float)  # of a triangle
 
 
 UPSIDE_DOWN, FLIPPED = [0, 1, 3, 2, 5, 4], np.array([1, 1, -1, -1, -1, -1])
@@ -124,6 +125,7 @@ class Neighbours(ValueExercise):
         yield Case("point", {"trapezoids": np.array([mirrored(tip, 4), mirrored(one, 4)], float)})
         yield Case("point", {"trapezoids": np.array([tip, mirrored(tip, 4)], float)})
         yield Case("world", {"trapezoids": THIN_PLATE})
+        yield Case("world", {"trapezoids": TWO_TIPS})
         for i, size in enumerate(sizes(4)):
             low, high, far = np.sort(rng.choice(np.arange(1, 60), 3, replace=False)) * size / 100
             left = np.array([[-size, 0, -low, high / 3, low, high]])

@@ -176,7 +176,8 @@ class PlanByDecomposition(Exercise):
         """Check that None is answered exactly where there is no way; else that the path is free."""
         given, wanted = case.given, self.describe_expected(case)
         if value is None:
-            return Verdict(0.0, "none", wanted) if case.kind != "none" else RIGHT
+            rule = {"none": "", "same": "none_in_one"}.get(case.kind, "none")
+            return Verdict(0.0, rule, wanted) if rule else RIGHT
         if case.kind == "none":
             return Verdict(0.0, "apart", wanted)
         if (
