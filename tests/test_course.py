@@ -724,6 +724,13 @@ def test_a_default_value_that_keeps_what_earlier_calls_put_in_is_named():
     assert "is made only once: all calls of your function share it" in repr(check(dfs_path))
 
 
+def test_a_program_that_moves_a_problems_start_is_told_that_it_stays():
+    def tree_roadmap(problem, expand, iterations, rng):
+        problem.start += 1.0
+
+    assert "The start and the goal of a problem stay as they are" in repr(check(tree_roadmap))
+
+
 def test_an_exercise_may_have_its_own_hint_for_an_error_of_the_students_own():
     """Dijkstra's algorithm is refused for negative weights, and not for zero."""
 

@@ -57,6 +57,7 @@ COMMON_ERRORS = (
     ("unknown_name", "NameError", ""),
     ("unknown_name", "AttributeError", "^module "),
     ("problem_parts", "AttributeError", "^a problem has no "),
+    ("ends_stay", "AttributeError", "^property '(start|goal)' of "),
     ("endless_calls", "RecursionError", ""),
     ("divided_by_zero", "ZeroDivisionError", ""),
     ("none", "TypeError", "NoneType"),
