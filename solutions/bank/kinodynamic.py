@@ -449,6 +449,18 @@ def always_the_goal(*given):
 
 last_turn_left_out = changed("kinodynamic_rrt", ("iterations + 1", "iterations"))
 last_turn_of_the_roadmap_left_out = changed("kinodynamic_prm", ("iterations + 1", "iterations"))
+from_nodes_of_the_same_turn = changed(
+    "kinodynamic_prm",
+    (
+        "        for near in np.argsort([problem.distance(q, target) for q in nodes])[:k]:\n",
+        """        tried = set()
+        while len(tried) < min(k, len(nodes)):
+            off = [problem.distance(q, target) for q in nodes]
+            near = min(set(range(len(nodes))) - tried, key=off.__getitem__)
+            tried.add(near)
+""",
+    ),
+)
 
 
 @wrong("kinodynamic_rrt")
