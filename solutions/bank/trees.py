@@ -296,6 +296,18 @@ turns_only_after_a_step = changed(
 )
 
 
+last_trees_named_by_their_turn = changed(
+    "rrt_connect", ("return *trees[0], *trees[1], None", "return *here, *there, None")
+)
+no_path_where_start_is_goal = changed(
+    "rrt_connect",
+    (
+        "    trees =",
+        "    iterations *= problem.distance(problem.start, problem.goal) > 0\n    trees =",
+    ),
+)
+
+
 @wrong("rrt_connect")
 def swapped_after_a_turn(problem, step, iterations, rng):
     """Returns the goal's tree first."""

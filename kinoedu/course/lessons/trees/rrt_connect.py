@@ -82,10 +82,13 @@ class RrtConnect(Watched, TreeExercise):
     def cases(self, rng: np.random.Generator) -> Iterator[Case]:
         """Yield every trap twice, walls with a random gap, and a long run.
 
-        Then comes a long run that nearly arrives, and needs one more very short step. An arm's runs
-        lead across pi. Last comes a run with longer steps.
+        The last case without a path has an even number of iterations, the others have an odd one.
+        The long run is followed by one that nearly arrives, and needs one more very short step. An
+        arm's runs lead across pi. Last comes a run with longer steps.
         """
-        yield from super().cases(rng)
+        *traps, sheets = super().cases(rng)
+        yield from traps
+        yield sheets._replace(given={**sheets.given, "iterations": ENOUGH["sealed"] + 1})
         yield self.make_case("room", FAR, rng)
         case = self.make_case("room", FAR, rng)
         while not 0.0 < measure_last_step(case) < NEARLY:
@@ -108,7 +111,8 @@ class RrtConnect(Watched, TreeExercise):
         *both, path = answer
         problem, step, iterations, _ = case.given.values()
         trees = Tree(*both[:2]), Tree(*both[2:])
-        fault = None if path is None else self.fault_of_end(case, path)
+        is_judged_first = path is not None or case.kind == "same"
+        fault = self.fault_of_end(case, path) if is_judged_first else None
         for tree, root in zip(trees, (problem.start, problem.goal)):
             fault = fault or find_tree_fault(problem, *tree, step, root)
         if fault is None and path is not None:
