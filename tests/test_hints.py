@@ -336,6 +336,12 @@ def test_a_step_beyond_the_sample_is_named_where_its_node_is_another_ones_neighb
     [
         ("decomposition", "only_from_cell_to_cell", "One cell is a way too"),
         ("roadmaps", "in_the_order_of_joining", "by their numbers where two are equally far"),
+        ("kinodynamic", "from_nodes_of_the_same_turn", "before you add any"),
+        ("trees", "no_path_where_start_is_goal", "There is a way, and this number of iterations"),
+        ("terrains", "less_than_a_step", "exactly `step` away is within a step"),
+        ("cars", "curve_of_two_digits", "round only when you print"),
+        ("cars", "pi_of_two_digits", "or write 3.14 for π?"),
+        ("configurations", "cosine_of_two_digits", "such as the cosine of θ₂"),
         ("roadmaps", "components_not_merged", "two of your components have the same node"),
         ("roadmaps", "first_obstacle_only", "Are the vertices of all obstacles looked at?"),
         ("roadmaps", "one_list_for_all", "[[] for _ in nodes] makes one for each"),
@@ -373,6 +379,21 @@ def test_the_answer_to_a_wrong_program_of_the_bank_leads_to_its_mistake(lesson, 
         exercise, exercise.fixed_cases, lambda case: run_case(exercise, item.function, case)
     )
     assert said in repr(Feedback(report))
+
+
+def test_a_run_that_never_ends_is_asked_where_it_ends(monkeypatch):
+    exercise = EXERCISES["rrt_connect"]
+    monkeypatch.setattr(type(exercise), "seconds", 0.5)
+    (item,) = (
+        item
+        for item in read_bank(HOUSE / "solutions" / "bank" / "trees.py")
+        if item.name == "connects_by_straight_lines"
+    )
+    cases = exercise.fixed_cases[-3:-1]  # those of the arm
+    report = judge_until_failure(
+        exercise, cases, lambda case: run_case(exercise, item.function, case)
+    )
+    assert "Does every run end?" in repr(Feedback(report))
 
 
 def failure_picture(name, program):

@@ -688,6 +688,16 @@ tiny_errors_are_zero = changed(
 )
 
 
+curve_of_two_digits = changed("csc_length", ("return best", "return round(best, 2)"))
+pi_of_two_digits = changed(
+    "csc_length",
+    (
+        "straight + r * (turn % (2 * math.pi) + other % (2 * math.pi))",
+        "straight + r * (turn % 6.28 + other % 6.28)",
+    ),
+)
+
+
 # Variants
 
 MOVES = "x, y = x + h * v * math.cos(theta), y + h * v * math.sin(theta)"

@@ -843,6 +843,15 @@ def nowhere():
     return 1, 1.1, (math.nan, 0)
 
 
+cosine_of_two_digits = changed(
+    "inverse_kinematics",
+    (
+        "math.acos((far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2))",
+        "math.acos(round((far * far - l1 * l1 - l2 * l2) / (2.0 * l1 * l2), 2))",
+    ),
+)
+
+
 # Variants
 
 ROOT = "math.hypot(*(circle_distance(x, y) for x, y in zip(a, b)))"

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ....curves.dubins import all_dubins_curves, shortest_forward
 from ....geometry.checks import Array
-from ...exercise import Axes, Case, Given, Restated, Slip, ValueExercise
+from ...exercise import Axes, Case, Given, Restated, Slip, ValueExercise, Verdict
 from ...outcomes import Answer, Outcome
 from ...shapes import Number, Record, Value
 from ...withheld import withheld
@@ -19,6 +19,7 @@ from ..shared.driving import POSE, a_pose
 
 FULL = 2.0 * math.pi
 CLEAR = 1e-3  # all turns are this far from 0 and from 2 pi, except in the straight cases
+NEARLY = 2e-3  # a length that is relatively so near has probably been rounded
 WORDS = {"LSL": (1, 1), "RSR": (-1, -1), "LSR": (1, -1), "RSL": (-1, 1)}
 
 
@@ -154,6 +155,12 @@ class CscLength(ValueExercise):
         for _ in range(10):
             x, y, far = (int(number) for number in rng.integers(1, 40, 3))
             yield pair_case("straight", (x, -y, 0), (x + far, -y, 0), int(rng.integers(1, 9)))
+
+    def value_verdict(self, case: Case, value: Value) -> Verdict:
+        """Compare the lengths; one that is nearly right breaks a rule of its own."""
+        verdict, truth = super().value_verdict(case, value), self.truth(case)
+        is_nearly_right = not verdict.is_right and abs(value - truth) <= NEARLY * truth
+        return verdict._replace(rule="digits") if is_nearly_right else verdict
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the shortest curve with its circles, and both lengths."""

@@ -19,6 +19,7 @@ from .pictures import draw_solutions
 
 # points whose distance from the origin is an integer
 WHOLE_CORNERS = np.array([(3, 4), (5, 12), (8, 15), (7, 24), (20, 21), (5, 0)])
+NEARLY = 0.05  # angles that are so near have probably been computed from rounded numbers
 
 
 @withheld
@@ -119,13 +120,8 @@ class InverseKinematics(ValueExercise):
             np.asarray(value, float).reshape(-1, 2),
             np.asarray(truth, float).reshape(-1, 2),
         )
-        return self.are_among(found, wanted) and self.are_among(wanted, found)
-
-    def are_among(self, some: Array, others: Array) -> bool:
-        """Whether each of some configurations equals one of others; nan equals none."""
-        with np.errstate(all="ignore"):
-            apart = np.abs(np.remainder(some[:, None] - others[None] + pi, 2.0 * pi) - pi)
-            return bool(np.all(np.any(np.all(apart <= self.tolerance, axis=2), axis=1)))
+        within = self.tolerance
+        return are_among(found, wanted, within) and are_among(wanted, found, within)
 
     def judge(self, case: Case, outcome: Outcome) -> Verdict:
         """Judge an outcome; a ValueError breaks the rule for the kind of target.
@@ -144,13 +140,20 @@ class InverseKinematics(ValueExercise):
     def value_verdict(self, case: Case, value: Value) -> Verdict:
         """Check that every listed configuration is right, then that none is missing."""
         verdict, truth = super().value_verdict(case, value), self.truth(case)
-        if verdict.is_right or len(truth) == 0 or self.are_among(value, truth):
+        if verdict.is_right or len(truth) == 0 or are_among(value, truth, self.tolerance):
             return verdict
-        return verdict._replace(rule="reaches")
+        return verdict._replace(rule="digits" if are_among(value, truth, NEARLY) else "reaches")
 
     def draw(self, case: Case, outcome: Outcome, ax: Axes) -> None:
         """Draw the arm's reach, the target, and the arms with their tip there."""
         draw_solutions(self, case, outcome.value if isinstance(outcome, Answer) else None, ax)
+
+
+def are_among(some: Array, others: Array, within: float) -> bool:
+    """Whether each of some configurations is one of others, up to an angle; nan is none."""
+    with np.errstate(all="ignore"):
+        apart = np.abs(np.remainder(some[:, None] - others[None] + pi, 2.0 * pi) - pi)
+        return bool(np.all(np.any(np.all(apart <= within, axis=2), axis=1)))
 
 
 def random_targets(rng: np.random.Generator, size: float) -> Iterator[Case]:
