@@ -554,6 +554,13 @@ def test_a_receipt_says_what_is_answered(tmp_path):
         assert receipt.sha256 in archive.read("receipt.txt").decode()
 
 
+def test_a_receipt_has_the_order_of_the_notebook(tmp_path):
+    """Also for an answer that people grade, such as the flowchart between the programs."""
+    receipt = hand_in(HOUSE / "exercises" / f"{HAND}.ipynb", tmp_path / "z.zip", NOW)
+    assert [*receipt.answers] == list_assignments()[HAND]
+    assert [*receipt.answers].index("flowchart_bug1") == len(receipt.answers) - 2
+
+
 def test_what_cannot_be_graded_is_not_packed(tmp_path):
     """An empty file, or one with the name of no exercise, is refused."""
     empty = '{"nbformat": 4, "cells": []}'

@@ -108,19 +108,21 @@ def find_assignment(file: Path, data: bytes) -> str:
 
 
 def find_answers(data: bytes, assignment: str) -> dict[str, tuple[bool, str]]:
-    """Whether each question is answered, and the last message of its check.
+    """Whether each question is answered, and the last message of its check, in the order asked.
 
     Raises UnreadableSubmission.
     """
     written, broken = find_functions(read_cells(data))
     book = parse_notebook(data)["cells"]
     messages = read_check_messages(book)
-    names = [name for name in list_assignments()[assignment] if name in EXERCISES]
+    asked = list_assignments()[assignment]
     answers = {
         name: (True, messages.get(name, "")) if written.get(name) else (False, broken.get(name, ""))
-        for name in names
+        for name in asked
+        if name in EXERCISES
     }
-    return answers | {name: (is_touched, "") for name, is_touched in find_prose_answers(book)}
+    answers |= {name: (is_touched, "") for name, is_touched in find_prose_answers(book)}
+    return {name: answers[name] for name in [*asked, *answers] if name in answers}
 
 
 def find_functions(cells: list[Cell]) -> tuple[dict[str, bool], dict[str, str]]:
