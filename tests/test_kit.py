@@ -223,6 +223,14 @@ def test_the_same_course_makes_the_same_results():
     assert compress_results(record_results(some)) == compress_results(record_results(some))
 
 
+def test_a_teacher_sees_how_far_the_recording_is():
+    """It takes minutes: each exercise and each variant with results of its own counts."""
+    some, seen = [EXERCISES[name] for name in ("follow", "segment_intersection")], []
+    record_results(some, lambda done, everything: seen.append((done, everything)))
+    count = seen[-1][1]
+    assert seen == [(done, count) for done in range(count + 1)] and count > len(some)
+
+
 def test_the_kit_holds_no_secret(kit):
     """Lessons, exercises and the library; no solutions, no bank, no tests, and nothing that running
     left behind.

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from ..errors import InvalidParameter
-from ..support.progress import show_stage
+from ..support.progress import show_progress, show_stage
 from .commands import Commands
 
 RELEASE_HELP = """\
@@ -124,9 +124,12 @@ def run_release(arguments: argparse.Namespace) -> int:
             made = release(name)
         print(f"made exercises/{made.name}")
     if arguments.zip is not None:
-        with show_stage(f"packing {arguments.zip}"):
+        with show_progress("recording the results that check needs") as progress:
             count = pack_course(
-                arguments.zip, graded=arguments.graded_questions, letter=arguments.variant
+                arguments.zip,
+                graded=arguments.graded_questions,
+                letter=arguments.variant,
+                progress=progress,
             )
         print(f"packed {count} files in {arguments.zip}")
         for file in exercises_without_solution():

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ..support.progress import Progress
 from ..support.text import split_lines
 from .exercise import Exercise, Restated
 from .lessons import EXERCISES, find
@@ -171,22 +172,31 @@ def edit(text: str, edits: list[Edit]) -> str:
     return result
 
 
-def record_results(exercises: Iterable[Exercise] | None = None) -> Results:
+def record_results(
+    exercises: Iterable[Exercise] | None = None, progress: Progress | None = None
+) -> Results:
     """Record what withheld functions return while `check` judges its cases, with each variant.
 
     Parameters
     ----------
     exercises : by default all of the course.
+    progress : called with the number of exercises and variants that are recorded, and of all.
     """
+    judged = [
+        find(exercise.name, variant)
+        for exercise in (EXERCISES.values() if exercises is None else exercises)
+        for variant in ("", *exercise.variants)
+        # for the others the results of the usual form are all that is needed
+        if not is_only_answered_otherwise(exercise, variant)
+    ]
+    report_progress = progress or (lambda done, everything: None)
     with recorded_results() as results, np.errstate(all="ignore"):
-        for exercise in EXERCISES.values() if exercises is None else exercises:
-            for variant in ("", *exercise.variants):
-                if is_only_answered_otherwise(exercise, variant):
-                    continue  # the results of the usual form are all that it needs
-                judged = find(exercise.name, variant)
-                # new cases, because a kept answer to a fixed one would not be recorded
-                for case in judged.cases(np.random.default_rng(0)):
-                    judged.ask_for_answers(case)
+        for done, exercise in enumerate(judged):
+            report_progress(done, len(judged))
+            # new cases, because a kept answer to a fixed one would not be recorded
+            for case in exercise.cases(np.random.default_rng(0)):
+                exercise.ask_for_answers(case)
+    report_progress(len(judged), len(judged))
     return results
 
 

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from ..errors import InvalidParameter
 from ..messages import get_message
 from ..support.notebooks import read_notebook
+from ..support.progress import Progress
 from ..support.whole_files import written_whole
 from .assignments import FILE as LIST
 from .assignments import read_solutions
@@ -220,6 +221,7 @@ def pack_course(
     house: Path = HOUSE,
     graded: Iterable[str] = (),
     letter: str = "",
+    progress: Progress | None = None,
 ) -> int:
     """Pack the files for students into a zip, without solutions, banks, tests and answers.
 
@@ -230,6 +232,7 @@ def pack_course(
     ----------
     graded : lessons whose concept questions are graded elsewhere; the zip has no answers to them.
     letter : the variant of the exercises that this zip has, such as B; by default the usual form.
+    progress : called while the results are recorded, with how many are, and of how many.
 
     Returns
     -------
@@ -242,7 +245,7 @@ def pack_course(
     if letter:
         files |= vary_exercises(files, letter)
     files[ASSIGNMENTS] = (json.dumps(read_solutions(house), indent=1) + "\n").encode()
-    files[RESULTS] = compress_results(record_results())
+    files[RESULTS] = compress_results(record_results(progress=progress))
     write_zip(zip_file, (Packed(f"kinoedu-course/{place}", files[place]) for place in files))
     return len(files)
 

@@ -2,7 +2,7 @@
 
 import os
 from collections import Counter, deque
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Generator, Iterator
 from concurrent.futures import Future
 from contextlib import closing
 from itertools import groupby
@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ..errors import InvalidParameter
 from ..support.completed_futures import CompletedFutures, failure_of
+from ..support.progress import Progress
 from ..support.text import shortened
 from .cells import FOUND, NOT_RUN, Cell, Outcome
 from .experiment import ExperimentRecord, cells_of
@@ -19,8 +20,6 @@ from .table import Row, Table
 
 AHEAD = 256  # batches submitted at a time, since a cluster holds their problems in memory
 TRIES = 2  # a worker may be lost through no fault of the run
-
-Progress = Callable[[int, int], None]
 
 
 def run(

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..errors import InvalidParameter
+from ..support.progress import Progress
 from .assignments.questions import read_course_secret
 from .collect.names import read_gradescope_names, read_names
 from .collect.submissions import Submission, collect
@@ -23,7 +24,7 @@ from .judge.class_list import (
     write_class,
 )
 from .judge.contracts import add_section, leave_usual, vary
-from .judge.running import Place, Progress, grade_all, use_local_workers
+from .judge.running import Place, grade_all, use_local_workers
 from .report.decisions import read_decisions
 from .report.rows import refuse_unknown_names
 from .report.writing import write_all

@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+Progress = Callable[[int, int], None]  # told how many things are done, and how many there are
+
 
 class Notes(logging.Handler):
     """A log handler that keeps the last message, such as that a function is being compiled."""
@@ -63,12 +65,8 @@ def print_line(what: str, notes: Notes, done: threading.Event) -> None:
 
 
 @contextmanager
-def show_progress(what: str) -> Iterator[Callable[[int, int], None]]:
-    """Show a progress bar while the block runs.
-
-    Yields the function that updates it, which takes how many things are done and how many there
-    are.
-    """
+def show_progress(what: str) -> Iterator[Progress]:
+    """Show a progress bar while the block runs; yields the function that updates it."""
     estimate, last = Estimate(), -1
 
     def update(done: int, total: int) -> None:

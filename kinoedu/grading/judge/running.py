@@ -23,6 +23,7 @@ from typing import Any, NamedTuple
 from ...compiled.store import source_digest
 from ...course.release import HOUSE, solution_path
 from ...support.completed_futures import CompletedFutures, failure_of
+from ...support.progress import Progress
 from ...support.whole_files import written_whole
 from ..assignments.questions import read_assignment
 from ..collect.submissions import Submission
@@ -34,8 +35,6 @@ AHEAD = 256  # notebooks submitted at a time, since a cluster's scheduler holds 
 TRIES = 5
 TRIES_BESIDE = 2  # of these while other jobs run
 PATIENT = 3.0  # factor on time limits, for jobs that took too long beside others
-
-Progress = Callable[[int, int], None]
 
 
 class Job(NamedTuple):

@@ -6,9 +6,10 @@ import os
 import shutil
 from pathlib import Path
 
+from ...support.progress import Progress
 from ...support.whole_files import written_whole
 from ..judge.class_list import Class, Entry, read_record
-from ..judge.running import Progress, digest_library
+from ..judge.running import digest_library
 from ..judge.submission import Grade
 from .decisions import read_decisions
 from .feedback_page import name_page, render_feedback
