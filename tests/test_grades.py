@@ -36,7 +36,12 @@ from kinoedu.grading.collect.notebook import Cell, UnreadableSubmission
 from kinoedu.grading.collect.submissions import Submission, collect
 from kinoedu.grading.export import nbgrader_course
 from kinoedu.grading.export.freshness import list_old_exports
-from kinoedu.grading.export.tables import export_canvas, export_csv, export_gradescope
+from kinoedu.grading.export.tables import (
+    export_canvas,
+    export_csv,
+    export_gradescope,
+    make_gradescope_test,
+)
 from kinoedu.grading.judge import running
 from kinoedu.grading.judge.class_list import (
     LOCK,
@@ -362,11 +367,23 @@ def test_canvas_gets_its_own_table_back(tmp_path):
 def test_gradescope_results_sum_up(tmp_path):
     """Each file's score is the sum of its tests."""
     rows = write_all(a_class(tmp_path, {"ann": record(share=0.5), "bob": failing()}))
-    assert export_gradescope(rows, tmp_path / "gradescope") == 2
+    assert export_gradescope(rows, tmp_path / "gradescope") == (2, [])
     for file in (tmp_path / "gradescope").iterdir():
         data = json.loads(file.read_text(encoding="utf-8"))
         assert data["score"] == pytest.approx(sum(test["score"] for test in data["tests"]))
         assert len(data["tests"]) == len(read_assignment(NAME).questions)
+
+
+def test_gradescope_has_no_zero_for_what_has_no_score(tmp_path):
+    """No file for a submission that could not be read; and none is left from an earlier export."""
+    folder = tmp_path / "gradescope"
+    export_gradescope(write_all(a_class(tmp_path, {"ann": record(), "cut": record()})), folder)
+    of = a_class(tmp_path, {"ann": record()}, troubles={"cut": "the file is empty"})
+    assert export_gradescope(write_all(of), folder) == (1, [f"cut {NAME}"])
+    assert [file.name for file in folder.iterdir()] == [f"ann.{NAME}.json"]
+    by_hand = write_all(a_class(tmp_path / "hand", {"ann": record(HAND)}, HAND))
+    (test,) = (make_gradescope_test(row) for row in by_hand if row.question == "flowchart_bug1")
+    assert test["output"] == "to grade by hand" and not {"score", "status"} & {*test}
 
 
 def test_regrading_says_whose_score_changed_and_why(tmp_path):

@@ -182,8 +182,11 @@ def write_canvas(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def write_gradescope(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
     """Write Gradescope's results for each submission."""
     from ..grading.export.tables import export_gradescope
+    from ..support.csv_cells import one_line
 
-    return f"wrote {export_gradescope(rows, arguments.out)} files in {arguments.out}"
+    count, missing = export_gradescope(rows, arguments.out)
+    left_out = f"; no file for these, without a score: {', '.join(missing)}" if missing else ""
+    return f"wrote {count} files in {arguments.out}{one_line(left_out)}"
 
 
 def pack_for_gradescope(arguments: argparse.Namespace) -> int:

@@ -154,25 +154,32 @@ def find_canvas_columns(
     return places
 
 
-def export_gradescope(rows: list[Row], folder: Path) -> int:
+def export_gradescope(rows: list[Row], folder: Path) -> tuple[int, list[str]]:
     """Write a results.json for each submission, in the format of Gradescope's autograders.
+
+    A submission without any score has no file, not even that of an earlier export: a file without a
+    score would count as zero.
 
     Returns
     -------
-    int
-        The number of files.
+    int, list of str
+        The number of files, and the submissions without a score.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    count = 0
+    count, missing = 0, []
     for (student, assignment), group in groupby(rows, key=lambda row: row[:2]):
-        if assignment:
-            file = folder / f"{file_name(student)}.{file_name(assignment)}.json"
-            with written_whole(file) as part:
-                part.write_text(
-                    json.dumps(make_gradescope_results(group), indent=1) + "\n", encoding="ascii"
-                )
-            count += 1
-    return count
+        its = list(group)
+        file = folder / f"{file_name(student)}.{file_name(assignment)}.json"
+        if all(row.score is None for row in its):
+            file.unlink(missing_ok=True)
+            missing.append(f"{student} {assignment}".strip())
+            continue
+        with written_whole(file) as part:
+            part.write_text(
+                json.dumps(make_gradescope_results(its), indent=1) + "\n", encoding="ascii"
+            )
+        count += 1
+    return count, missing
 
 
 def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
@@ -186,17 +193,18 @@ def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
 
 
 def make_gradescope_test(row: Row) -> dict[str, object]:
-    """The results of one question.
-
-    A question without a score yet has no points, and its output says so.
-    """
-    is_full = row.score is not None and row.score >= row.max_score
+    """The results of one question; one without a score yet has its status alone, and no zero."""
     output = f"{row.status}: {row.message}" if row.message else row.status
+    points: dict[str, object] = {}
+    if row.score is not None:
+        points = {
+            "score": round(row.score, 6),
+            "max_score": row.max_score,
+            "status": "passed" if row.score >= row.max_score else "failed",
+        }
     return {
         "name": row.question,
-        "score": round(row.score or 0.0, 6),
-        "max_score": row.max_score,
-        "status": "passed" if is_full else "failed",
+        **points,
         "output": show_controls(output),
         "output_format": "text",
     }
