@@ -6,6 +6,7 @@ The rest of the class is graded, and nobody gains points.
 import io
 import json
 import os
+import time
 import zipfile
 
 import numpy as np
@@ -14,6 +15,7 @@ import pytest
 from kinoedu.course.judging import judge_outcomes, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.outcomes import Late, Raised
+from kinoedu.grading.assignments.questions import read_assignment
 from kinoedu.grading.collect.found import MOST_OF_ONE
 from kinoedu.grading.collect.handing_in import find_answers
 from kinoedu.grading.collect.marks import find_assignment
@@ -26,7 +28,8 @@ from kinoedu.grading.collect.notebook import (
 )
 from kinoedu.grading.collect.submissions import collect
 from kinoedu.grading.judge import answers as judge_answers
-from kinoedu.grading.judge.answers import Question, run_program
+from kinoedu.grading.judge.answers import USED_UP, Question, run_program
+from kinoedu.grading.judge.submission import grade
 from kinoedu.grading.sandbox import talk
 from kinoedu.grading.sandbox.sandbox import Reply
 from kinoedu.grading.sandbox.talk import Talk
@@ -268,7 +271,31 @@ def test_breaking_off_again_and_again_takes_no_more_time_than_once(monkeypatch):
     found = run_program(
         liar, [Cell(1, "")], [question(EXERCISE.name), question("point_segment_distance")]
     ).outcomes
-    assert liar.requests == 0 and list(found.values()) == [[Late(False)]] * 2
+    assert liar.requests == 0 and list(found.values()) == [[USED_UP]] * 2
+
+
+class Sleeper(Liar):
+    """A sandbox that needs a moment for each request."""
+
+    def ask(self, *_: object) -> Reply:
+        """Return the reply after a moment."""
+        time.sleep(0.1)
+        return super().ask()
+
+
+@pytest.mark.parametrize(
+    "ready", [[{"ready": True}], [{"ready": True}, {"cell": 1, "troubles": []}]]
+)
+def test_where_the_time_of_the_notebook_was_over_no_answer_is_blamed(monkeypatch, ready):
+    """Its cells may have used it up, in which the exchange ended, or before a function's case."""
+    monkeypatch.setattr(judge_answers, "LONGEST", 0.05)
+    monkeypatch.setattr(judge_answers, "slowdown", lambda: 1.0)
+    parts = [ready, []][: len(ready)]
+    record = grade(NOTEBOOK, read_assignment("01_geometry"), b"secret", Sleeper(parts, "late"))
+    for one in record["questions"]:
+        assert (one["status"], one["late"], one["failure"]) == ("too late", True, None)
+        assert "The time for the whole notebook was over" in one["message"]
+        assert "Which cells compute for seconds?" in one["hint"]
 
 
 def test_lines_that_would_fill_the_memory_are_a_flood(monkeypatch):

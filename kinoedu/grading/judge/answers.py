@@ -44,6 +44,8 @@ PLANNING = ("kinoedu.course.lent_problem",)
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
 HIDDEN_RUNS = 4  # runs on hidden cases: each but the last may break off in another kind
 NO_VALUE = Maybe(Truth())
+# of what was running, or not yet begun, when the time of the whole notebook was over
+USED_UP = Late(False, passed=LONGEST)
 DEFINES = (*DEFINITIONS, ast.Import, ast.ImportFrom)
 
 
@@ -195,8 +197,8 @@ class Run(NamedTuple):
     def ask(self, cells: list[Cell], questions: list[Question]) -> None:
         """Run the cells and ask the questions, and store what is found."""
         while questions:
-            if time.monotonic() > self.until:
-                self.found.outcomes.update({one.name: [Late(False)] for one in questions})
+            if self.is_over():
+                self.found.outcomes.update({one.name: [USED_UP] for one in questions})
                 return
             longest = max([CELL_SECONDS, *(one.exercise.seconds for one in questions)])
             reply = self.sandbox.ask(
@@ -207,7 +209,12 @@ class Run(NamedTuple):
             store_reply(reply, questions, self.found)
             if reply.end == "done":
                 return
-            cells, questions = find_remaining(reply, cells, questions, self.found)
+            end = USED_UP if self.is_over() else describe_end(reply)
+            cells, questions = find_remaining(reply, end, cells, questions, self.found)
+
+    def is_over(self) -> bool:
+        """Whether the time of the whole notebook is over."""
+        return time.monotonic() > self.until
 
 
 def make_request(
@@ -275,13 +282,12 @@ def decode_line(data: object, shape: Shape) -> Outcome:
 
 
 def find_remaining(
-    reply: Reply, cells: list[Cell], questions: list[Question], found: Answers
+    reply: Reply, end: Outcome, cells: list[Cell], questions: list[Question], found: Answers
 ) -> tuple[list[Cell], list[Question]]:
     """The cells and questions to run again, after a program ended the sandbox.
 
-    The cell or question that did so gets that outcome and is not run again.
+    The cell or question that did so gets the outcome `end` and is not run again.
     """
-    end = describe_end(reply)
     if len(reply.parts) == 1:  # it ended while the cells were run
         done = {line["cell"] for line in reply.parts[0] if "cell" in line}
         culprit = next((cell for cell in cells if cell.number not in done), None)

@@ -23,7 +23,15 @@ from ..collect.notebook import Cell, UnreadableSubmission, python_of, read_cells
 from ..sandbox.cells import Failure, find_names, is_placeholder, parse_cell
 from ..sandbox.sandbox import Sandbox
 from ..sandbox.talk import LONGEST
-from .answers import NO_VALUE, Answers, Question, is_stopped, leave_out_stopped, run_program
+from .answers import (
+    NO_VALUE,
+    USED_UP,
+    Answers,
+    Question,
+    is_stopped,
+    leave_out_stopped,
+    run_program,
+)
 from .as_checked import find_cells_as_checked
 
 RIGHT, PARTLY, WRONG = "right", "partly right", "wrong"
@@ -260,14 +268,15 @@ def describe_failure(question: AssignmentQuestion, report: Report, *, hidden: bo
     """What a student may know of a failure: rule, hint, and the case unless it is hidden."""
     failure, exercise = report.failure, question.exercise
     assert failure is not None
-    shown = None if hidden else encode_failure(report)
+    found = {"kinds": list(report.failed), "reason": name_reason(failure)}
+    if failure.outcome == USED_UP:  # this case is not at fault
+        message, hint = get_message("grading.used_up"), get_message("grading.used_up_hint")
+        return found | {"message": message, "hint": hint}
     note = " " + get_message("grading.hidden") if hidden else ""
-    return {
+    return found | {
         "message": rule_message(exercise, failure) + note,
         "hint": hint_message(exercise, failure),
-        "failure": shown,
-        "kinds": list(report.failed),
-        "reason": name_reason(failure),
+        "failure": None if hidden else encode_failure(report),
     }
 
 
