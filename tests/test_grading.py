@@ -27,7 +27,7 @@ from kinoedu.grading.collect.notebook import (
     read_cells,
 )
 from kinoedu.grading.collect.notebook_python import PythonReader
-from kinoedu.grading.collect.submissions import collect
+from kinoedu.grading.collect.submissions import collect, warn_of_same
 from kinoedu.grading.judge import answers
 from kinoedu.grading.judge.submission import find_syntax_errors, grade
 from kinoedu.grading.sandbox import sandbox
@@ -459,6 +459,27 @@ def test_a_zip_of_gradescope_is_read_as_it_was_downloaded(tmp_path):
         ("77", "01_geometry", ""),
         ("88", "01_geometry", ""),
     ]
+
+
+@pytest.mark.parametrize(
+    ("places", "is_told"),
+    [
+        (("out/in/ann/", "out/in/bob/"), True),
+        (("a/ann/", "a/bob/", "b/cy/"), True),
+        (("ann/", "bob/", "ann/copy of "), False),
+        (("Al_4711_assignsubmission_file_/new/", "Al_4711_assignsubmission_file_/old/"), False),
+    ],
+)
+def test_equal_files_that_count_once_are_named_where_students_may_have_them(
+    tmp_path, caplog, places, is_told
+):
+    """In a class one folder too deep, what several students hand in empty is equal."""
+    for place in places:
+        (tmp_path / f"{place}x").parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / f"{place}01_geometry.ipynb").write_bytes(notebook(ANSWER))
+    warn_of_same(collect(tmp_path))
+    assert ("if they are of several students" in caplog.text) == is_told
+    assert (f"{places[0]}01_geometry.ipynb, {places[1]}" in caplog.text) == is_told
 
 
 def test_one_assignment_of_several(tmp_path):

@@ -8,7 +8,7 @@ from ..errors import InvalidParameter
 from ..support.progress import Progress
 from .assignments.questions import read_course_secret
 from .collect.names import read_gradescope_names, read_names
-from .collect.submissions import Submission, collect
+from .collect.submissions import Submission, collect, warn_of_same
 from .judge.class_list import (
     FILE,
     Class,
@@ -154,6 +154,7 @@ def grade_found(
         varied = list_varied(earlier.entries if earlier is not None else [])
     submissions = []
     for folder, only, found in sources:
+        warn_of_same(found)
         has_own = run.variants or (str(folder.resolve()), only) in varied
         submissions += vary(found, secret) if has_own else leave_usual(found)
     out.mkdir(parents=True, exist_ok=True)

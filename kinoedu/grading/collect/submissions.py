@@ -12,6 +12,7 @@ The folder may be laid out by nbgrader, Canvas, Moodle or Gradescope, or by hand
 Each of these folders may be a zip, and so may a student's file.
 """
 
+import logging
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePosixPath
@@ -38,6 +39,11 @@ EXPORTED = re.compile(r"^assignment_\d+_export$")  # Gradescope's folder of all 
 NAMELESS = "unnamed"  # a folder whose name is of spaces
 NO_ANSWERS = "has none of the functions that it asks for"
 LONGEST_NAME, MOST_NAMED = 300, 5  # characters of a path, files in a message
+SAME = (
+    "equal files in several folders of one student count once: %s; if they are of several "
+    "students, grade the folder in which each has a folder"
+)
+log = logging.getLogger("kinoedu")
 
 
 class Submission(NamedTuple):
@@ -47,6 +53,7 @@ class Submission(NamedTuple):
     variants : the student's own contracts, as pairs of a question and a name, if the class has any.
     late : whether Canvas marked it as late.
     letter : the variant of the student's section, such as B, if all of them have one.
+    same : its file, and the equal ones that count as this one; empty where they are not merged.
     """
 
     student: str
@@ -57,6 +64,7 @@ class Submission(NamedTuple):
     variants: tuple[tuple[str, str], ...] = ()
     late: bool = False
     letter: str = ""
+    same: tuple[str, ...] = ()
 
 
 def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submission]:
@@ -280,8 +288,10 @@ def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
         groups.setdefault((one.student, one.assignment), []).append(one)
     for files in groups.values():
         group = [one for one in files if NO_ANSWERS not in one.trouble] or files
-        if len({one.data for one in group}) == 1 or not group[0].assignment:
-            yield from group[: 1 if group[0].assignment else None]
+        if not group[0].assignment:
+            yield from group
+        elif len({one.data for one in group}) == 1:
+            yield group[0]._replace(same=tuple(one.file for one in group))
         else:
             names = list_some([one.file for one in group])
             wrong = (
@@ -291,6 +301,18 @@ def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
             yield group[0]._replace(
                 data=b"", file=names, trouble=wrong, late=any(one.late for one in group)
             )
+
+
+def warn_of_same(submissions: Iterable[Submission]) -> None:
+    """Log a warning for students whose equal files lie in several folders.
+
+    Each of these may be a student's, if the class lies deeper than it should. The folders in what
+    Canvas, Moodle or Gradescope named, and those in a zip, are of one student.
+    """
+    for one in submissions:
+        above = {PurePosixPath(file).parent for file in one.same}
+        if len(above) > 1 and not is_of_one_student(one.file.partition("/")[0]):
+            log.warning(SAME, list_some(list(one.same)))
 
 
 def list_some(names: list[str]) -> str:
