@@ -4,6 +4,7 @@ They are safe, equal on every run, and reveal no hidden case.
 """
 
 import csv
+import hashlib
 import io
 import json
 import re
@@ -551,6 +552,45 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     assert import_nbgrader_scores(of, tmp_path / "course") == 1
     (row,) = [row for row in write_all(of) if row.question == "flowchart_bug1"]
     assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
+
+
+def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
+    """As after a class was graded again: the new gradebook has them, and gives them back.
+
+    A gradebook without a student's answer takes nothing from that student.
+    """
+    pytest.importorskip("nbgrader")
+    from nbgrader.api import Gradebook
+
+    from kinoedu.grading.export.nbgrader_course import (
+        export_nbgrader,
+        import_nbgrader_scores,
+        name_database,
+    )
+
+    book = (HOUSE / "exercises" / f"{HAND}.ipynb").read_bytes()
+    records = {"ann": record(HAND), "bob": record(HAND)}
+    for student in records:
+        (tmp_path / "in" / student).mkdir(parents=True)
+        (tmp_path / "in" / student / f"{HAND}.ipynb").write_bytes(book)
+    digest = hashlib.sha256(book).hexdigest()
+    of = a_class(tmp_path / "out", records, HAND)
+    entries = [one._replace(folder=str(tmp_path / "in"), digest=digest) for one in of.entries]
+    of = of._replace(entries=entries)
+    lines = [f"{name},{HAND},flowchart_bug1,3,neat" for name in records]
+    text = "\n".join(["student,assignment,question,score,comment", *lines, ""])
+    (of.out / "by_hand.csv").write_text(text, encoding="utf-8")
+    export_nbgrader(of, write_all(of), tmp_path / "new")
+    with Gradebook(name_database(tmp_path / "new")) as gradebook:
+        total = sum(one.points for one in read_assignment(HAND).questions)
+        assert gradebook.find_submission(HAND, "ann").score == total + 3.0
+    assert import_nbgrader_scores(of, tmp_path / "new") == 2
+    assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
+    alone = of._replace(entries=[one for one in of.entries if one.student == "ann"])
+    rows = [row for row in write_all(of) if row.student == "ann"]
+    export_nbgrader(alone, rows, tmp_path / "alone")
+    assert import_nbgrader_scores(of, tmp_path / "alone") == 1
+    assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
 
 
 NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)

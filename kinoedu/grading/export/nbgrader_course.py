@@ -23,7 +23,7 @@ from ..assignments.questions import read_assignment
 from ..collect.notebook import UnreadableSubmission, join_text, parse_notebook
 from ..collect.submissions import collect
 from ..judge.class_list import Class, Entry, digest_submission
-from ..report.decisions import BY_HAND, COLUMNS
+from ..report.decisions import BY_HAND, COLUMNS, Decision, read_table
 from ..report.rows import BY_HAND as TO_GRADE
 from ..report.rows import DECIDED, Row
 
@@ -45,7 +45,10 @@ Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
 
 def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
-    """Write scores into the gradebook and notebooks beside it; scores given there are kept.
+    """Write scores into the gradebook and notebooks beside it.
+
+    Scores and comments that people gave there are kept. Those that they gave elsewhere, such as
+    before the class was graded again, are added.
 
     Returns
     -------
@@ -65,7 +68,7 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
     mine: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         mine.setdefault((row.student, row.assignment), []).append(row)
-    count = 0
+    given, count = read_table(of.out / BY_HAND), 0
     with warnings.catch_warnings(), Gradebook(name_database(folder)) as gradebook:
         warnings.simplefilter("ignore")  # SQLAlchemy's warnings about how nbgrader uses it
         for name in sorted({entry.assignment for entry in of.entries if entry.assignment}):
@@ -73,7 +76,7 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
         for entry, data in read_unchanged(of.entries):
             count += add_notebook(gradebook, entry, data, folder)
             for row in mine[entry.student, entry.assignment]:
-                add_score(gradebook, row)
+                add_score(gradebook, row, given.get(row[:3]))
         gradebook.db.commit()
     return count
 
@@ -147,20 +150,26 @@ def extract_text(text: Any) -> str:
     return make_printable(join_text(text))
 
 
-def add_score(gradebook: Any, row: Row) -> None:
+def add_score(gradebook: Any, row: Row, given: Decision | None) -> None:
     """Add the score of the grader, or of the person who overruled it.
 
     Answers that people grade are marked as waiting until they have a score.
+
+    given : what a person gave for such an answer, for a gradebook that does not have it yet.
     """
     from nbgrader.api import MissingEntry
 
     by_hand = row.question in read_assignment(row.assignment).by_hand
     cell = row.question if by_hand else f"check_{row.question}"
+    whose = (cell, row.assignment, row.assignment, file_name(row.student))
     try:
-        grade = gradebook.find_grade(cell, row.assignment, row.assignment, file_name(row.student))
+        grade = gradebook.find_grade(*whose)
     except MissingEntry:
         return  # the file could not be read, or the assignment no longer asks for this
     if by_hand:
+        if given is not None and grade.manual_score is None:
+            grade.manual_score = given.score
+            gradebook.find_comment(*whose).manual_comment = given.comment or None
         grade.needs_manual_grade = row.status == TO_GRADE and grade.manual_score is None
         return
     grade.auto_score = row.score
@@ -241,6 +250,8 @@ def clean_outputs(cell: JsonObject) -> Iterator[JsonObject]:
 def import_nbgrader_scores(of: Class, folder: Path) -> int:
     """Write the scores and comments that people gave in formgrader to GRADES/by_hand.csv.
 
+    Lines there about answers that this gradebook does not have are kept.
+
     Returns
     -------
     int
@@ -248,18 +259,26 @@ def import_nbgrader_scores(of: Class, folder: Path) -> int:
     """
     from nbgrader.api import Gradebook, MissingEntry
 
-    lines = []
+    before, lines, count = read_table(of.out / BY_HAND), list[list[str]](), 0
     with Gradebook(name_database(folder)) as gradebook:
         for entry in of.entries:
             for question in read_assignment(entry.assignment).by_hand if entry.assignment else ():
-                whose = (question, entry.assignment, entry.assignment, file_name(entry.student))
+                whose = (entry.student, entry.assignment, question)
+                place = (question, entry.assignment, entry.assignment, file_name(entry.student))
                 try:
-                    grade, comment = gradebook.find_grade(*whose), gradebook.find_comment(*whose)
+                    grade, comment = gradebook.find_grade(*place), gradebook.find_comment(*place)
                 except MissingEntry:
+                    if whose in before:
+                        lines.append(format_line(whose, before[whose].score, before[whose].comment))
                     continue
                 if grade.manual_score is not None and not grade.needs_manual_grade:
-                    score = number(grade.manual_score + (grade.extra_credit or 0.0))
-                    who = map(escape_formula, (entry.student, entry.assignment, question))
-                    lines.append([*who, score, escape_formula(comment.manual_comment or "")])
+                    score = grade.manual_score + (grade.extra_credit or 0.0)
+                    lines.append(format_line(whose, score, comment.manual_comment or ""))
+                    count += 1
     write_rows(of.out / BY_HAND, [COLUMNS, *lines])
-    return len(lines)
+    return count
+
+
+def format_line(whose: tuple[str, str, str], score: float | None, comment: str) -> list[str]:
+    """A line of by_hand.csv."""
+    return [*map(escape_formula, whose), number(score), escape_formula(comment)]
