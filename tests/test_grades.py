@@ -593,6 +593,27 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
 
 
+@pytest.mark.filterwarnings("ignore:Object of type")  # how nbgrader uses SQLAlchemy
+def test_a_score_for_a_program_in_formgrader_is_named(tmp_path, capsys):
+    """It is not read back, and would be lost without a word; an equal one changes nothing."""
+    pytest.importorskip("nbgrader")
+    from nbgrader.api import Gradebook
+
+    from kinoedu.grading.export.nbgrader_course import add_assignment, name_database
+
+    of = a_class(tmp_path / "out", {"ann": record(HAND)}, HAND)
+    with Gradebook(name_database(tmp_path)) as gradebook:
+        add_assignment(gradebook, HAND)
+        gradebook.update_or_create_student("ann")
+        gradebook.update_or_create_submission(HAND, "ann")
+        for name, score in (("bug2", 1.5), ("bug1", 3.0)):
+            gradebook.find_grade(f"check_{name}", HAND, HAND, "ann").manual_score = score
+        gradebook.db.commit()
+    assert main(["export", str(of.out), "--from-nbgrader", str(tmp_path)]) == 0
+    warning = capsys.readouterr().err
+    assert f"overrides.csv: ann {HAND} bug2: 1.5\n" in warning
+
+
 NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
 
 

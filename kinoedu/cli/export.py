@@ -231,9 +231,10 @@ def write_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def read_back_from_nbgrader(of: Any, folder: Path) -> int:
     """Read the scores that people gave in formgrader, and write the grades again."""
     require_nbgrader()
-    from ..grading.export.nbgrader_course import import_nbgrader_scores
+    from ..grading.export.nbgrader_course import import_nbgrader_scores, list_scores_of_programs
     from ..grading.judge.class_list import locked_class, read_class
     from ..grading.report.writing import write_all
+    from ..support.csv_cells import one_line
     from .grade import warn_of_old_exports
 
     if not (folder / "gradebook.db").exists():
@@ -244,7 +245,14 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
         of = read_class(of.out)  # another command may have added its students meanwhile
         count = import_nbgrader_scores(of, folder)
         rows = write_all(of)
+        left = list_scores_of_programs(rows, folder)
     warn_of_old_exports(of, rows)
+    if left:
+        print(
+            "kinoedu: warning: scores for programs are not taken from formgrader; write these into "
+            f"{of.out / 'overrides.csv'}: {one_line(', '.join(left))}",
+            file=sys.stderr,
+        )
     print(
         f"brought {count} scores into {of.out / 'by_hand.csv'}, grades.csv, the report and the "
         "pages"

@@ -279,6 +279,27 @@ def import_nbgrader_scores(of: Class, folder: Path) -> int:
     return count
 
 
+def list_scores_of_programs(rows: Iterable[Row], folder: Path) -> list[str]:
+    """The scores that people gave in formgrader for programs, where the table has others.
+
+    They are not read back, since the grader's scores are overruled in overrides.csv.
+    """
+    from nbgrader.api import Gradebook, MissingEntry
+
+    found = []
+    with Gradebook(name_database(folder)) as gradebook:
+        for row in rows:
+            whose = (row.assignment, row.assignment, file_name(row.student))
+            try:
+                grade = gradebook.find_grade(f"check_{row.question}", *whose)
+            except MissingEntry:
+                continue
+            is_given = grade.manual_score is not None or grade.extra_credit
+            if is_given and grade.score != row.score:
+                found.append(f"{' '.join(row[:3])}: {number(grade.score)}")
+    return found
+
+
 def format_line(whose: tuple[str, str, str], score: float | None, comment: str) -> list[str]:
     """A line of by_hand.csv."""
     return [*map(escape_formula, whose), number(score), escape_formula(comment)]
