@@ -268,7 +268,10 @@ def test_what_a_student_can_mend_is_told(root):
     for files, words in (
         ({}, "there is no notebook"),
         ({f"{NAME}.ipynb": "{"}, "not a whole notebook"),
-        ({f"{NAME}.ipynb": notebook("x = 1"), f"{NAME} (1).ipynb": notebook("x = 2")}, "leave one"),
+        (
+            {f"{NAME}.ipynb": notebook("x = 1"), f"{NAME} (1).ipynb": notebook("x = 2")},
+            "Leave the one",
+        ),
     ):
         shutil.rmtree(submission)
         submission.mkdir()
@@ -277,6 +280,7 @@ def test_what_a_student_can_mend_is_told(root):
         assert run(root).returncode == 0
         assert results(root)["score"] == 0.0
         assert words in results(root)["output"]
+        assert "grade the folder" not in results(root)["output"]  # this is for instructors
     shutil.rmtree(submission)
     submission.mkdir()
     (submission / "mine.ipynb").write_text(

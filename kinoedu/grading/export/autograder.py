@@ -21,7 +21,7 @@ from ..assignments.questions import read_assignment
 from ..collect.found import read_files
 from ..collect.marks import count_shared, find_assignment, find_questions
 from ..collect.notebook import UnreadableSubmission
-from ..collect.submissions import Submission, is_candidate, merge_doubles
+from ..collect.submissions import Submission, describe_place, is_candidate, list_some
 from ..judge.contracts import add_section, set_apart
 from ..judge.running import grade_all, use_local_workers
 from ..judge.submission import RIGHT, Grade
@@ -102,11 +102,10 @@ def find_submission(folder: Path, name: str) -> Submission:
     mine = [file for file in answered if file in named] or answered or named or found
     if not mine:
         return Submission("", name, "", b"", get_message("gradescope.nothing", name=name))
-    one = next(
-        merge_doubles(
-            [Submission("", name, "/".join(file.place), file.data, file.trouble) for file in mine]
-        )
-    )
+    if len({file.data for file in mine}) > 1:
+        names = list_some([describe_place(file) for file in mine])
+        return Submission("", name, names, b"", get_message("gradescope.several", names=names))
+    one = Submission("", name, describe_place(mine[0]), mine[0].data, mine[0].trouble)
     if not one.trouble and count_answers(one.data, name) == 0:
         return one._replace(trouble=get_message("gradescope.wrong_file", name=name))
     return one
