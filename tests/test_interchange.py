@@ -242,7 +242,7 @@ def test_what_another_program_cannot_hold_is_refused(write, error, words, tmp_pa
 
 
 def test_a_problem_for_ompl_app_has_the_obstacles_and_the_ends(tmp_path):
-    """Its meshes are the obstacles to shapely; a disc's polygon contains the disc."""
+    """Its meshes are all that is solid to shapely; a disc's polygon contains the disc."""
     import configparser
 
     write_ompl_app(PROBLEM, tmp_path / "hall.cfg")
@@ -254,12 +254,23 @@ def test_a_problem_for_ompl_app_has_the_obstacles_and_the_ends(tmp_path):
     assert {problem["robot"], problem["world"]} == {"hall_robot.obj", "hall_env.obj"}
     assert set(settings["benchmark"]) == {"time_limit", "mem_limit", "run_count"}
     assert set(settings["planner"]) == {"rrt", "prm"}
-    made = mesh_world(tmp_path / problem["world"], boundary=[(0, 0), (10, 0), (10, 10), (0, 10)])
-    areas = [shapely.Polygon(r[0], r[1:]).area for r in rings_of(made)[1:]]
-    assert sorted(areas)[1:] == pytest.approx([math.pi, 16.0], rel=0.01)
-    assert sorted(areas)[0] == pytest.approx(3.0)
+    made = mesh_world(tmp_path / problem["world"])
+    solid = shapely.union_all([shapely.Polygon(r[0], r[1:]) for r in rings_of(made)[1:]])
+    free = shapely.box(0, 0, 10, 10).difference(solid).area
+    assert free == pytest.approx(100.0 - math.pi - 16.0 - 3.0, rel=1e-3)
     outline = ke.files.mesh_outline(tmp_path / problem["robot"])
     assert shapely.Polygon(outline).buffer(1e-9).contains(shapely.Point(0, 0).buffer(0.3, 64))
+
+
+@pytest.mark.parametrize("outline", [[(0, 0), (9, 0), (0, 9)], [(0, 0), (9, 0), (3, 3), (0, 9)]])
+def test_a_body_in_ompl_app_cannot_leave_the_world(outline, tmp_path):
+    """Round the outline, of any shape, there is a wall; also where there are no obstacles."""
+    problem = ke.Problem(ke.Disk(0.3), ke.PolygonWorld(outline), (1, 1), (2, 1))
+    write_ompl_app(problem, tmp_path / "corner.cfg")
+    made = mesh_world(tmp_path / "corner_env.obj")
+    wall = shapely.union_all([shapely.Polygon(r[0], r[1:]) for r in rings_of(made)[1:]])
+    assert wall.area == pytest.approx(10.8**2 - shapely.Polygon(outline).area)
+    assert wall.buffer(1e-9).contains(shapely.Polygon(outline).exterior)
 
 
 def test_a_car_for_ompl_app_is_a_kinematic_car(tmp_path):

@@ -16,6 +16,7 @@ import numpy as np
 
 from ..errors import InvalidParameter, UnknownFormat
 from ..geometry.checks import Array
+from ..geometry.convex import convex_parts
 from ..geometry.parts import Parts
 from ..problems import ProblemRecord
 from ..robots.car import CarRobot
@@ -23,8 +24,10 @@ from ..robots.round import RoundRobot
 from ..support.text import shortened
 from ..support.whole_files import written_whole
 from ..worlds.polygon_world import PolygonWorldRecord
+from .outlines import rectangle
 
 CORNERS = 32  # of the polygon that replaces a disc
+WALL = 0.1  # the width of the wall round a world, as a fraction of its longer side
 # ompl_benchmark stops without these; the numbers are those of OMPL.app's examples
 BENCHMARK = ("[benchmark]", "time_limit = 20.0", "mem_limit = 1000.0", "run_count = 30")
 
@@ -33,8 +36,9 @@ def write_ompl_app(problem: ProblemRecord, path: str | os.PathLike[str]) -> None
     """Write a problem for OMPL.app: `X.cfg`, and beside it `X_env.obj` and `X_robot.obj`.
 
     OMPL.app turns every body; give it the same problem, with a heading of 0, for one that does not.
-    A disc becomes a polygon round it, so that a path there is free here too. The box of the world
-    bounds the position of the robot's reference point. A clearance is not written.
+    A disc becomes a polygon round it, and the world has a wall round it, so that a path there is
+    free here too. The box of the world bounds the position of the robot's reference point. A
+    clearance is not written.
 
     Raises
     ------
@@ -52,9 +56,10 @@ def write_ompl_app(problem: ProblemRecord, path: str | os.PathLike[str]) -> None
         raise InvalidParameter(f"{file}: # begins a comment in OMPL.app's files; take another name")
     check(problem)
     environment, robot = (file.with_name(f"{file.stem}_{name}.obj") for name in ("env", "robot"))
-    for mesh, parts in ((environment, problem.world.obstacles), (robot, body_of(problem.robot))):
+    solids, body = solid_pieces(problem.world), convex_pieces(body_of(problem.robot))
+    for mesh, pieces in ((environment, solids), (robot, body)):
         with written_whole(mesh) as part:
-            part.write_text(mesh_text(convex_pieces(parts)), encoding="ascii")
+            part.write_text(mesh_text(pieces), encoding="ascii")
     with written_whole(file) as part:
         text = config_text(problem, file.stem, robot.name, environment.name)
         part.write_text(text, encoding="utf-8")
@@ -80,6 +85,16 @@ def check(problem: object) -> None:
 def body_of(robot: Any) -> Parts:
     """The convex pieces of a robot at the origin."""
     return robot.body if isinstance(robot, RoundRobot) else robot.shape
+
+
+def solid_pieces(world: PolygonWorldRecord) -> Iterable[Array]:
+    """The obstacles as convex polygons, and a wall round the outline of the world.
+
+    A body there would leave the world otherwise: only its reference point has bounds.
+    """
+    yield from convex_pieces(world.obstacles)
+    width = WALL * float((world.hi - world.lo).max())
+    yield from convex_parts(rectangle(world.lo - width, world.hi + width), [world.hull])
 
 
 def convex_pieces(parts: Parts) -> Iterable[Array]:
