@@ -434,6 +434,8 @@ def test_start_goal_and_heading_turn_with_the_map(tmp_path):
         file, robot=ke.RigidPolygon([(0, 0), (0.2, 0), (0, 0.2)])
     ).start.tolist() == [1, 9, -0.5]
     assert ke.read_problem(file, start=(1, 1), goal=(2, 2)).goal.tolist() == [2, 2]
+    with pytest.raises(InvalidParameter, match=r"its start is x, y and a heading, .* give a start"):
+        ke.read_problem(file)
     wide = read_benchmr(file, boundary=[(-1, -1), (12, -1), (12, 12), (-1, 12)]).world
     assert wide.hi.tolist() == [12, 12] and world.hi.tolist() == [10, 10]
 

@@ -43,6 +43,7 @@ from numpy.typing import ArrayLike
 from ..errors import InvalidParameter, UnknownFormat, UnreadableScene
 from ..geometry.checks import Array, integer
 from ..problems import Problem, ProblemRecord
+from ..problems.configurations import space_of
 from ..robots import Point
 from ..robots.kinds import Robot
 from ..support.json_fields import Field, JsonObject, read_json
@@ -276,9 +277,11 @@ def read_problem(
     """
     file = as_path(path)
     if file.suffix.lower() == ".json" and is_polygon_map(file):
-        world, own_start, own_goal = read_benchmr(file)
-        start, goal = own_start if start is None else start, own_goal if goal is None else goal
-        return make_problem(file, world, robot, start, goal, query, clearance)
+        drawn, robot = read_benchmr(file), Point() if robot is None else robot
+        d = len(space_of(robot, drawn.world).lo)
+        start = end_of_map(file, "start", drawn.start, d) if start is None else start
+        goal = end_of_map(file, "goal", drawn.goal, d) if goal is None else goal
+        return make_problem(file, drawn.world, robot, start, goal, query, clearance)
     if file.suffix.lower() in (".json", ".csv"):
         if any(one is not None for one in (robot, start, goal, query)) or clearance != 0.0:
             raise InvalidParameter(
@@ -288,6 +291,23 @@ def read_problem(
             read_tpcap(file) if file.suffix.lower() == ".csv" else read_scene(file, repair=repair)
         )
     return make_problem(file, read_world(file), robot, start, goal, query, clearance)
+
+
+def end_of_map(file: Path, name: str, own: Array | None, d: int) -> Array | None:
+    """The start or the goal of a polygon map, for a robot with d numbers; None where it has none.
+
+    Raises
+    ------
+    InvalidParameter
+        Where it has another number of numbers.
+    """
+    if own is not None and len(own) != d:
+        has = "x, y and a heading" if len(own) == 3 else "x and y"
+        raise InvalidParameter(
+            f"{file}: its {name} is {has}, and a configuration of the robot is {d} numbers; give a "
+            "start and a goal"
+        )
+    return own
 
 
 def make_problem(
