@@ -433,6 +433,13 @@ def test_a_ros_map_lies_where_its_yaml_says(tmp_path: Path) -> None:
     assert read_world((tmp_path / "map.yaml").rename(tmp_path / "map.YML")).free.tolist() == WORLD
 
 
+def test_a_picture_that_a_ros_map_names_wrongly_is_named_with_its_map(tmp_path: Path) -> None:
+    """The name to correct is in the map."""
+    path = ros(tmp_path, image="room.pgm")
+    with pytest.raises(UnreadableScene, match=r"map\.yaml: .*room\.pgm': expected a file"):
+        read_ros_map(path)
+
+
 @given(
     greys=st.lists(st.integers(0, 255), min_size=1, max_size=9),
     free=st.floats(0, 1),

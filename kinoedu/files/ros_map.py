@@ -66,9 +66,10 @@ def read_ros_map(path: str | os.PathLike[str]) -> TerrainRecord:
     modes = "mode: trinary or scale (raw does not define which cells are free)"
     _expect(mode in ("trinary", "scale"), path, modes, mode)
     _expect(isinstance(name, str) and name != "", path, "image: the name of a picture", name)
-    free_below, image = _free_threshold(path, settings), load_image(path.parent / str(name))
-    free = _free_cells(image, free_below, bool(negate), averages_alpha=mode == "trinary")
+    free_below = _free_threshold(path, settings)
     with naming(path):
+        image = load_image(path.parent / str(name))
+        free = _free_cells(image, free_below, bool(negate), averages_alpha=mode == "trinary")
         return Terrain(free[::-1], resolution=resolution, origin=origin)
 
 
