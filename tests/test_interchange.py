@@ -180,7 +180,14 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
     [
         (lambda to: write_world(HALL, to / "a.map"), InvalidParameter, "give resolution="),
         (lambda to: write_world(HALL, to / "a.png"), UnknownFormat, "ends in .map"),
-        (lambda to: write_world(HALL, to / "a.map", resolution=1e-4), SceneTooLarge, "cells are"),
+        *(
+            (lambda to, side=side: write_world(HALL, to / "a.map", resolution=side), error, words)
+            for side, error, words in (
+                (1e-4, SceneTooLarge, "100000 x 100000 cells are"),
+                (1e-300, SceneTooLarge, "1e\\+301 x 1e\\+301 cells are"),
+                (5e-324, SceneTooLarge, "inf x inf cells are"),
+            )
+        ),
         (lambda to: write_world(3, to / "a.map"), InvalidParameter, "takes a Terrain"),
         (
             lambda to: write_world(ke.Terrain([[1, 1]], cost=[[1, 2]]), to / "a.map"),

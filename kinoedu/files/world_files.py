@@ -90,11 +90,15 @@ def as_terrain(world: Any, resolution: float | None) -> TerrainRecord:
 
 def raster(world: PolygonWorldRecord, resolution: float) -> TerrainRecord:
     """The cells of a world of polygons. A cell is free where the circle round its corners is."""
-    columns, rows = (math.ceil(s) for s in (world.hi - world.lo) / resolution)
-    if columns * rows > MOST_RASTERED:
+    with np.errstate(over="ignore"):  # refused below
+        size = np.ceil((world.hi - world.lo) / resolution)
+        count = size.prod()
+    if count > MOST_RASTERED:
         raise SceneTooLarge(
-            f"{columns} x {rows} cells are more than {MOST_RASTERED:,}; give a larger resolution"
+            f"{size[0]:.10g} x {size[1]:.10g} cells are more than {MOST_RASTERED:,}; give a larger "
+            "resolution"
         )
+    columns, rows = map(int, size)
     # a little more than half a diagonal, so that no corner in contact is lost in rounding
     half, point = resolution / math.sqrt(2.0) * (1.0 + 1e-9), Point()
     free = np.zeros((rows, columns), bool)
