@@ -166,6 +166,9 @@ REFUSED = {
     "two segments against three": lambda: ke.geometry.segments_intersect(
         ROOM[:2], ROOM[1:3], ROOM[:3], ROOM[1:]
     ),
+    "a world whose distances are rounded to nothing": lambda: ke.Problem(
+        ke.Point(), ke.PolygonWorld(1e-300 * np.array(ROOM)), (1e-300, 1e-300), (2e-300, 1e-300)
+    ),
     "a tolerance of nearly nothing": lambda: ke.c_space.free_regions(1.0, WORLD, tolerance=1e-17),
     "a painted list": lambda: ke.collision.paint_configuration_space(ARM, [SQUARE], 36),
     "edges of no nodes": lambda: ke.Graph(edges=[(0, 1)]),

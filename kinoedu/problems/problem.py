@@ -32,7 +32,7 @@ from ..robots.kinds import Robot
 from ..spaces import distance, interpolate, nearest, sample
 from ..spaces.buckets import GrowingTree
 from ..support.constructors import Constructor, with_type_names
-from ..worlds.checks import World, check_world
+from ..worlds.checks import World, check_size, check_world
 from .configurations import as_configuration, explain_not_free, space_of
 
 # indices of ProblemRecord.query_counts: the queries about motions and about configurations
@@ -160,6 +160,7 @@ class Problem(ProblemRecord, metaclass=Constructor):
     ) -> ProblemRecord:
         margin = nonnegative(clearance, "clearance")
         check_world(world)
+        check_size(world)
         space = space_of(robot, world)
         check_cost(robot, world)
         q_start, q_goal = (

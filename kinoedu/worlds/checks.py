@@ -2,10 +2,14 @@
 
 from typing import Protocol
 
+import numpy as np
+
 from ..errors import InvalidWorld
 from ..geometry.checks import Array
 from ..support.text import shortened
 from .moving import MovingWorldRecord
+
+LEAST = 1e-150  # squares of shorter lengths vanish
 
 
 class World(Protocol):
@@ -33,4 +37,13 @@ def check_world(world: object) -> None:
         raise InvalidWorld(
             "in a MovingWorld a configuration is free at some times only; give the world to "
             "TimedProblem, or its `still` here"
+        )
+
+
+def check_size(world: World) -> None:
+    """Raise InvalidWorld for a world smaller than 1e-150: distances would be rounded to 0."""
+    if (size := float(np.max(world.hi - world.lo))) < LEAST:
+        raise InvalidWorld(
+            f"a world must be at least 1e-150 in size, got {size:g}; choose a smaller unit of "
+            "length"
         )
