@@ -88,8 +88,8 @@ def replay(given: Given, nodes: Array, log: Array) -> Fault | Attempts:
             return Fault("left_out", np.array([begin, q]))
         if in_a_row > given["failures"]:
             return Fault("went_on", NOWHERE)
-    kinds = log[:, 0] == SAMPLE
-    return Attempts(log[kinds, 2:4], used[kinds], towards_goal, number, in_a_row, known)
+    is_sample = log[:, 0] == SAMPLE
+    return Attempts(log[is_sample, 2:4], used[is_sample], towards_goal, number, in_a_row, known)
 
 
 def judge_attempts(given: Given, path: Array | None, done: Attempts) -> Fault | None:
