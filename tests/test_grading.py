@@ -84,6 +84,24 @@ def point_line_distance(q, p1, p2):
 """
 
 
+ROOM = """
+from kinoedu.course.lessons.shared.planned import problem_of
+square = {"kind": "polygons", "boundary": [[0, 0], [10, 0], [10, 10], [0, 10]], "obstacles": []}
+ends = {"start": [1, 1], "goal": [9.5, 9.5]}
+room = problem_of({"robot": {"kind": "point"}, "world": square, **ends})
+def exposing_room():
+    return room.start, room.goal, [(8, 10.5), (10.5, 8), (10.5, 8.2)]
+"""
+
+
+@needs_sandbox
+def test_a_problem_can_be_made_where_no_question_gives_one(box):
+    """A program that looks for the answer to "break it" makes problems of its own."""
+    record = grade(notebook(ROOM), read_assignment("09_trees"), SECRET, box)
+    (found,) = (one for one in record["questions"] if one["question"] == "exposing_room")
+    assert found["status"] == "right", found["message"]
+
+
 @needs_sandbox
 @pytest.mark.parametrize(
     "bad",

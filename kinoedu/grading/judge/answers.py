@@ -14,12 +14,13 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ...course.drawn import Drawn
+from ...course.drivable import drivable
 from ...course.exercise import Case, Exercise
 from ...course.judging import ends_a_run
 from ...course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
 from ...course.plain import WrongShape
 from ...course.shapes import Maybe, Shape, Truth
-from ...course.tasks import ProblemShape
+from ...course.tasks import ProblemShape, problem_of
 from ...messages import get_message
 from ...support.json_fields import JsonObject
 from ...support.text import split_lines
@@ -41,6 +42,7 @@ DRAWING = (
     "kinoedu.course.axes_contents",
 )
 PLANNING = ("kinoedu.course.lent_problem",)
+MAKERS = tuple(f":{make.__name__}" for make in (problem_of, drivable))  # lent, they make problems
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
 HIDDEN_RUNS = 4  # runs on hidden cases: each but the last may break off in another kind
 NO_VALUE = Maybe(Truth())
@@ -191,8 +193,9 @@ class Run(NamedTuple):
 
         So matplotlib, which can do much of what is asked for, is there only where it is to draw.
         """
-        for modules in sorted({list_modules([one]) for one in questions}):
-            self.ask(cells, [one for one in questions if list_modules([one]) == modules])
+        needed = {one.name: list_modules([one], self.lent) for one in questions}
+        for modules in sorted(set(needed.values())):
+            self.ask(cells, [one for one in questions if needed[one.name] == modules])
 
     def ask(self, cells: list[Cell], questions: list[Question]) -> None:
         """Run the cells and ask the questions, and store what is found."""
@@ -204,7 +207,7 @@ class Run(NamedTuple):
             reply = self.sandbox.ask(
                 make_request(cells, questions, self.lent, self.patience),
                 MOST_TIMES * longest * self.patience + GRACE,
-                list_modules(questions),
+                list_modules(questions, self.lent),
             )
             store_reply(reply, questions, self.found)
             if reply.end == "done":
@@ -228,7 +231,7 @@ def make_request(
         "cells": [{**cell._asdict(), "seconds": CELL_SECONDS} for cell in cells],
         "questions": [{"name": one.name, "variant": one.exercise.variant} for one in questions],
         "lent": lent,
-        "drawing": DRAWING[0] in list_modules(questions),
+        "drawing": DRAWING[0] in list_modules(questions, lent),
         "patience": patience,
         "limits": {
             "memory": MEMORY,
@@ -242,10 +245,10 @@ def make_request(
     return [first, given]
 
 
-def list_modules(questions: list[Question]) -> tuple[str, ...]:
-    """The modules that the student's process needs for some questions."""
+def list_modules(questions: list[Question], lent: tuple[str, ...]) -> tuple[str, ...]:
+    """The modules that the student's process needs for some questions, and for what is lent."""
     draws = any(isinstance(one.exercise.answer, Drawn) for one in questions)
-    plans = any(
+    plans = any(place.endswith(MAKERS) for place in lent) or any(
         isinstance(shape, ProblemShape)
         for one in questions
         for shape in one.exercise.given.fields.values()
