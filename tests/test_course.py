@@ -203,6 +203,7 @@ ALSO_RIGHT = {
     "exposing_reach": [
         lambda: [1, 1.1, (0, 0.4)],
         lambda: (np.float64(50.0), 55, np.array([-9.0, 3.0])),
+        lambda: (1.13, 1.243, (0.3, 0.2)),  # a tenth longer, as the numbers are written
     ],
     "corner_grid": [lambda n, d: EXERCISES["corner_grid"].source(n, d)[::-1].tolist()],
     "sukharev_grid": [
@@ -263,6 +264,7 @@ ALSO_RIGHT = {
             np.float64(EXERCISES["move"].source(*given)[2] - 4 * np.pi),
         ]
     ],
+    "exposing_motions": [lambda: ((0, 1), (0, 1), (-95, 1.1), (95, 1.1))],
     "exposing_drive": [lambda: [-0.1, np.float64(700)], lambda: (np.array(0.08), 1000)],
     "exposing_room": [
         lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]

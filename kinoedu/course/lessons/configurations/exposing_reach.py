@@ -13,7 +13,7 @@ from ...outcomes import Answer, Outcome
 from ...shapes import Number, Numbers, Record, Together, Value
 from .pictures import draw_missed
 
-NEARLY = 1.1  # the largest l2 / l1 for the last case
+NEARLY = 1.1 + 1e-9  # the largest l2 / l1 for the last case, rounding included
 
 
 class ExposeReach(Exercise):

@@ -12,7 +12,8 @@ from ...shapes import Numbers, Record, Together, Value
 from .first_contact import find_relative_motion
 from .pictures import draw_missed
 
-FARTHEST, RADIUS, MOMENTS, DEEP = 100.0, 1.0, 20, 0.1
+FARTHEST, RADIUS, MOMENTS = 100.0, 1.0, 20
+DEEP = 0.1 + 1e-9  # the farthest from the centre that is deep, rounding included
 
 
 class ExposeMoments(Exercise):
