@@ -265,7 +265,11 @@ ALSO_RIGHT = {
         ]
     ],
     "exposing_motions": [lambda: ((0, 1), (0, 1), (-95, 1.1), (95, 1.1))],
-    "exposing_drive": [lambda: [-0.1, np.float64(700)], lambda: (np.array(0.08), 1000)],
+    "exposing_drive": [
+        lambda: [-0.1, np.float64(700)],
+        lambda: (np.array(0.08), 1000),
+        lambda: np.array([0.1, 1000], np.float32),
+    ],
     "exposing_room": [
         lambda: [(1, 1), np.array([9.5, 9.5]), np.array([(8, 10.5), (10.5, 8), (10.5, 8.2)])]
     ],

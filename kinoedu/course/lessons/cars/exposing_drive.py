@@ -14,7 +14,8 @@ from ...shapes import Number, Record, Together, Value
 from ..shared.car_pictures import draw_lost
 
 WHEELBASE = 20.0
-STEEPEST, LONGEST, SMALL = math.pi / 4, 1000.0, 0.1
+STEEPEST, LONGEST = math.pi / 4, 1000.0
+SMALL = 0.1 + 1e-8  # the largest angle for the last case, rounding to float32 included
 
 
 class ExposeSmallAngles(Exercise):
