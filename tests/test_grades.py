@@ -593,6 +593,39 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
 
 
+def test_an_answer_that_was_handed_in_anew_waits_for_a_person_again(tmp_path):
+    """Its score was for the earlier one; an equal answer in another notebook keeps its score."""
+    pytest.importorskip("nbgrader")
+    from kinoedu.grading.export.nbgrader_course import export_nbgrader, import_nbgrader_scores
+
+    book = json.loads((HOUSE / "exercises" / f"{HAND}.ipynb").read_text(encoding="utf-8"))
+    marks = [cell["metadata"].get("nbgrader", {}) for cell in book["cells"]]
+    names = [mark.get("grade_id") for mark in marks]
+    flowchart = book["cells"][names.index("flowchart_bug1")]
+    file = tmp_path / "in" / "ann" / f"{HAND}.ipynb"
+    file.parent.mkdir(parents=True)
+
+    def hand_in_anew() -> Class:
+        file.write_text(json.dumps(book), encoding="utf-8")
+        of = a_class(tmp_path / "out", {"ann": record(HAND)}, HAND)
+        digest = hashlib.sha256(file.read_bytes()).hexdigest()
+        (entry,) = of.entries
+        return of._replace(entries=[entry._replace(folder=str(tmp_path / "in"), digest=digest)])
+
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "by_hand.csv").write_text(f"{COLUMNS}ann,{HAND},flowchart_bug1,3,neat\n")
+    counts = []
+    for text in (None, None, "Go round the obstacle.", None):
+        flowchart["source"] = text or flowchart["source"]
+        book["cells"].append({**flowchart, "metadata": {}})
+        of = hand_in_anew()
+        export_nbgrader(of, write_all(of), tmp_path / "course")
+        counts.append(import_nbgrader_scores(of, tmp_path / "course"))
+    assert counts == [1, 1, 0, 0]
+    (row,) = (row for row in write_all(of) if row.question == "flowchart_bug1")
+    assert (row.score, row.status) == (None, "to grade by hand")
+
+
 @pytest.mark.filterwarnings("ignore:Object of type")  # how nbgrader uses SQLAlchemy
 def test_a_score_for_a_program_in_formgrader_is_named(tmp_path, capsys):
     """It is not read back, and would be lost without a word; an equal one changes nothing."""

@@ -47,8 +47,9 @@ Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
     """Write scores into the gradebook and notebooks beside it.
 
-    Scores and comments that people gave there are kept. Those that they gave elsewhere, such as
-    before the class was graded again, are added.
+    Scores and comments that people gave there are kept; where the answer is another one since, it
+    waits for them again. Those that they gave elsewhere, such as before the class was graded again,
+    are added.
 
     Returns
     -------
@@ -74,9 +75,14 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
         for name in sorted({entry.assignment for entry in of.entries if entry.assignment}):
             add_assignment(gradebook, name)
         for entry, data in read_unchanged(of.entries):
+            file = locate_notebook(entry, folder)
+            before = read_answers(file)
             count += add_notebook(gradebook, entry, data, folder)
+            now = read_answers(file)
             for row in mine[entry.student, entry.assignment]:
-                add_score(gradebook, row, given.get(row[:3]))
+                text = now.get(row.question)
+                is_other = before.get(row.question, text) != text
+                add_score(gradebook, row, given.get(row[:3]), is_other=is_other)
         gradebook.db.commit()
     return count
 
@@ -132,12 +138,27 @@ def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> boo
     student, name = file_name(entry.student), entry.assignment
     gradebook.update_or_create_student(student, last_name=make_printable(entry.student))
     gradebook.update_or_create_submission(name, student)
-    file = folder / "autograded" / student / name / f"{name}.ipynb"
+    file = locate_notebook(entry, folder)
     file.parent.mkdir(parents=True, exist_ok=True)
     (folder / "source" / name).mkdir(parents=True, exist_ok=True)
     with written_whole(file) as part:
         part.write_text(json.dumps(book, indent=1) + "\n", encoding="ascii")
     return True
+
+
+def locate_notebook(entry: Entry, folder: Path) -> Path:
+    """The file of a student's notebook in nbgrader's folder."""
+    name = entry.assignment
+    return folder / "autograded" / file_name(entry.student) / name / f"{name}.ipynb"
+
+
+def read_answers(file: Path) -> dict[str, str]:
+    """The text of each marked cell of an exported notebook; none where there is no such file."""
+    if not file.exists():
+        return {}
+    cells = json.loads(file.read_text(encoding="ascii"))["cells"]
+    marked = [(cell["metadata"].get("nbgrader", {}), cell["source"]) for cell in cells]
+    return {mark["grade_id"]: text for mark, text in marked if mark}
 
 
 def make_printable(text: str) -> str:
@@ -150,12 +171,15 @@ def extract_text(text: Any) -> str:
     return make_printable(join_text(text))
 
 
-def add_score(gradebook: Any, row: Row, given: Decision | None) -> None:
+def add_score(gradebook: Any, row: Row, given: Decision | None, *, is_other: bool) -> None:
     """Add the score of the grader, or of the person who overruled it.
 
     Answers that people grade are marked as waiting until they have a score.
 
+    Parameters
+    ----------
     given : what a person gave for such an answer, for a gradebook that does not have it yet.
+    is_other : whether the answer is another one than that in the gradebook.
     """
     from nbgrader.api import MissingEntry
 
@@ -168,9 +192,12 @@ def add_score(gradebook: Any, row: Row, given: Decision | None) -> None:
         return  # the file could not be read, or the assignment no longer asks for this
     if by_hand:
         if given is not None and grade.manual_score is None:
-            grade.manual_score = given.score
+            grade.manual_score, grade.needs_manual_grade = given.score, False
             gradebook.find_comment(*whose).manual_comment = given.comment or None
-        grade.needs_manual_grade = row.status == TO_GRADE and grade.manual_score is None
+        if grade.manual_score is None:
+            grade.needs_manual_grade = row.status == TO_GRADE
+        elif is_other:
+            grade.needs_manual_grade = True
         return
     grade.auto_score = row.score
     grade.manual_score = row.score if row.status == DECIDED else None
