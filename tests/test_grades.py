@@ -365,6 +365,18 @@ def test_canvas_gets_its_own_table_back(tmp_path):
         export_canvas(write_all(of), tmp_path / "template.csv", tmp_path / "out.csv")
 
 
+def test_two_columns_of_canvas_for_one_assignment_are_refused(tmp_path):
+    """Each section may have its own: nobody knows which is meant, until --column says it."""
+    rows = write_all(a_class(tmp_path, {"roebob_12": record()}))
+    template, out = tmp_path / "template.csv", tmp_path / "out.csv"
+    head = "Student,ID,01 Geometry (991),01 Geometry (992)\n"
+    template.write_text(f'{head}"Roe, Bob",12,,\n', encoding="utf-8")
+    with pytest.raises(InvalidParameter, match=f"2 columns of .* are named like {NAME}"):
+        export_canvas(rows, template, out)
+    export_canvas(rows, template, out, "01 Geometry (992)")
+    assert out.read_text(encoding="utf-8") == f'{head}"Roe, Bob",12,,{TOTAL}\n'
+
+
 def test_gradescope_results_sum_up(tmp_path):
     """Each file's score is the sum of its tests."""
     rows = write_all(a_class(tmp_path, {"ann": record(share=0.5), "bob": failing()}))

@@ -141,11 +141,14 @@ def find_canvas_columns(
                 f"{', '.join(head)}"
             )
         return {names[0]: at[0]}
-    places = {
-        name: plain.index(key)
-        for name in names
-        if (key := re.sub(r"[^a-z0-9]", "", name.lower())) in plain
-    }
+    keys = {name: re.sub(r"[^a-z0-9]", "", name.lower()) for name in names}
+    several = next((name for name, key in keys.items() if plain.count(key) > 1), "")
+    if several:
+        raise InvalidParameter(
+            f"{plain.count(keys[several])} columns of {template} are named like {several}; choose "
+            "one with --assignment and --column, by its whole name"
+        )
+    places = {name: plain.index(key) for name, key in keys.items() if key in plain}
     if not places:
         raise InvalidParameter(
             f"no column of {template} is named like {' or '.join(names)}; choose "
