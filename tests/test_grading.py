@@ -163,6 +163,14 @@ def test_a_function_that_is_not_there_again_is_not_called_right(box, monkeypatch
     assert "hidden cases could not be tried" in question["message"]
 
 
+@needs_sandbox
+def test_a_wrong_answer_of_several_numbers_is_described(box):
+    """An array cannot be compared with other outcomes by ==; its rule, hint and case are told."""
+    wrong = "import numpy as np\ndef line_through_points(p1, p2):\n    return np.ones(3)"
+    found = graded(box, wrong)["line_through_points"]
+    assert (found["status"], found["failure"]["outcome"]["kind"]) == ("wrong", "Answer")
+
+
 HELPED = """
 def dist(a, b):
     return np.linalg.norm(a - b)

@@ -358,6 +358,11 @@ def describe_end(reply: Reply) -> Outcome:
     return Raised([STOPPED], get_message(key, status=reply.status), [], "")
 
 
+def is_used_up(outcome: Outcome) -> bool:
+    """Whether the time of the whole notebook was over."""
+    return isinstance(outcome, Late) and outcome == USED_UP
+
+
 STOPPED = "Stopped"
 
 

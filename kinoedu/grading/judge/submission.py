@@ -25,10 +25,10 @@ from ..sandbox.sandbox import Sandbox
 from ..sandbox.talk import LONGEST
 from .answers import (
     NO_VALUE,
-    USED_UP,
     Answers,
     Question,
     is_stopped,
+    is_used_up,
     leave_out_stopped,
     run_program,
 )
@@ -269,7 +269,7 @@ def describe_failure(question: AssignmentQuestion, report: Report, *, hidden: bo
     failure, exercise = report.failure, question.exercise
     assert failure is not None
     found = {"kinds": list(report.failed), "reason": name_reason(failure)}
-    if failure.outcome == USED_UP:  # this case is not at fault
+    if is_used_up(failure.outcome):  # this case is not at fault
         message, hint = get_message("grading.used_up"), get_message("grading.used_up_hint")
         return found | {"message": message, "hint": hint}
     note = " " + get_message("grading.hidden") if hidden else ""
