@@ -108,6 +108,15 @@ def test_a_student_whose_files_are_all_hidden_is_named(tmp_path, is_zip, outer):
     assert all("no notebook" in found[one] for one in ("ann", "cid"))
 
 
+def test_a_student_whose_folder_is_empty_is_named(tmp_path):
+    """And an empty folder beside a notebook is no trouble."""
+    for place in ("ann/01_geometry", "bob/old", ".git/refs"):
+        (tmp_path / place).mkdir(parents=True)
+    (tmp_path / "bob" / "01_geometry.ipynb").write_bytes(NOTEBOOK)
+    found = {one.student: one.trouble for one in collect(tmp_path)}
+    assert found == {"ann": "there is no notebook in what was handed in", "bob": ""}
+
+
 def test_what_lies_beside_a_notebook_is_not_read_and_no_trouble(tmp_path):
     home = tmp_path / "ann" / "01_geometry"
     home.mkdir(parents=True)

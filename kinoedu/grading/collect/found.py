@@ -50,7 +50,8 @@ class Found(NamedTuple):
 def read_files(folder: Path) -> Iterator[Found]:
     """Yield every file in a folder or zip, and in zips inside it, in a stable order.
 
-    A file that is not a plain file comes with that trouble.
+    A file that is not a plain file comes with that trouble, and an empty folder as if it held
+    something hidden.
 
     Raises
     ------
@@ -63,6 +64,8 @@ def read_files(folder: Path) -> Iterator[Found]:
     for file in sorted(folder.rglob("*")):
         place = file.relative_to(folder).parts
         if file.is_dir() and not file.is_symlink():
+            if not any(file.iterdir()):
+                yield Found(cut_at_hidden((*place, HIDDEN)), b"")
             continue
         if (shown := cut_at_hidden(place)) != place:
             yield Found(shown, b"")
