@@ -36,7 +36,7 @@ from kinoedu.grading.collect.names import find_name, read_gradescope_names, read
 from kinoedu.grading.collect.notebook import Cell, UnreadableSubmission
 from kinoedu.grading.collect.submissions import Submission, collect
 from kinoedu.grading.export import nbgrader_course
-from kinoedu.grading.export.freshness import list_old_exports
+from kinoedu.grading.export.freshness import list_old_exports, note_export, renew_export
 from kinoedu.grading.export.tables import (
     export_canvas,
     export_csv,
@@ -636,6 +636,22 @@ def test_an_answer_that_was_handed_in_anew_waits_for_a_person_again(tmp_path):
     assert counts == [1, 1, 0, 0]
     (row,) = (row for row in write_all(of) if row.question == "flowchart_bug1")
     assert (row.score, row.status) == (None, "to grade by hand")
+
+
+def test_a_gradebook_that_was_read_back_is_not_called_old(tmp_path):
+    """The scores that changed came from it; one that was old before stays so."""
+    of, place = a_class(tmp_path / "out", {"ann": record(HAND)}, HAND), tmp_path / "course"
+    place.mkdir()
+    before = write_all(of)
+    note_export(of, before, "nbgrader", place)
+    line = f"ann,{HAND},flowchart_bug1,3,neat\n"
+    (of.out / "by_hand.csv").write_text(COLUMNS + line, encoding="utf-8")
+    rows = write_all(of)
+    assert list_old_exports(of, rows) == [str(place)]
+    renew_export(of, rows, rows, place)
+    assert list_old_exports(of, rows) == [str(place)]
+    renew_export(of, before, rows, place)
+    assert list_old_exports(of, rows) == []
 
 
 @pytest.mark.filterwarnings("ignore:Object of type")  # how nbgrader uses SQLAlchemy

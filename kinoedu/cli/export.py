@@ -231,8 +231,11 @@ def write_nbgrader(arguments: argparse.Namespace, of: Any, rows: Any) -> str:
 def read_back_from_nbgrader(of: Any, folder: Path) -> int:
     """Read the scores that people gave in formgrader, and write the grades again."""
     require_nbgrader()
+    from ..grading.export.freshness import renew_export
     from ..grading.export.nbgrader_course import import_nbgrader_scores, list_scores_of_programs
     from ..grading.judge.class_list import locked_class, read_class
+    from ..grading.report.decisions import read_decisions
+    from ..grading.report.rows import list_class_rows
     from ..grading.report.writing import write_all
     from ..support.csv_cells import one_line
     from .grade import warn_of_old_exports
@@ -243,8 +246,10 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
         )
     with show_stage("reading the gradebook"), locked_class(of.out):
         of = read_class(of.out)  # another command may have added its students meanwhile
+        before = list_class_rows(of, read_decisions(of.out))
         count = import_nbgrader_scores(of, folder)
         rows = write_all(of)
+        renew_export(of, before, rows, folder)
         left = list_scores_of_programs(rows, folder)
     warn_of_old_exports(of, rows)
     if left:

@@ -72,6 +72,18 @@ def note_export(of: Class, rows: list[Row], what: str, place: Path) -> None:
         part.write_text(json.dumps(noted, indent=1, sort_keys=True) + "\n", encoding="utf-8")
 
 
+def renew_export(of: Class, before: list[Row], rows: list[Row], place: Path) -> None:
+    """Note that what was exported from rows `before` agrees with these rows, which it has changed.
+
+    What was exported from yet other rows stays old.
+    """
+    where = str(place.resolve())
+    noted = read_exports(of).get(where)
+    if noted is not None and where not in list_old_exports(of, before):
+        what, assignments, _ = noted
+        note_export(of, [row for row in rows if row.assignment in assignments], what, place)
+
+
 def list_old_exports(of: Class, rows: list[Row]) -> list[str]:
     """The exported tables that are still there and were made of other grades."""
     return [
