@@ -1053,6 +1053,23 @@ def test_each_entry_of_gradescopes_list_stands_for_itself(tmp_path):
     assert {one.student for one in collect(tmp_path)} == {f"submission_{k}" for k in range(1, 5)}
 
 
+def test_everybody_of_a_group_has_what_it_handed_in(tmp_path):
+    """Gradescope lists all of them beside one folder; each has a name, and a row of the grades."""
+    for number, name in ((1, f"{NAME}.ipynb"), (2, "notes.txt")):
+        (tmp_path / f"submission_{number}").mkdir()
+        write(tmp_path / f"submission_{number}" / name, "{}")
+    entry = (
+        "submission_{}:\n  :submitters:\n  - :name: {}\n    :sid: {}\n  - :name: {}\n    :sid: {}\n"
+    )
+    listed = entry.format(1, "Ann", 11, "Bo", 12) + entry.format(2, "Cy", 13, "Di", 14)
+    write(tmp_path / METADATA, listed)
+    found = {one.student: (one.data, one.trouble) for one in collect(tmp_path)}
+    assert [*found] == ["11", "12", "13", "14"]
+    assert found["11"] == found["12"] == (b"{}", "")
+    assert found["13"] == found["14"] and "no notebook" in found["13"][1]
+    assert read_gradescope_names(tmp_path) == {"11": "Ann", "12": "Bo", "13": "Cy", "14": "Di"}
+
+
 def test_students_have_the_names_that_tables_show(tmp_path):
     """Two names that look the same are one student, who handed in twice; a decision about a name
     counts however many spaces it is written with.

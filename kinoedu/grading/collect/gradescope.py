@@ -11,8 +11,8 @@ class Submitter(NamedTuple):
     name: str
 
 
-def read_submitters(data: bytes) -> dict[str, Submitter]:
-    """The first submitter of each folder in the list; folders without one are left out.
+def read_submitters(data: bytes) -> dict[str, list[Submitter]]:
+    """The submitters of each folder in the list, several for a group; folders without are left out.
 
     All values are read as text, so that an id keeps its leading zeros.
     """
@@ -25,15 +25,20 @@ def read_submitters(data: bytes) -> dict[str, Submitter]:
     return dict(find_submitters(entries)) if isinstance(entries, dict) else {}
 
 
-def find_submitters(entries: dict[Any, Any]) -> Iterator[tuple[str, Submitter]]:
-    """Yield each folder that has a submitter with a name, and the first of them."""
+def find_submitters(entries: dict[Any, Any]) -> Iterator[tuple[str, list[Submitter]]]:
+    """Yield each folder that has submitters with an id, and these."""
     for folder, entry in entries.items():
         several = entry.get(":submitters") if isinstance(entry, dict) else None
-        first = several[0] if isinstance(several, list) and several else None
-        if isinstance(first, dict):
-            sid, address, name = (read_word(first.get(key)) for key in (":sid", ":email", ":name"))
-            if any((sid, address, name)):
-                yield str(folder), Submitter(sid or address or name, name)
+        known = map(read_submitter, several if isinstance(several, list) else [])
+        if submitters := [one for one in known if one.id]:
+            yield str(folder), submitters
+
+
+def read_submitter(entry: Any) -> Submitter:
+    """A submitter, whose id is empty where there is none."""
+    fields = entry if isinstance(entry, dict) else {}
+    sid, address, name = (read_word(fields.get(key)) for key in (":sid", ":email", ":name"))
+    return Submitter(sid or address or name, name)
 
 
 def read_word(value: Any) -> str:

@@ -68,7 +68,8 @@ def read_gradescope_names(folder: Path) -> Names:
         submitters = read_submitters(read_list(folder)).values()
     except (*UNREADABLE, UnreadableSubmission):
         return {}
-    return {one_line(one.id).casefold(): one.name for one in submitters if one.name}
+    everybody = (one for group in submitters for one in group)
+    return {one_line(one.id).casefold(): one.name for one in everybody if one.name}
 
 
 def read_list(folder: Path) -> bytes:

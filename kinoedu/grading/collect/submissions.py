@@ -92,12 +92,14 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
     if only and only not in known:
         raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
     found = remove_outer_folders(list(read_files(folder)), known)
-    owners = read_gradescope_owners(found)
+    groups = read_gradescope_groups(found)
+    owners = {folder: group[0] for folder, group in groups.items()}
     submissions = [
         make_submission(file, owners, known, only, house) for file in found if is_candidate(file)
     ]
     have = {one.student for one in submissions}
     submissions += find_missing_notebooks(found, have, owners, known)
+    submissions += list(hand_in_for_partners(submissions, groups.values()))
     mine = (refuse_unknown(one, known) for one in submissions)
     merged = merge_doubles(select_assignment(only, submissions) if only else mine)
     return sorted(merged, key=lambda one: (one.student, one.assignment, one.file))
@@ -263,18 +265,28 @@ def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str
     return one_line(student) or NAMELESS, name
 
 
-def read_gradescope_owners(files: Iterable[Found]) -> dict[str, str]:
-    """The id of the first submitter for each folder of a Gradescope export.
+def read_gradescope_groups(files: Iterable[Found]) -> dict[str, list[str]]:
+    """The ids of the submitters for each folder of a Gradescope export.
 
     Only the submission_metadata.yml beside the folders is read, since a student may hand in a file
     of that name too.
     """
     lists = [file.data for file in files if file.place == (METADATA,)]
     return {
-        folder: submitter.id
+        folder: [one_line(submitter.id) for submitter in group]
         for data in lists
-        for folder, submitter in read_submitters(data).items()
+        for folder, group in read_submitters(data).items()
     }
+
+
+def hand_in_for_partners(
+    submissions: list[Submission], groups: Iterable[list[str]]
+) -> Iterator[Submission]:
+    """Yield what the first student of each group handed in once more for each of the others."""
+    partners = {first: others for first, *others in groups}
+    for one in submissions:
+        for student in partners.get(one.student, ()):
+            yield one._replace(student=student)
 
 
 def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
