@@ -598,6 +598,12 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
         assert gradebook.find_submission(HAND, "ann").score == total + 3.0
     assert import_nbgrader_scores(of, tmp_path / "new") == 2
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
+    with Gradebook(name_database(tmp_path / "new")) as gradebook:
+        gradebook.find_grade("flowchart_bug1", HAND, HAND, "bob").manual_score = None
+        gradebook.db.commit()
+    assert import_nbgrader_scores(of, tmp_path / "new") == 1
+    text = text.replace(f"bob,{HAND},flowchart_bug1,3,", f"bob,{HAND},flowchart_bug1,,")
+    assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text  # a comment alone, too
     alone = of._replace(entries=[one for one in of.entries if one.student == "ann"])
     rows = [row for row in write_all(of) if row.student == "ann"]
     export_nbgrader(alone, rows, tmp_path / "alone")

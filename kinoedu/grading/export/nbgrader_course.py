@@ -298,9 +298,12 @@ def import_nbgrader_scores(of: Class, folder: Path) -> int:
                     if whose in before:
                         lines.append(format_line(whose, before[whose].score, before[whose].comment))
                     continue
-                if grade.manual_score is not None and not grade.needs_manual_grade:
+                text = comment.manual_comment or ""
+                if grade.manual_score is None and text:
+                    lines.append(format_line(whose, None, text))
+                elif grade.manual_score is not None and not grade.needs_manual_grade:
                     score = grade.manual_score + (grade.extra_credit or 0.0)
-                    lines.append(format_line(whose, score, comment.manual_comment or ""))
+                    lines.append(format_line(whose, score, text))
                     count += 1
     write_rows(of.out / BY_HAND, [COLUMNS, *lines])
     return count
