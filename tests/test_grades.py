@@ -604,6 +604,13 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
     assert import_nbgrader_scores(of, tmp_path / "new") == 1
     text = text.replace(f"bob,{HAND},flowchart_bug1,3,", f"bob,{HAND},flowchart_bug1,,")
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text  # a comment alone, too
+    with Gradebook(name_database(tmp_path / "new")) as gradebook:
+        gradebook.find_comment("flowchart_bug1", HAND, HAND, "bob").manual_comment = "newer"
+        gradebook.db.commit()
+    export_nbgrader(of, write_all(of), tmp_path / "new")
+    assert import_nbgrader_scores(of, tmp_path / "new") == 1
+    text = text.replace("flowchart_bug1,,neat", "flowchart_bug1,,newer")
+    assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
     alone = of._replace(entries=[one for one in of.entries if one.student == "ann"])
     rows = [row for row in write_all(of) if row.student == "ann"]
     export_nbgrader(alone, rows, tmp_path / "alone")

@@ -193,7 +193,8 @@ def add_score(gradebook: Any, row: Row, given: Decision | None, *, is_other: boo
     if by_hand:
         if given is not None and grade.manual_score is None:
             grade.manual_score, grade.needs_manual_grade = given.score, False
-            gradebook.find_comment(*whose).manual_comment = given.comment or None
+            comment = gradebook.find_comment(*whose)
+            comment.manual_comment = comment.manual_comment or given.comment or None
         if grade.manual_score is None:
             grade.needs_manual_grade = row.status == TO_GRADE
         elif is_other:
