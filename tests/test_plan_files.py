@@ -25,6 +25,9 @@ TURNING = ke.Problem(
     (1, 1, 0),
     (9, 1, 3),
 )
+TURNING_AMONG_POLYGONS = TURNING._replace(
+    world=ke.PolygonWorld(SQUARE, [[(4, 0), (6, 0), (5, 9.5)]])
+)
 ARM = ke.Problem(ke.TwoLinkArm(1, 0.5, 0.1, base=(2, 5)), WORLD, (1.0, 0.5), (-2.0, 1.0))
 POINT = ke.Problem(ke.Point(), WORLD, *ENDS)
 DRIVING = ke.Problem(
@@ -40,6 +43,7 @@ PLANS = {
     ),
     "turning": lambda: ke.rrt(TURNING, rng=0),
     "arm": lambda: ke.rrt(ARM, rng=0),
+    "cells with headings": lambda: ke.plan_by_cells_with_headings(TURNING_AMONG_POLYGONS),
     "recorded": lambda: ke.rrt(ke.Recorder(POINT), rng=0),
     "driven tree": lambda: ke.kinodynamic_rrt(DRIVING, rng=0),
     "driven tree that ends before": lambda: ke.kinodynamic_rrt(DRIVING, max_iterations=30, rng=0),

@@ -147,6 +147,17 @@ def test_every_search_finds_a_path_of_free_motions_or_none_does():
     assert found > 0
 
 
+def test_cells_with_headings_have_other_routes_too():
+    """On the other side of an obstacle."""
+    world = ke.PolygonWorld(
+        [(0, 0), (9, 0), (9, 9), (0, 9)], [[(4, 3.5), (5, 3.5), (5, 6), (4, 6)]]
+    )
+    bar = ke.RigidPolygon([(-0.3, -0.1), (0.3, -0.1), (0.3, 0.1), (-0.3, 0.1)])
+    plan = ke.plan_by_cells_with_headings(ke.Problem(bar, world, (1, 5, 0), (8, 5, 0)))
+    first, second = ke.alternative_routes(plan, 2, penalty=10)
+    assert first.cost == plan.cost < second.cost
+
+
 def test_a_recorder_and_the_problem_get_the_same_roadmap():
     """Interpreted and compiled."""
     world = ke.PolygonWorld([(0, 0), (9, 0), (9, 6), (0, 6)], [[(3, 0), (6, 0), (6, 4), (3, 4)]])

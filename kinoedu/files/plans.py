@@ -11,7 +11,8 @@
               "distance_to_goal": [...], "hit": [...], "leave": [...]},
      "problem": a scene}
 
-Trees and roadmaps of drives also have "controls" and "durations", and such roadmaps "goals".
+Trees and roadmaps of drives also have "controls" and "durations", and such roadmaps "goals". The
+roadmap of cells with headings has "empty", the places at which no heading is free.
 A part that a plan does not have is null: the path and its cost, the tree, the roadmap, the walk,
 the trajectory, or a problem that a scene cannot hold.
 """
@@ -27,7 +28,7 @@ import numpy as np
 from ..curves.space import CurveSpace
 from ..errors import InvalidParameter, InvalidPoint, UnknownFormat, UnreadableScene
 from ..geometry.checks import as_array
-from ..problems import Plan, ProblemRecord, Roadmap, Tree, Walk
+from ..problems import CellsWithHeadings, Plan, ProblemRecord, Roadmap, Tree, Walk
 from ..problems.recorder import unwrap_recorder
 from ..robots.trajectory import DrivenRoadmap, DrivenTree, TrajectoryRecord
 from ..spaces import RealSpace, WrappingSpace
@@ -41,12 +42,12 @@ from .scenes import as_scene_object, parse_problem
 VERSION = 1
 KINDS: dict[str, tuple[Any, ...]] = {
     "tree": (Tree, DrivenTree),
-    "roadmap": (Roadmap, DrivenRoadmap),
+    "roadmap": (Roadmap, DrivenRoadmap, CellsWithHeadings),
     "walk": (Walk,),
 }
 NODE_NUMBERS = ("parent", "edges", "goals", "hit", "leave")
-PAIRS = ("edges", "controls")
-ANY_LENGTH = ("edges", "goals", "hit", "leave")  # the others are as long as nodes or edges
+PAIRS = ("edges", "controls", "empty")
+ANY_LENGTH = ("edges", "goals", "hit", "leave", "empty")  # the others are as long as nodes or edges
 
 
 def write_plan(plan: Plan, path: str | os.PathLike[str]) -> None:

@@ -1,13 +1,14 @@
 """Planning problems, plans, and a recorder of the queries that a planner makes."""
 
 from .in_time import TimedProblem
-from .plan import Plan, Roadmap, Tree, Walk
+from .plan import CellsWithHeadings, Plan, Roadmap, Tree, Walk
 from .problem import MOTIONS, PLACES, Problem, ProblemRecord
 from .recorder import Question, Recorder
 
 __all__ = [
     "MOTIONS",
     "PLACES",
+    "CellsWithHeadings",
     "Plan",
     "Problem",
     "ProblemRecord",

@@ -44,6 +44,21 @@ class Roadmap(NamedTuple):
 
 
 @with_type_names
+class CellsWithHeadings(NamedTuple):
+    """The roadmap of `cells_with_headings`, in the order in which it grew.
+
+    nodes : (n, 3), start, goal, and configurations at the centres of cells and at the midpoints of
+        the walls between them.
+    edges : (m, 2), pairs of nodes whose motion is free.
+    empty : (k, 2), the places at which no heading is free.
+    """
+
+    nodes: Array
+    edges: NDArray[np.int64]
+    empty: Array
+
+
+@with_type_names
 class Walk(NamedTuple):
     """The walk of a bug, in order.
 

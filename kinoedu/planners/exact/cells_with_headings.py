@@ -6,40 +6,20 @@ motion inside one cell may hit what bounds it. Every motion is therefore checked
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import NDArray
 
 from ...collision import free_headings
 from ...decomposition import decomposition_roadmap, trapezoidation
 from ...errors import InvalidParameter
-from ...geometry.checks import Array
-from ...problems import Plan, ProblemRecord, Recorder
+from ...problems import CellsWithHeadings, Plan, ProblemRecord, Recorder
 from ...problems.recorder import unwrap_recorder
 from ...robots.polygon import RigidPolygonRobot
 from ...spaces.angles import wrap_angle
-from ...support.constructors import with_type_names
 from ...worlds.polygon_world import PolygonWorldRecord
 from ..problem_input import count_checks
 from ..roadmaps.connecting import KClosest, Rule, connect_nodes
 from ..roadmaps.search import GraphSearch, dijkstra_path, plan_on_roadmap
 from ..tuning import integer
-
-
-@with_type_names
-class CellsWithHeadings(NamedTuple):
-    """A roadmap over cells, in the order in which it grew.
-
-    nodes : (n, 3), start, goal, and configurations at the centres of cells and at the midpoints of
-        the walls between them.
-    edges : (m, 2), pairs of nodes whose motion is free.
-    empty : (k, 2), the places at which no heading is free.
-    """
-
-    nodes: Array
-    edges: NDArray[np.int64]
-    empty: Array
 
 
 def cells_with_headings(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...graphs import astar, flat_graph
-from ...problems import Plan, Roadmap
+from ...problems import Plan
 from ...robots.trajectory import DrivenRoadmap, TrajectoryRecord
 from ...support.text import shortened
 from ..answers import plan_along
@@ -58,7 +58,7 @@ def alternative_routes(plan: Plan, k: int = 3, *, penalty: float = 1.0) -> list[
     >>> bool((below.path[:, 1].mean() < 5) != (above.path[:, 1].mean() < 5))
     True
     """
-    if not isinstance(plan, Plan) or not isinstance(plan.roadmap, Roadmap | DrivenRoadmap):
+    if not isinstance(plan, Plan) or plan.roadmap is None:
         raise InvalidParameter(
             f"expected a plan with a roadmap, such as prm's, got {shortened(plan)}"
         )
