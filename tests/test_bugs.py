@@ -620,6 +620,20 @@ def test_a_start_or_goal_on_a_wall_is_seen_where_obstacles_meet(seed):
         ke.bug1((-2, 1), point, [first, other], 100.0)
 
 
+@pytest.mark.parametrize("unit", [1.0, 0.1, 1.0 / 3.0])
+@pytest.mark.parametrize("name", COMPLETE)
+def test_a_goal_where_two_obstacles_meet(name, unit):
+    """At a corner of their union it is on a wall, on an edge that both share it is inside."""
+    left, right = [(1, 3), (3, 3), (3, 7), (1, 7)], [(3, 3), (5, 3), (5, 7), (3, 7)]
+    upper, tip = [(1, 7), (4, 7), (4, 9), (1, 9)], [(3, 7), (4, 9), (2, 9)]
+    for pair, goal in (((left, right), (3, 7)), ((left, upper), (1, 7)), ((left, tip), (3, 7))):
+        obstacles = [unit * np.array(ring) for ring in pair]
+        with pytest.raises(InvalidGoal):
+            BUGS[name]((9 * unit, unit), unit * np.array(goal), obstacles, 1.0)
+    inside = unit * np.array((3, 4)), unit * np.array([left, right])
+    assert BUGS[name]((9 * unit, unit), *inside, 1.0).path is None
+
+
 @pytest.mark.parametrize("offset", [0.0, 5e6, -(2.0**30)])
 def test_walls_far_from_the_origin_are_as_exact_as_their_floats(offset):
     """Obstacles that overlap keep their corners; a start a few digits off a wall is free."""

@@ -14,11 +14,11 @@ from ...compiled import compiled
 from ...errors import InvalidParameter
 from ...geometry.checks import Array
 from ...geometry.convex import convex_parts
-from ...geometry.exact import orientation_sign
+from ...geometry.exact import dot_sign, orientation_sign
 from ...geometry.frames import frame_of, into_frame, out_of_frame
 from ...geometry.polygons import locate_point
 from ...geometry.rings import as_ring, ring_orientation
-from ...geometry.segments import segments_meet
+from ...geometry.segments import is_between, segments_meet
 from ...support.text import shortened
 
 # The largest turn at a corner of a grown ring: such a corner stands off by at most
@@ -99,7 +99,39 @@ def contact_with_rings(rings: list[Array], q: Array) -> int:
     Exact also where obstacles meet, while the walls round them are rounded.
     """
     sides = [int(locate_point(q[0], q[1], ring)) for ring in rings]
-    return 1 if 1 in sides or sides.count(0) > 1 else 0 if 0 in sides else -1
+    if 1 in sides:
+        return 1
+    sectors = [sector_at(ring, q) for ring, side in zip(rings, sides) if side == 0]
+    if not sectors:
+        return -1
+    # the sectors leave no free direction where another one goes on at the end of each
+    return int(all(any(holds(q, *other, end) for other in sectors) for _, end in sectors))
+
+
+def sector_at(ring: Array, q: Array) -> tuple[Array, Array]:
+    """The directions between which the inside is, seen from a point q of a ring.
+
+    They are given by points of the ring; the inside is counter-clockwise from the first.
+    """
+    corner = np.flatnonzero((ring == q).all(axis=1))
+    if len(corner):
+        return ring[(corner[0] + 1) % len(ring)], ring[corner[0] - 1]
+    edges = zip(np.roll(ring, 1, axis=0), ring)
+    return next(
+        (b, a) for a, b in edges if orientation_sign(*a, *b, *q) == 0 and is_between(*a, *b, *q)
+    )
+
+
+def holds(q: Array, begin: Array, end: Array, p: Array) -> bool:
+    """Whether a ray that turns counter-clockwise round q from p is at once in a sector; exact."""
+    turn, whole = half_turns(q, begin, p), half_turns(q, begin, end)
+    return turn < whole or (turn == whole and orientation_sign(*q, *p, *end) > 0)
+
+
+def half_turns(q: Array, a: Array, b: Array) -> int:
+    """The turn counter-clockwise round q from a to b: 0, 1 below a half, 2 for a half, 3 above."""
+    side = int(orientation_sign(*q, *a, *b))
+    return 2 - side if side else 0 if dot_sign(*q, *a, *b) > 0 else 2
 
 
 @compiled
