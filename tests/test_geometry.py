@@ -467,6 +467,18 @@ def test_distances_near_a_line_are_good_to_1e12(points: Any) -> None:
     assert is_close(point_segment_distance(c, a, b), nearest_exactly(c, a, b)[0])
 
 
+@pytest.mark.parametrize("end", [(5e-324, 0.0), (5e-324, 5e-324), (1e-310, -3e-310), (0.0, 2e-308)])
+@pytest.mark.parametrize("q", [(1.0, 1.0), (1e150, 0.0), (0.1, -3.0), (1e-200, 1e-150)])
+def test_a_line_through_two_points_that_nearly_coincide(end: Any, q: Any) -> None:
+    """Distances and normals are as good as elsewhere."""
+    u = exact(end)
+    squared = cross(u, exact(q)) ** 2 / dot(u, u)
+    assert is_close(point_line_distance(q, (0.0, 0.0), end), squared)
+    a, b, c = line_through_points((0.0, 0.0), end)
+    assert math.hypot(a, b) == pytest.approx(1.0, rel=1e-15) and c == 0.0
+    assert line_through_points(q, (q[0], q[1] + 1e150)) == pytest.approx((-1.0, 0.0, q[0]))
+
+
 # ---- segments ----------------------------------------------------------------------------------
 
 

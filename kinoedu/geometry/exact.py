@@ -218,10 +218,32 @@ def height(ax: float, ay: float, bx: float, by: float, px: float, py: float) -> 
     left, right = (ax - px) * (by - py), (ay - py) * (bx - px)
     det, base = left - right, length(bx - ax, by - ay)
     # where the terms cancel so little, the relative error of det is below 1000 ROUNDING = 4e-13
-    if abs(det) > 1e-3 * (abs(left) + abs(right)) and abs(det) > SAFE:
+    if abs(det) > 1e-3 * (abs(left) + abs(right)) and abs(det) > SAFE and base > SAFE:
         return det / base
     m, e = exact_cross(ax, ay, bx, by, px, py)
-    return math.ldexp(m / base, int(e))
+    return over_length(m, e, bx - ax, by - ay)
+
+
+@compiled
+def over_length(m: float, e: int, x: float, y: float) -> float:
+    """The value of m * 2^e over the length of a vector, however short that is."""
+    x, y, shift = scaled_vector(x, y)
+    return math.ldexp(m / length(x, y), int(e - shift))
+
+
+@compiled
+def unit_vector(x: float, y: float) -> tuple[float, float]:
+    """The vector of length 1 in the direction of (x, y), which is not (0, 0)."""
+    x, y, _ = scaled_vector(x, y)
+    size = length(x, y)
+    return x / size, y / size
+
+
+@compiled
+def scaled_vector(x: float, y: float) -> tuple[float, float, int]:
+    """The x, y and exponent of a vector (x, y) * 2^exponent, whose larger number is in [1/2, 1)."""
+    _, shift = math.frexp(max(abs(x), abs(y)))
+    return math.ldexp(x, -shift), math.ldexp(y, -shift), shift
 
 
 @compiled

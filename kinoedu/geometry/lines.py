@@ -5,14 +5,12 @@ Source: Bullo & Smith, Lectures on Robotic Planning and Kinematics, chapter 1.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import InvalidSegment
 from .checks import Array, as_point
-from .exact import height, length, orientation_sign, sum_of_products
+from .exact import height, orientation_sign, over_length, sum_of_products, unit_vector
 
 
 def orientation(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
@@ -68,9 +66,9 @@ def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, flo
     """
     p1, p2 = two_points(p1, p2)
     dx, dy = p2 - p1
-    size = length(dx, dy)
+    ux, uy = unit_vector(dx, dy)
     m, e = sum_of_products(np.array([p1[0], -p2[0]]), np.array([p2[1], p1[1]]))
-    return float(-dy / size) + 0.0, float(dx / size), math.ldexp(m / size, int(e)) + 0.0
+    return float(-uy) + 0.0, float(ux), float(over_length(m, e, dx, dy)) + 0.0
 
 
 def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:

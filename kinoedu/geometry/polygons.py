@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..compiled import compiled
 from .checks import Array, as_point, as_points, one_or_many
-from .exact import length, orientation_sign
+from .exact import orientation_sign, unit_vector
 from .rings import as_ring
 from .segments import closest_on_segment, is_between, segment_distance
 
@@ -123,8 +123,8 @@ def tangent_to_ring(x: float, y: float, ring: Array) -> tuple[float, float]:
         dx, dy = after[0] - vertex[0], after[1] - vertex[1]
     elif turn < 0:
         dx, dy = -dx, -dy  # a reflex vertex is nearest only to points inside the polygon
-    size = length(dx, dy)
-    return dx / size + 0.0, dy / size + 0.0
+    ux, uy = unit_vector(dx, dy)
+    return ux + 0.0, uy + 0.0
 
 
 @compiled
