@@ -215,6 +215,11 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
         ),
         (lambda to: write_scenario([], to / "a.txt"), UnknownFormat, "ends in .scen"),
         (lambda to: write_scenario([3], to / "a.scen"), InvalidParameter, "holds Query records"),
+        (
+            lambda to: write_scenario(QUERY.length, to / "a.scen"),
+            InvalidParameter,
+            "must be a list",
+        ),
         *(
             (lambda to, q=query: write_scenario([q], to / "a.scen"), InvalidParameter, words)
             for query, words in (

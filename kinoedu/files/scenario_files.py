@@ -99,12 +99,14 @@ def write_scenario(queries: Sequence[Query], path: str | os.PathLike[str]) -> No
     UnknownFormat
         Where the file name extension is not .scen.
     InvalidParameter
-        Where a query is none, or an end is not the centre of a cell.
+        Where `queries` is no list, a query is none, or an end is not the centre of a cell.
     OSError
     """
     file = Path(path)
     if file.suffix.lower() != ".scen":
         raise UnknownFormat(f"{file}: a scenario ends in .scen")
+    if not isinstance(queries, Iterable):
+        raise InvalidParameter(f"queries must be a list of Query records, got {shortened(queries)}")
     lines = [line_of(query) for query in queries]
     with written_whole(file) as part:
         part.write_text("\n".join(["version 1", *lines, ""]), encoding="utf-8")
