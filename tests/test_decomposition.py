@@ -695,6 +695,19 @@ def test_a_passage_at_the_end_of_precision():
     assert plan.path is None and "narrower than floats can represent" in plan.reason
 
 
+def test_a_corner_that_touches_a_rounded_edge_shuts_one_passage():
+    """The crossing of the others rounds the edge, so that a wall without length is left."""
+    bar, pillar, corner = (
+        [(0, 4), (6, 2), (4, 6), (1, 6)],
+        box(5, 1, 6, 3),
+        [(3, 0), (3.5, 0), (3, 3)],
+    )
+    world = ke.PolygonWorld(box(0, 0, 6, 6), [pillar, bar, corner])
+    plan = ke.plan_by_decomposition(ke.Problem(ke.Point(), world, (1, 1), (4, 1)))
+    assert plan.path is None
+    assert "at 1 of the walls between cells are shut, or narrower" in plan.reason
+
+
 def test_a_recorder_sees_every_motion():
     """The path is the same, and each edge of the roadmap is tested once."""
     problem = ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [box(3, 0, 5, 5)]), (1, 1), (7, 1))

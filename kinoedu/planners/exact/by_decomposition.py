@@ -114,9 +114,10 @@ def explain_no_path(roadmap: Roadmap, free: NDArray[np.bool_], n: int) -> str:
         if alone[:n].sum() == 0:
             return f"the {name} is within rounding of an obstacle; move it away from it"
     if from_start[goal]:
+        walls = np.unique(roadmap.edges[~free].max(axis=1))  # cells have smaller numbers
         return (
-            f"{(~free).sum():,} passages are narrower than floats can represent, and no path "
-            "avoids them; widen them"
+            f"the passages at {len(walls):,} of the walls between cells are shut, or narrower than "
+            "floats can represent, and no path avoids them; widen them"
         )
     return (
         f"there is no path: the start lies in a part of {from_start[:n].sum():,} cells that does "
