@@ -579,7 +579,7 @@ def test_who_hands_in_alone_hands_in_for_nobody_else(tmp_path, place, student):
 
 
 def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path):
-    """Links, pipes, zip bombs, and paths that lead upwards."""
+    """Links, pipes, zip bombs, an empty folder, and paths that lead upwards."""
     bomb, deep = io.BytesIO(), io.BytesIO()
     with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("01_geometry.ipynb", b" " * (MOST_BYTES + 10))
@@ -598,7 +598,7 @@ def test_what_breaks_a_reader_is_reported_by_name_and_the_rest_is_read(tmp_path)
     found = {one.student: one for one in collect(tmp_path)}
     assert found["ann"].trouble == ""
     troubled = {name for name, one in found.items() if one.trouble}
-    assert troubled == {"bob", "cat", "dan", "fay", "gil"}
+    assert troubled == {"bob", "cat", "dan", "eve", "fay", "gil"}
     assert all(one.data == b"" for one in found.values() if one.trouble)
 
 
