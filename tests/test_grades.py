@@ -1083,6 +1083,25 @@ def test_everybody_of_a_group_has_what_it_handed_in(tmp_path):
     assert read_gradescope_names(tmp_path) == {"11": "Ann", "12": "Bo", "13": "Cy", "14": "Di"}
 
 
+def test_what_one_of_a_group_handed_in_elsewhere_is_not_the_groups(tmp_path):
+    """A student in two groups shares with each what was handed in for that group."""
+    for number, text in ((1, "{}"), (2, "{ }"), (3, "notes")):
+        (tmp_path / f"submission_{number}").mkdir()
+        name = f"{NAME}.ipynb" if number < 3 else "notes.txt"
+        write(tmp_path / f"submission_{number}" / name, text)
+    groups = {1: ("Ann", "Bo"), 2: ("Ann", "Cy"), 3: ("Bo", "Di")}
+    lines = [
+        f"submission_{number}:\n  :submitters:\n" + "".join(f"  - :sid: {one}\n" for one in group)
+        for number, group in groups.items()
+    ]
+    write(tmp_path / METADATA, "".join(lines))
+    found = {one.student: one for one in collect(tmp_path)}
+    assert [*found] == ["Ann", "Bo", "Cy", "Di"]
+    assert (found["Bo"].data, found["Cy"].data) == (b"{}", b"{ }")
+    assert "handed in more than once" in found["Ann"].trouble
+    assert "no notebook" in found["Di"].trouble
+
+
 def test_students_have_the_names_that_tables_show(tmp_path):
     """Two names that look the same are one student, who handed in twice; a decision about a name
     counts however many spaces it is written with.

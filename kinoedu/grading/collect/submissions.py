@@ -43,6 +43,7 @@ SAME = (
     "equal files in several folders of one student count once: %s; if they are of several "
     "students, grade the folder in which each has a folder"
 )
+Groups = dict[str, list[str]]  # the students of each folder of a Gradescope export
 log = logging.getLogger("kinoedu")
 
 
@@ -93,13 +94,14 @@ def collect(folder: Path, only: str = "", house: Path = HOUSE) -> list[Submissio
         raise InvalidParameter(f"there is no assignment {only!r}; there are: {', '.join(known)}")
     found = remove_outer_folders(list(read_files(folder)), known)
     groups = read_gradescope_groups(found)
-    owners = {folder: group[0] for folder, group in groups.items()}
     submissions = [
-        make_submission(file, owners, known, only, house) for file in found if is_candidate(file)
+        one
+        for file in found
+        if is_candidate(file)
+        for one in make_submissions(file, groups, known, only, house)
     ]
     have = {one.student for one in submissions}
-    submissions += find_missing_notebooks(found, have, owners, known)
-    submissions += list(hand_in_for_partners(submissions, groups.values()))
+    submissions += find_missing_notebooks(found, have, groups, known)
     mine = (refuse_unknown(one, known) for one in submissions)
     merged = merge_doubles(select_assignment(only, submissions) if only else mine)
     return sorted(merged, key=lambda one: (one.student, one.assignment, one.file))
@@ -145,15 +147,22 @@ def is_candidate(file: Found) -> bool:
     )
 
 
-def make_submission(
-    file: Found, owners: dict[str, str], known: list[str], only: str, house: Path
-) -> Submission:
+def make_submissions(
+    file: Found, groups: Groups, known: list[str], only: str, house: Path
+) -> Iterator[Submission]:
+    """Yield the submission in a file once for each student who handed it in."""
+    one = make_submission(file, known, only, house)
+    for student in find_owners(file.place, groups):
+        yield one._replace(student=student)
+
+
+def make_submission(file: Found, known: list[str], only: str, house: Path) -> Submission:
     """The submission in a file, with its student and its assignment ("" if unknown).
 
     A file is the wrong one if it has no cell of the assignment that it is named like, such as a
     lesson in place of its exercise, unless `only` asks for another assignment whose cells it has.
     """
-    student, name = find_owner(file.place, owners)
+    student, name = find_owner(file.place)
     try:
         questions, readable = find_questions(file.data), True
     except UnreadableSubmission:
@@ -188,13 +197,14 @@ def describe_place(file: Found) -> str:
 
 
 def find_missing_notebooks(
-    found: list[Found], have: set[str], owners: dict[str, str], known: list[str]
+    found: list[Found], have: set[str], groups: Groups, known: list[str]
 ) -> list[Submission]:
     """One submission with a trouble for each student who handed in files but no notebook."""
     rest: dict[str, list[Found]] = {}
     for file in found:
         if len(file.place) > 1 or any(form.match(file.place[0]) for form in (CANVAS, MOODLE)):
-            rest.setdefault(find_owner(file.place, owners)[0], []).append(file)
+            for student in find_owners(file.place, groups):
+                rest.setdefault(student, []).append(file)
     lost = []
     for student, files in rest.items():
         if student not in have:
@@ -240,32 +250,37 @@ def select_assignment(only: str, submissions: list[Submission]) -> Iterator[Subm
             )
 
 
-def find_owner(place: tuple[str, ...], owners: dict[str, str]) -> tuple[str, str]:
-    """The student whose file this is, and the file's own name without the system's prefix.
+def find_owners(place: tuple[str, ...], groups: Groups) -> list[str]:
+    """The students whose file this is, several for a group on Gradescope."""
+    return groups.get(strip_zip(place[0])) or [find_owner(place)[0]]
+
+
+def find_owner(place: tuple[str, ...]) -> tuple[str, str]:
+    """The student named by a place, and the file's own name without the system's prefix.
 
     The student's name is on one line and has no two spaces in a row, as in every table.
 
-    >>> find_owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",), {})
+    >>> find_owner(("doejane_LATE_1234_56789_01_geometry-1.ipynb",))
     ('doejane_1234', '01_geometry-1.ipynb')
-    >>> find_owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"), {})
+    >>> find_owner(("Jane Doe_4711_assignsubmission_file_", "01_geometry.ipynb"))
     ('Jane Doe_4711', '01_geometry.ipynb')
-    >>> find_owner(("Jane Doe_4711_assignsubmission_file_01_geometry.ipynb",), {})
+    >>> find_owner(("Jane Doe_4711_assignsubmission_file_01_geometry.ipynb",))
     ('Jane Doe_4711', '01_geometry.ipynb')
-    >>> find_owner(("jane", "01_geometry", "01_geometry.ipynb"), {})
+    >>> find_owner(("jane", "01_geometry", "01_geometry.ipynb"))
     ('jane', '01_geometry.ipynb')
     """
     first, name = strip_zip(place[0]), place[-1]
-    student = owners.get(first, first if len(place) > 1 else PurePosixPath(first).stem)
-    if first not in owners and (moodle := MOODLE.match(first)) is not None:
+    student = first if len(place) > 1 else PurePosixPath(first).stem
+    if (moodle := MOODLE.match(first)) is not None:
         student = f"{moodle['student']}_{moodle['id']}"
         name = (moodle["file"] or name) if len(place) == 1 else name
-    elif first not in owners and (canvas := CANVAS.match(first)) is not None:
+    elif (canvas := CANVAS.match(first)) is not None:
         student = canvas["anonymous"] or f"{canvas['student']}_{canvas['id']}"
         name = canvas["file"] if len(place) == 1 else name
     return one_line(student) or NAMELESS, name
 
 
-def read_gradescope_groups(files: Iterable[Found]) -> dict[str, list[str]]:
+def read_gradescope_groups(files: Iterable[Found]) -> Groups:
     """The ids of the submitters for each folder of a Gradescope export.
 
     Only the submission_metadata.yml beside the folders is read, since a student may hand in a file
@@ -273,20 +288,10 @@ def read_gradescope_groups(files: Iterable[Found]) -> dict[str, list[str]]:
     """
     lists = [file.data for file in files if file.place == (METADATA,)]
     return {
-        folder: [one_line(submitter.id) for submitter in group]
+        folder: [one_line(submitter.id) or NAMELESS for submitter in group]
         for data in lists
         for folder, group in read_submitters(data).items()
     }
-
-
-def hand_in_for_partners(
-    submissions: list[Submission], groups: Iterable[list[str]]
-) -> Iterator[Submission]:
-    """Yield what the first student of each group handed in once more for each of the others."""
-    partners = {first: others for first, *others in groups}
-    for one in submissions:
-        for student in partners.get(one.student, ()):
-            yield one._replace(student=student)
 
 
 def merge_doubles(submissions: Iterable[Submission]) -> Iterator[Submission]:
