@@ -281,7 +281,10 @@ ALSO_RIGHT = {
         lambda table: np.array(EXERCISES["repeated_rows"].source(table)[::-1]).reshape(-1, 3)
     ],
     "cost_along": [lambda cost, a, b: np.float64(EXERCISES["cost_along"].source(cost, b, a))],
-    "rrt_on_terrain": [lambda *given: arriving_where_a_step_ends(*given)],
+    "rrt_on_terrain": [
+        lambda *given: rrt_with_test(f"({ARRIVES}).all()").function(*given),
+        lambda *given: rrt_with_test(f"{IS_NEAR} and ({ARRIVES}).all()").function(*given),
+    ],
     "prm_on_terrain": [
         lambda *given: [
             np.array(x)[:, ::-1] if i == 1 else x for i, x in enumerate(prm_answer(*given))
@@ -319,14 +322,30 @@ ALSO_RIGHT = {
 }
 
 
-def arriving_where_a_step_ends(*given):
-    """The tree of a program that steers to the goal, to test whether it is within a step."""
+IS_NEAR = "problem.distance(nodes[-1], goal) <= step"
+ARRIVES = "problem.steer(nodes[-1], goal, step) == goal"
+
+
+def rrt_with_test(test, *changes):
+    """The RRT on a terrain with another test whether the goal is within a step, such as a steer."""
     solutions = Solutions(HOUSE / "solutions" / "10_terrains.ipynb")
-    within, there = (
-        "problem.distance(nodes[-1], goal) <= step",
-        "(problem.steer(nodes[-1], goal, step) == goal).all()",
-    )
-    return solutions.changed("rrt_on_terrain", (within, there)).function(*given)
+    return solutions.changed("rrt_on_terrain", (IS_NEAR, test), *changes)
+
+
+@pytest.mark.parametrize(
+    ("change", "rule"),
+    [
+        ((">= spacing", ">= 1.3 * spacing"), "left_out"),
+        (("failed < failures", "failed < 2 * failures"), "went_on"),
+    ],
+)
+@pytest.mark.parametrize("near", ["", f"{IS_NEAR} and "])
+def test_a_tree_that_steers_to_test_for_the_goal_is_still_judged(near, change, rule):
+    """The targets of its samples are known, and all that it leaves out of these."""
+    exercise = EXERCISES["rrt_on_terrain"]
+    case = next(one for one in exercise.cases(np.random.default_rng(0)) if one.kind == "sealed")
+    program = rrt_with_test(f"{near}({ARRIVES}).all()", change).function
+    assert exercise.judge(case, run_case(exercise, program, case)).rule == rule
 
 
 def prm_answer(*given):

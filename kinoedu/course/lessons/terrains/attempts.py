@@ -36,7 +36,8 @@ def find_attempt_fault(given: Given, nodes: Array, path: Array | None, log: Arra
     """Return the first rule that the attempts break, or None.
 
     A program may steer by code of its own, leave out an attempt that cannot succeed, or steer to
-    test whether the goal is within a step: then less is known of it, and less is judged.
+    test whether the goal is within a step: then less is known of it, and less is judged. Which
+    steers are such tests is not known, so a program is right where it is so with or without them.
     """
     problem, bias = given["problem"], given["goal_bias"]
     if log[:, 1].any():
@@ -45,10 +46,12 @@ def find_attempt_fault(given: Given, nodes: Array, path: Array | None, log: Arra
     if bias < 1.0 and len(samples) >= FEW and is_without_coins(problem, given["rng"], samples):
         return Fault("coin", NOWHERE)
     grown = nodes[: len(nodes) - (path is not None)]
-    if not (log[:, 0] == STEER).any() or tests_by_steering(problem, grown, log):
+    if not (log[:, 0] == STEER).any():
         return None
-    done = replay(given, grown, log)
-    return done if isinstance(done, Fault) else judge_attempts(given, path, done)
+    fault = judge_attempts(given, path, replay(given, grown, log))
+    if fault is not None and (tests := find_tests(given, grown, log)).any():
+        return judge_samples(given, replay(given, grown, log[~tests]))
+    return fault
 
 
 def is_without_coins(problem: StudentProblem, rng: int, samples: Array) -> bool:
@@ -57,11 +60,26 @@ def is_without_coins(problem: StudentProblem, rng: int, samples: Array) -> bool:
     return all(np.array_equal(problem.problem.sample(chance), q) for q in samples)
 
 
-def tests_by_steering(problem: StudentProblem, nodes: Array, log: Array) -> bool:
-    """Whether every node was steered to the goal, as by a program that tests so if it is there."""
-    to_goal = np.abs(log[:, 4:6] - problem.goal).max(axis=1) <= SAME
-    begins = log[(log[:, 0] == STEER) & to_goal, 2:4]
-    return all((np.abs(begins - q).max(axis=1) <= SAME).any() for q in nodes)
+def find_tests(given: Given, nodes: Array, log: Array) -> NDArray[np.bool_]:
+    """Which calls may be steers that only test whether the goal is within a step.
+
+    Steers that arrive there may be; and where every node was steered to the goal, all that added no
+    node: a node is added by the last steer to it before it is tested itself.
+    """
+    problem, goal, begins = given["problem"].problem, given["problem"].goal, log[:, 2:4]
+    to_goal = (log[:, 0] == STEER) & is_at(log[:, 4:6], goal)
+    tested = [np.flatnonzero(to_goal & is_at(begins, q)) for q in nodes]
+    if not all(map(len, tested)):
+        return to_goal & (np.linalg.norm(begins - goal, axis=1) <= given["step"] + SAME)
+    ends, tests = np.array([problem.steer(q, goal, given["step"]) for q in begins]), to_goal.copy()
+    for q, (first, *_) in zip(nodes[1:], tested[1:]):
+        tests[np.flatnonzero((to_goal & is_at(ends, q))[:first])[-1:]] = False
+    return tests
+
+
+def is_at(places: Array, q: Array) -> NDArray[np.bool_]:
+    """Which places are q."""
+    return np.abs(places - q).max(axis=1) <= SAME
 
 
 def replay(given: Given, nodes: Array, log: Array) -> Fault | Attempts:
@@ -92,15 +110,11 @@ def replay(given: Given, nodes: Array, log: Array) -> Fault | Attempts:
     return Attempts(log[is_sample, 2:4], used[is_sample], towards_goal, number, in_a_row, known)
 
 
-def judge_attempts(given: Given, path: Array | None, done: Attempts) -> Fault | None:
-    """Judge the number of failures, the samples that were not used, and the share of the goal."""
-    problem, bias = given["problem"].problem, given["goal_bias"]
-    free = np.array([problem.is_free(q) for q in done.samples], bool)
-    unused = ~done.used
-    if unused.sum() >= FEW and not free[unused].any() and free[done.used].all():
-        return Fault("unfree", done.samples[unused][:1])
-    if unused.any():
-        return None
+def judge_attempts(given: Given, path: Array | None, done: Fault | Attempts) -> Fault | None:
+    """Judge the samples that were not used, the number of failures, and the share of the goal."""
+    fault, bias = judge_samples(given, done), given["goal_bias"]
+    if isinstance(done, Fault) or fault is not None or not done.used.all():
+        return fault
     if path is None and done.in_a_row < given["failures"]:
         return Fault("gave_up", NOWHERE)
     spread = np.sqrt(done.number * bias * (1.0 - bias))
@@ -109,3 +123,13 @@ def judge_attempts(given: Given, path: Array | None, done: Attempts) -> Fault | 
         if abs(done.towards_goal - bias * done.number) > SURE * spread + 1.0
         else None
     )
+
+
+def judge_samples(given: Given, done: Fault | Attempts) -> Fault | None:
+    """Return the fault that ended the replay, or whether those that are not free were left out."""
+    if isinstance(done, Fault):
+        return done
+    free = np.array([given["problem"].problem.is_free(q) for q in done.samples], bool)
+    unused = ~done.used
+    is_left_out = unused.sum() >= FEW and not free[unused].any() and free[done.used].all()
+    return Fault("unfree", done.samples[unused][:1]) if is_left_out else None
