@@ -102,6 +102,26 @@ def test_a_problem_can_be_made_where_no_question_gives_one(box):
     assert found["status"] == "right", found["message"]
 
 
+GARAGE = """
+import numpy as np
+from kinoedu.course.drivable import drivable
+car = {"kind": "car", "length": 30, "width": 10, "wheelbase": 20, "speeds": [-1, 0.5, 2]}
+square = {"kind": "polygons", "boundary": [[0, 0], [200, 0], [200, 200], [0, 200]]}
+room = drivable({"robot": car, "world": square, "start": [70, 100, 0], "goal": [88, 100, 0]})
+def heading_distance(a, b, radian):
+    scale = np.array([room.radian / radian, room.radian / radian, 1.0])
+    return room.distance(a * scale, b * scale) / scale[0]
+"""
+
+
+@needs_sandbox
+def test_the_distance_of_a_lent_problem_answers_no_exercise(box):
+    """The function that heading_distance asks for is not there where it is judged."""
+    record = grade(notebook(GARAGE), read_assignment("13_kinodynamic_planning"), SECRET, box)
+    (found,) = (one for one in record["questions"] if one["question"] == "heading_distance")
+    assert found["status"] == "wrong"
+
+
 @needs_sandbox
 @pytest.mark.parametrize(
     "bad",

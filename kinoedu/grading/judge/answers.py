@@ -14,7 +14,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ...course.drawn import Drawn
-from ...course.drivable import drivable
 from ...course.exercise import Case, Exercise
 from ...course.judging import ends_a_run
 from ...course.outcomes import Late, Misshapen, Outcome, Raised, decode_outcome
@@ -42,7 +41,8 @@ DRAWING = (
     "kinoedu.course.axes_contents",
 )
 PLANNING = ("kinoedu.course.lent_problem",)
-MAKERS = tuple(f":{make.__name__}" for make in (problem_of, drivable))  # lent, they make problems
+# lent, it makes problems; those of `drivable` would answer heading_distance
+MAKER = f":{problem_of.__name__}"
 BROKEN_CELLS = 3  # cells that could not be stopped, after which no new ones are run
 HIDDEN_RUNS = 4  # runs on hidden cases: each but the last may break off in another kind
 NO_VALUE = Maybe(Truth())
@@ -248,7 +248,7 @@ def make_request(
 def list_modules(questions: list[Question], lent: tuple[str, ...]) -> tuple[str, ...]:
     """The modules that the student's process needs for some questions, and for what is lent."""
     draws = any(isinstance(one.exercise.answer, Drawn) for one in questions)
-    plans = any(place.endswith(MAKERS) for place in lent) or any(
+    plans = any(place.endswith(MAKER) for place in lent) or any(
         isinstance(shape, ProblemShape)
         for one in questions
         for shape in one.exercise.given.fields.values()
