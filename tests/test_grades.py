@@ -611,6 +611,16 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
     assert import_nbgrader_scores(of, tmp_path / "new") == 1
     text = text.replace("flowchart_bug1,,neat", "flowchart_bug1,,newer")
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
+    for change in ({"extra_credit": 1.0}, {"manual_score": None}):  # 3 and 1, then 4 alone
+        with Gradebook(name_database(tmp_path / "new")) as gradebook:
+            grade = gradebook.find_grade("flowchart_bug1", HAND, HAND, "ann")
+            for name, value in change.items():
+                setattr(grade, name, value)
+            gradebook.db.commit()
+        export_nbgrader(of, write_all(of), tmp_path / "new")
+        assert import_nbgrader_scores(of, tmp_path / "new") == 1
+        text = text.replace("flowchart_bug1,3,neat", "flowchart_bug1,4,neat")
+        assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
     alone = of._replace(entries=[one for one in of.entries if one.student == "ann"])
     rows = [row for row in write_all(of) if row.student == "ann"]
     export_nbgrader(alone, rows, tmp_path / "alone")
@@ -618,8 +628,21 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
 
 
+def save_in_jupyter(file: Path) -> None:
+    """Write a notebook as JupyterLab does: with a list of lines for a cell, in UTF-8."""
+    if file.exists():
+        book = json.loads(file.read_text(encoding="utf-8"))
+        for cell in book["cells"]:
+            cell["source"] = cell["source"].splitlines(keepends=True)
+        book["metadata"]["title"] = "Übung"
+        file.write_text(json.dumps(book, ensure_ascii=False), encoding="utf-8")
+
+
 def test_an_answer_that_was_handed_in_anew_waits_for_a_person_again(tmp_path):
-    """Its score was for the earlier one; an equal answer in another notebook keeps its score."""
+    """Its score was for the earlier one; an equal answer in another notebook keeps its score.
+
+    It does so too where somebody opened and saved the notebook that was exported.
+    """
     pytest.importorskip("nbgrader")
     from kinoedu.grading.export.nbgrader_course import export_nbgrader, import_nbgrader_scores
 
@@ -643,6 +666,7 @@ def test_an_answer_that_was_handed_in_anew_waits_for_a_person_again(tmp_path):
     for text in (None, None, "Go round the obstacle.", None):
         flowchart["source"] = text or flowchart["source"]
         book["cells"].append({**flowchart, "metadata": {}})
+        save_in_jupyter(tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb")
         of = hand_in_anew()
         export_nbgrader(of, write_all(of), tmp_path / "course")
         counts.append(import_nbgrader_scores(of, tmp_path / "course"))

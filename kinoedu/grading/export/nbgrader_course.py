@@ -78,11 +78,14 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
             file = locate_notebook(entry, folder)
             before = read_answers(file)
             count += add_notebook(gradebook, entry, data, folder)
-            now = read_answers(file)
+            now, by_hand = read_answers(file), read_assignment(entry.assignment).by_hand
             for row in mine[entry.student, entry.assignment]:
-                text = now.get(row.question)
-                is_other = before.get(row.question, text) != text
-                add_score(gradebook, row, given.get(row[:3]), is_other=is_other)
+                if row.question in by_hand:
+                    text = now.get(row.question)
+                    is_other = before.get(row.question, text) != text
+                    add_answer(gradebook, row, given.get(row[:3]), is_other=is_other)
+                else:
+                    add_score(gradebook, row)
         gradebook.db.commit()
     return count
 
@@ -153,12 +156,16 @@ def locate_notebook(entry: Entry, folder: Path) -> Path:
 
 
 def read_answers(file: Path) -> dict[str, str]:
-    """The text of each marked cell of an exported notebook; none where there is no such file."""
-    if not file.exists():
+    """The text of each marked cell of an exported notebook; none where it cannot be read.
+
+    Somebody may have opened and saved it since, or it may not be there.
+    """
+    try:
+        cells = parse_notebook(file.read_bytes())["cells"]
+        marked = [(cell["metadata"].get("nbgrader", {}), cell["source"]) for cell in cells]
+        return {mark["grade_id"]: join_text(text) for mark, text in marked if mark}
+    except (OSError, UnreadableSubmission, AttributeError, KeyError, TypeError):
         return {}
-    cells = json.loads(file.read_text(encoding="ascii"))["cells"]
-    marked = [(cell["metadata"].get("nbgrader", {}), cell["source"]) for cell in cells]
-    return {mark["grade_id"]: text for mark, text in marked if mark}
 
 
 def make_printable(text: str) -> str:
@@ -171,38 +178,54 @@ def extract_text(text: Any) -> str:
     return make_printable(join_text(text))
 
 
-def add_score(gradebook: Any, row: Row, given: Decision | None, *, is_other: bool) -> None:
-    """Add the score of the grader, or of the person who overruled it.
+def add_score(gradebook: Any, row: Row) -> None:
+    """Add the score of the grader, or of the person who overruled it."""
+    grade = find_grade(gradebook, f"check_{row.question}", row)
+    if grade is not None:
+        grade.auto_score = row.score
+        grade.manual_score = row.score if row.status == DECIDED else None
+        grade.needs_manual_grade = False
 
-    Answers that people grade are marked as waiting until they have a score.
+
+def add_answer(gradebook: Any, row: Row, given: Decision | None, *, is_other: bool) -> None:
+    """Add what a person gave for an answer that people grade, or mark it as waiting for a score.
 
     Parameters
     ----------
-    given : what a person gave for such an answer, for a gradebook that does not have it yet.
+    given : what stands in by_hand.csv, for a gradebook that has no score for this answer.
     is_other : whether the answer is another one than that in the gradebook.
+    """
+    grade = find_grade(gradebook, row.question, row)
+    if grade is None:
+        return
+    if given is not None and grade.manual_score is None:
+        grade.manual_score, grade.needs_manual_grade = given.score, False
+        comment = gradebook.find_comment(*list_names(row.question, row))
+        comment.manual_comment = comment.manual_comment or given.comment or None
+        if given.score is not None:
+            grade.extra_credit = None  # the score includes it
+    if grade.manual_score is None:
+        grade.needs_manual_grade = row.status == TO_GRADE
+    elif is_other:
+        grade.needs_manual_grade = True
+
+
+def find_grade(gradebook: Any, cell: str, row: Row) -> Any:
+    """A student's grade for a cell.
+
+    None where the file could not be read, or the assignment no longer asks for this.
     """
     from nbgrader.api import MissingEntry
 
-    by_hand = row.question in read_assignment(row.assignment).by_hand
-    cell = row.question if by_hand else f"check_{row.question}"
-    whose = (cell, row.assignment, row.assignment, file_name(row.student))
     try:
-        grade = gradebook.find_grade(*whose)
+        return gradebook.find_grade(*list_names(cell, row))
     except MissingEntry:
-        return  # the file could not be read, or the assignment no longer asks for this
-    if by_hand:
-        if given is not None and grade.manual_score is None:
-            grade.manual_score, grade.needs_manual_grade = given.score, False
-            comment = gradebook.find_comment(*whose)
-            comment.manual_comment = comment.manual_comment or given.comment or None
-        if grade.manual_score is None:
-            grade.needs_manual_grade = row.status == TO_GRADE
-        elif is_other:
-            grade.needs_manual_grade = True
-        return
-    grade.auto_score = row.score
-    grade.manual_score = row.score if row.status == DECIDED else None
-    grade.needs_manual_grade = False
+        return None
+
+
+def list_names(cell: str, row: Row) -> tuple[str, str, str, str]:
+    """The names under which the gradebook has a student's cell."""
+    return cell, row.assignment, row.assignment, file_name(row.student)
 
 
 def clean_notebook(book: JsonObject, marks: Marks) -> JsonObject:
@@ -315,17 +338,13 @@ def list_scores_of_programs(rows: Iterable[Row], folder: Path) -> list[str]:
 
     They are not read back, since the grader's scores are overruled in overrides.csv.
     """
-    from nbgrader.api import Gradebook, MissingEntry
+    from nbgrader.api import Gradebook
 
     found = []
     with Gradebook(name_database(folder)) as gradebook:
         for row in rows:
-            whose = (row.assignment, row.assignment, file_name(row.student))
-            try:
-                grade = gradebook.find_grade(f"check_{row.question}", *whose)
-            except MissingEntry:
-                continue
-            is_given = grade.manual_score is not None or grade.extra_credit
+            grade = find_grade(gradebook, f"check_{row.question}", row)
+            is_given = grade is not None and (grade.manual_score is not None or grade.extra_credit)
             if is_given and grade.score != row.score:
                 found.append(f"{' '.join(row[:3])}: {number(grade.score)}")
     return found
