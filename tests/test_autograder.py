@@ -270,7 +270,7 @@ def test_what_a_student_can_mend_is_told(root):
         ({f"{NAME}.ipynb": "{"}, "not a whole notebook"),
         (
             {f"{NAME}.ipynb": notebook("x = 1"), f"{NAME} (1).ipynb": notebook("x = 2")},
-            "Leave the one",
+            "Keep only the one",
         ),
     ):
         shutil.rmtree(submission)

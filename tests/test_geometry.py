@@ -631,6 +631,8 @@ def test_a_line_has_no_negative_zero() -> None:
         ((1, 0), (0, 0)),
         ((0, 1), (0, 0)),
         ((1, 1), (2, 2)),
+        ((0.0, 0.0), (-0.0, 1.0)),
+        ((1e-200, 0.0), (0.0, 1e150)),
     ):
         assert "-0.0" not in [str(number) for number in line_through_points(p1, p2)]
 

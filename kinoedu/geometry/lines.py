@@ -68,7 +68,7 @@ def line_through_points(p1: ArrayLike, p2: ArrayLike) -> tuple[float, float, flo
     dx, dy = p2 - p1
     ux, uy = unit_vector(dx, dy)
     m, e = sum_of_products(np.array([p1[0], -p2[0]]), np.array([p2[1], p1[1]]))
-    return float(-uy) + 0.0, float(ux), float(over_length(m, e, dx, dy)) + 0.0
+    return float(-uy) + 0.0, float(ux) + 0.0, float(over_length(m, e, dx, dy)) + 0.0
 
 
 def point_line_distance(q: ArrayLike, p1: ArrayLike, p2: ArrayLike) -> float:

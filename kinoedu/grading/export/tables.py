@@ -196,7 +196,7 @@ def make_gradescope_results(rows: Iterable[Row]) -> dict[str, object]:
 
 
 def make_gradescope_test(row: Row) -> dict[str, object]:
-    """The results of one question; one without a score yet has its status alone, and no zero."""
+    """The results of one question; one without a score yet has no points, not even zero."""
     output = f"{row.status}: {row.message}" if row.message else row.status
     points: dict[str, object] = {}
     if row.score is not None:
