@@ -611,7 +611,7 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
     assert import_nbgrader_scores(of, tmp_path / "new") == 1
     text = text.replace("flowchart_bug1,,neat", "flowchart_bug1,,newer")
     assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
-    for change in ({"extra_credit": 1.0}, {"manual_score": None}):  # 3 and 1, then 4 alone
+    for change in ({"extra_credit": 2.0}, {"manual_score": None}):  # 3 and 2
         with Gradebook(name_database(tmp_path / "new")) as gradebook:
             grade = gradebook.find_grade("flowchart_bug1", HAND, HAND, "ann")
             for name, value in change.items():
@@ -619,8 +619,11 @@ def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):
             gradebook.db.commit()
         export_nbgrader(of, write_all(of), tmp_path / "new")
         assert import_nbgrader_scores(of, tmp_path / "new") == 1
-        text = text.replace("flowchart_bug1,3,neat", "flowchart_bug1,4,neat")
+        text = text.replace("flowchart_bug1,3,neat", "flowchart_bug1,5,neat")
         assert (of.out / "by_hand.csv").read_text(encoding="utf-8") == text
+    with Gradebook(name_database(tmp_path / "new")) as gradebook:
+        grade = gradebook.find_grade("flowchart_bug1", HAND, HAND, "ann")
+        assert (grade.manual_score, grade.extra_credit, grade.max_score) == (4.0, 1.0, 4.0)
     alone = of._replace(entries=[one for one in of.entries if one.student == "ann"])
     rows = [row for row in write_all(of) if row.student == "ann"]
     export_nbgrader(alone, rows, tmp_path / "alone")

@@ -199,11 +199,12 @@ def add_answer(gradebook: Any, row: Row, given: Decision | None, *, is_other: bo
     if grade is None:
         return
     if given is not None and grade.manual_score is None:
-        grade.manual_score, grade.needs_manual_grade = given.score, False
+        grade.needs_manual_grade = False
         comment = gradebook.find_comment(*list_names(row.question, row))
         comment.manual_comment = comment.manual_comment or given.comment or None
-        if given.score is not None:
-            grade.extra_credit = None  # the score includes it
+        if given.score is not None:  # formgrader takes no more than all points, and extra credit
+            grade.manual_score = min(given.score, row.max_score)
+            grade.extra_credit = given.score - grade.manual_score or None
     if grade.manual_score is None:
         grade.needs_manual_grade = row.status == TO_GRADE
     elif is_other:
