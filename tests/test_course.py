@@ -284,6 +284,9 @@ ALSO_RIGHT = {
     "rrt_on_terrain": [
         lambda *given: rrt_with_test(f"({ARRIVES}).all()").function(*given),
         lambda *given: rrt_with_test(f"{IS_NEAR} and ({ARRIVES}).all()").function(*given),
+        lambda *given: rrt_with_test(
+            f"({IS_NEAR} if len(nodes) == 1 else ({ARRIVES}).all())"
+        ).function(*given),
     ],
     "prm_on_terrain": [
         lambda *given: [
