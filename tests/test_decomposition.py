@@ -708,6 +708,20 @@ def test_a_corner_that_touches_a_rounded_edge_shuts_one_passage():
     assert "at 1 of the walls between cells are shut, or narrower" in plan.reason
 
 
+def test_a_wall_shorter_than_floats_can_represent_has_equal_ends():
+    """Its length is positive in rational arithmetic, so its cells are neighbours."""
+    triangles = np.array([[(3, 6), (5, 4), (6, 2)], [(4, 5), (7, 4), (8, 2)]]) / 10.0
+    world = ke.PolygonWorld(box(0, 0, 1, 1), triangles)
+    assert not has_overlaps(world)
+    cut = ke.trapezoidation(world)
+    (short,) = np.flatnonzero(cut.walls[:, 0, 1] == cut.walls[:, 1, 1])
+    assert cut.walls[short].tolist() == [[0.4, 0.5], [0.4, 0.5]]
+    cells, pairs = slabs(world.edges)
+    assert cut.adjacency.tolist() == [list(pair) for pair in pairs]
+    left, right = (cells[i] for i in pairs[short])
+    assert 0 < min(left[5], right[3]) - max(left[4], right[2]) < 1e-16
+
+
 def test_a_recorder_sees_every_motion():
     """The path is the same, and each edge of the roadmap is tested once."""
     problem = ke.Problem(ke.Point(), ke.PolygonWorld(SQUARE, [box(3, 0, 5, 5)]), (1, 1), (7, 1))

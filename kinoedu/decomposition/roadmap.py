@@ -16,9 +16,9 @@ def decomposition_roadmap(world: PolygonWorldRecord | Trapezoidation | Triangula
 
     For n cells, node i is the centre of cell i and node n + j the midpoint of wall j; wall j has
     the edges 2j and 2j + 1. Cells are convex, so an edge stays in its cell; walls have positive
-    length, so it touches no obstacle. From every point of a cell there is a free motion to its
-    centre, so the roadmap is complete: where it has no path, there is none. O(n log n) for n
-    vertices.
+    length, so it touches no obstacle, except where a wall is so short that its midpoint is rounded
+    to one of its ends. From every point of a cell there is a free motion to its centre, so the
+    roadmap is complete: where it has no path, there is none. O(n log n) for n vertices.
 
     Parameters
     ----------

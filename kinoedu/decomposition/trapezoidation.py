@@ -36,7 +36,8 @@ class Trapezoidation(NamedTuple):
         at x_right. Where both heights of one side are equal, the cell is a triangle.
     adjacency : (m, 2), pairs (i, j) with a common wall of positive length, i on the left; in
         increasing order.
-    walls : (m, 2, 2), the lower and upper ends of those walls.
+    walls : (m, 2, 2), the lower and upper ends of those walls. They are equal where a wall is
+        shorter than floats can represent.
     sides : (n, 2), the floor and the ceiling of each cell, as rows of edges.
     edges : (k, 4), the edges of the free space, each from its left end to its right end.
     world : the world that was decomposed.
