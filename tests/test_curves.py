@@ -111,6 +111,19 @@ def test_curves_between_near_poses_take_no_turn_or_detour(
     assert miss(curve, q1) < 1e-11
 
 
+@pytest.mark.parametrize("apart", [4.0, 4.0 - 1e-13, 4.0 - 9e-13])
+def test_a_word_exists_within_rounding_of_the_pose_where_it_begins(apart: float) -> None:
+    """Two half circles to (0, 4, 0), also for a goal 1e-12 radii nearer, which they nearly reach.
+
+    Without them its shortest curve is longer by 3e-6 radii, and at other poses by a full turn.
+    """
+    curve = dubins_path((0, 0, 0), (0, apart, 0), 1.0)
+    assert curve.length == pytest.approx(2.0 * np.pi, abs=1e-9)
+    assert miss(curve, (0, apart, 0)) < 1e-11
+    further = dubins_path((0, 0, 0), (0, 4.0 - 2e-12, 0), 1.0)
+    assert 1e-6 < further.length - curve.length < 1e-5
+
+
 @pytest.mark.parametrize(("path", "forward"), [(dubins_path, True), (reeds_shepp_path, False)])
 def test_no_short_random_word_is_shorter(path: Any, forward: bool) -> None:
     """Straight, with an arc before or behind: of lengths from 1e-8 to 1."""

@@ -27,7 +27,9 @@ ROUGH = 1e-3  # the same between near poses, where leaving the arc out moves the
 def dubins_path(q0: ArrayLike, q1: ArrayLike, radius: float) -> Curve:
     """The shortest curve from q0 to q1, driven forward, that turns no tighter than `radius`.
 
-    Its word is one of six: LSL, RSR, LSR, RSL, LRL, RLR. The length is accurate to 1e-9 radii.
+    Its word is one of six: LSL, RSR, LSR, RSL, LRL, RLR. The length is accurate to 1e-9 radii
+    for a pose within 1e-12 radii of q1: where LSR or RSL begins to exist, the shortest length may
+    jump, and rounding must not hide these words.
 
     Parameters
     ----------
