@@ -553,6 +553,11 @@ def test_a_nonsense_file_raises_a_named_error(text, tmp_path, capsys):
     ("wrong", "words"),
     [
         (lambda: Experiment({}, {"a": ke.rrt}), "problems must be a dict"),
+        (
+            lambda: Experiment({"": PROBLEM}, {"a": ke.rrt}),
+            "name of a problem must be text",
+        ),
+        (lambda: Experiment({"a": PROBLEM}, {"": ke.rrt}), "name of a planner must be .* got ''"),
         (lambda: Experiment({"a": 3}, {"a": ke.rrt}), "problem 'a' must be a Problem"),
         (lambda: Experiment({"a": PROBLEM}, [ke.rrt]), "planners must be a dict"),
         (lambda: Experiment({"a": PROBLEM}, {"a": "rrt"}), "planner 'a' must be a function"),

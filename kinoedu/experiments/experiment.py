@@ -93,11 +93,15 @@ def Experiment(
     51
     """
     for kind, things in (("problem", problems), ("planner", planners)):
-        is_dict = isinstance(things, Mapping) and len(things) > 0
-        if not is_dict or not all(isinstance(key, str) and key for key in things):
+        if not isinstance(things, Mapping) or not things:
             raise InvalidParameter(
                 f"{kind}s must be a dict of at least one {kind} by name, got {shortened(things)}"
             )
+        for label in things:
+            if not isinstance(label, str) or not label:
+                raise InvalidParameter(
+                    f"the name of a {kind} must be text, and not empty, got {shortened(label)}"
+                )
     for label, problem in problems.items():
         if not isinstance(problem, tuple) or not hasattr(problem, "query_counts"):
             raise InvalidParameter(
