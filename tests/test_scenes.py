@@ -290,8 +290,9 @@ def test_read_problem_wants_each_thing_once(tmp_path):
         "version 1\n0\tcorner.map\t3\t2\t0\t0\t2\t1\t2.41421356\n"
     )
     assert ke.read_problem(tmp_path / "corner.map").goal.tolist() == [2.5, 0.5]
-    with pytest.raises(InvalidParameter, match="queries 0 to 0"):
-        ke.read_problem(tmp_path / "corner.map", query=1)
+    for number in (-1, 1):
+        with pytest.raises(InvalidParameter, match=rf"a query of .*0 to 0, got {number}"):
+            ke.read_problem(tmp_path / "corner.map", query=number)
 
 
 @pytest.mark.parametrize("query", [None, 0])

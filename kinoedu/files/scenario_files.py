@@ -43,9 +43,9 @@ def read_scenario_problems(
     Raises
     ------
     UnreadableScene
-        Where a file is missing or damaged, the map has another size, or a number is too large.
+        Where a file is missing or damaged, or the map has another size.
     InvalidParameter
-        Where `queries` are not numbers, each once.
+        Where `queries` are not numbers of queries, each once.
     InvalidStart, InvalidGoal
         Where the robot is not free.
     """
@@ -75,11 +75,9 @@ def as_numbers(queries: object, count: int, file: Path) -> list[int]:
         return list(range(count))
     if not isinstance(queries, Iterable) or isinstance(queries, str):
         raise InvalidParameter(f"queries must be a list of numbers, got {shortened(queries)}")
-    numbers = [integer(k, "each of the queries", least=0) for k in queries]
+    numbers = [integer(k, f"a query of {file}", least=0, most=count - 1) for k in queries]
     if not numbers or len(set(numbers)) < len(numbers):
         raise InvalidParameter(f"queries must be at least one, each once, got {shortened(numbers)}")
-    if max(numbers) >= count:
-        raise UnreadableScene(f"{file} has queries 0 to {count - 1}, got {max(numbers)}")
     return numbers
 
 

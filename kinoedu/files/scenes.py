@@ -340,9 +340,7 @@ def read_query(file: Path, world: Any, number: int) -> tuple[Array, Array]:
             f"{file}: there is no scenario (.scen) beside it; give a start and a goal"
         )
     queries = read_scenario(scenario)
-    if not 0 <= integer(number, "query", least=0) < len(queries):
-        raise InvalidParameter(f"{scenario} has queries 0 to {len(queries) - 1}, got {number}")
-    meant = queries[number]
+    meant = queries[integer(number, f"a query of {scenario}", least=0, most=len(queries) - 1)]
     if world.free.shape != (meant.rows, meant.columns):
         size = f"{world.free.shape[1]} x {world.free.shape[0]}"
         raise UnreadableScene(
