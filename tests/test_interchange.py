@@ -227,6 +227,10 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
                 (QUERY._replace(goal=np.array([0.5, np.inf])), "centre of a cell"),
                 (QUERY._replace(map_name=" x.map"), "without blanks"),
                 (QUERY._replace(map_name=None), "name is text"),
+                (QUERY._replace(length=1e18), "less than 1e.18, got 1e.18"),
+                (QUERY._replace(length=-1.0), "zero or more"),
+                (QUERY._replace(length="3"), "zero or more, and less than 1e.18, got '3'"),
+                (QUERY._replace(columns=3.0), "a map's side must be a whole number"),
             )
         ),
         (lambda to: ke.read_problem(GRID / "empty-8-8.map", query=0.5), InvalidParameter, "query"),
@@ -429,12 +433,12 @@ def test_a_length_is_written_to_its_last_bit(tmp_path):
     """Eight decimals, as MovingAI's own files, where they say it all."""
     ends = np.array([0.5, 0.5]), np.array([1.5, 1.5])
     query = Query("m", *ends, math.sqrt(2.0), 3, 3)
-    write_scenario([query, query._replace(length=2.5)], tmp_path / "a.scen")
-    assert [one.length for one in read_scenario(tmp_path / "a.scen")] == [math.sqrt(2.0), 2.5]
+    lengths = [math.sqrt(2.0), 5e-324, 1e-100, 3e17, math.nextafter(1e18, 0.0), 2.5]
+    write_scenario([query._replace(length=length) for length in lengths], tmp_path / "a.scen")
+    assert [one.length for one in read_scenario(tmp_path / "a.scen")] == lengths
     assert (tmp_path / "a.scen").read_text().endswith("\t2.50000000\n")
-    for wrong in (query._replace(length=-1.0), query._replace(map_name="a\tb")):
-        with pytest.raises(InvalidParameter):
-            write_scenario([wrong], tmp_path / "b.scen")
+    with pytest.raises(InvalidParameter):
+        write_scenario([query._replace(map_name="a\tb")], tmp_path / "b.scen")
 
 
 def test_a_scenario_names_its_map(tmp_path):

@@ -161,7 +161,7 @@ def _whole_number(word: str, where: str) -> int:
 
 def _length(word: str, where: str) -> float:
     """The length of a path: finite and not negative, in decimals."""
-    if not re.fullmatch(r"[0-9]{1,18}(\.[0-9]*)?(e[+-]?[0-9]{1,2})?", word):
+    if not re.fullmatch(r"[0-9]{1,18}(\.[0-9]*)?(e(\+?[0-9]{1,2}|-[0-9]{1,3}))?", word):
         raise UnreadableScene(f"{where}: expected a length, got {word[:40]!r}")
     return float(word)
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from ..errors import InvalidParameter, UnknownFormat, UnreadableScene
-from ..geometry.checks import integer
+from ..geometry.checks import as_float, integer
 from ..problems import Problem, ProblemRecord
 from ..robots import Point
 from ..robots.kinds import Robot
@@ -16,8 +15,10 @@ from ..support.reading import as_path
 from ..support.text import shortened
 from ..support.whole_files import written_whole
 from .movingai import Query, read_map, read_scenario
+from .sizes import check_size
 
 BUCKET = 4.0  # lengths of one bucket of a scenario
+LONGEST = 1e18  # `read_scenario` reads lengths with 18 digits before the point
 
 
 def read_scenario_problems(
@@ -97,7 +98,10 @@ def write_scenario(queries: Sequence[Query], path: str | os.PathLike[str]) -> No
     UnknownFormat
         Where the file name extension is not .scen.
     InvalidParameter
-        Where `queries` is no list, a query is none, or an end is not the centre of a cell.
+        Where `queries` is no list, a query is none, a length is not a number from 0 to less than
+        1e18, or an end is not the centre of a cell.
+    SceneTooLarge
+        Where a map has more than `MAX_CELLS` cells.
     OSError
     """
     file = Path(path)
@@ -114,21 +118,27 @@ def line_of(query: Query) -> str:
     """A query as a line; cells count from the top left corner."""
     if not isinstance(query, Query):
         raise InvalidParameter(f"a scenario holds Query records, got {shortened(query)}")
-    if not 0.0 <= query.length < math.inf:
-        raise InvalidParameter(f"a length must be finite, and zero or more, got {query.length}")
+    length = as_float(query.length)
+    if not 0.0 <= length < LONGEST:
+        raise InvalidParameter(
+            f"a length must be zero or more, and less than {LONGEST:g}, got "
+            f"{shortened(query.length)}"
+        )
     name = query.map_name
     if not isinstance(name, str) or not name.isprintable() or name != name.strip():
         raise InvalidParameter(
             f"a map's name is text on one line, without blanks at its ends, got {shortened(name)}"
         )
+    columns, rows = (integer(n, "a map's side", least=1) for n in (query.columns, query.rows))
+    check_size(name, columns, rows)
     cells = []
     for q in (query.start, query.goal):
-        column, row = float(q[0]) - 0.5, query.rows - 0.5 - float(q[1])
-        inside = 0 <= column < query.columns and 0 <= row < query.rows
+        column, row = float(q[0]) - 0.5, rows - 0.5 - float(q[1])
+        inside = 0 <= column < columns and 0 <= row < rows
         if not inside or column != int(column) or row != int(row):
             raise InvalidParameter(f"{tuple(map(float, q))} is not the centre of a cell of the map")
         cells += [int(column), int(row)]
-    fields = int(query.length // BUCKET), query.map_name, query.columns, query.rows, *cells
-    length = f"{query.length:.8f}"
-    exact = length if float(length) == query.length else repr(float(query.length))
+    fields = int(length // BUCKET), name, columns, rows, *cells
+    rounded = f"{length:.8f}"
+    exact = rounded if float(rounded) == length else repr(length)
     return "\t".join([*map(str, fields), exact])
