@@ -1011,6 +1011,10 @@ def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):
         ("anne,01_geometry,exposing_case,2,", r"line 3: .*no student 'anne'; did you mean 'ann'"),
         ("ann,1_geometry,exposing_case,2,", r"line 3: .*of ann '1_geometry'; did you mean '01"),
         ("ann,01_geometry,exposing_cas,2,", r"line 3: .*01_geometry 'exposing_cas'; did you mean"),
+        (
+            "bob,01_geometry,exposing_case,2,",
+            "names. If this work is gone, delete the line",
+        ),
         ("ann,01_geometry,exposing_case,two,", "line 3: a score is a number"),
         ("ann,01_geometry,exposing_case,-1,", "line 3: a score is a number"),
         ("ann,01_geometry,exposing_case,nan,", "line 3: a score is a number"),

@@ -70,10 +70,11 @@ def refuse_unknown_names(decisions: Decisions, pairs: set[tuple[str, str]]) -> N
         for what, name, names in known:
             if name not in names:
                 near = difflib.get_close_matches(name, names, 1)
-                guess = f"; did you mean {near[0]!r}?" if near else "; check the names"
+                guess = f"did you mean {near[0]!r}?" if near else "check the names."
                 raise InvalidParameter(
                     f"{decision.source}: grades.csv would have no row for {student} {assignment} "
-                    f"{question}: there is no {what} {name!r}{guess}"
+                    f"{question}: there is no {what} {name!r}; {guess} If this work is gone, "
+                    "delete the line"
                 )
 
 
