@@ -468,13 +468,18 @@ def test_one_notebook_without_checks_is_graded_by_its_students_variants(caplog):
 
 @needs_sandbox
 def test_an_autograder_knows_its_section(tmp_path):
-    """Gradescope tells a student of another section so; a letter without variants is refused."""
+    """Gradescope tells a student of another section what to do, without the options of `grade`.
+
+    A letter without variants is refused.
+    """
     write_section([GRAPHS], "A", tmp_path / "submission")
     (tmp_path / "results").mkdir()
     for letter in ("B", ""):
         results = autograde(tmp_path, GRAPHS, SECRET, letter=letter)
         assert results["tests"] == []
         assert "ask for variant A (" in results["output"]
+        assert ": hand it in where your section does" in results["output"]
+        assert "--variant" not in results["output"]
     with pytest.raises(InvalidParameter, match="A, B, got 'Z'"):
         pack_autograder(tmp_path / "a.zip", GRAPHS, SECRET, letter="Z")
 

@@ -51,23 +51,29 @@ def autograde(
         Where the machine fails. Nothing is written then, so that Gradescope reports a failure and
         gives no score.
     """
-    one = set_apart(add_section(find_submission(root / "submission", name), letter))
+    found = find_submission(root / "submission", name)
+    one = set_apart(add_section(found, letter, advise_student), advise_student)
     with tempfile.TemporaryDirectory() as results:
-        found = grade_all(
+        graded = grade_all(
             [one],
             Path(results),
             secret,
             place=use_local_workers(1),
             trusted=is_trusted(container_is_wall),
         )[0]
-    if found.grade is None and not one.trouble:
+    if graded.grade is None and not one.trouble:
         raise InvalidParameter(
-            f"this could not be graded, and has no score: {found.trouble}; run it again"
+            f"this could not be graded, and has no score: {graded.trouble}; run it again"
         )
-    answer = make_results(name, found.grade, one.trouble)
+    answer = make_results(name, graded.grade, one.trouble)
     with written_whole(root / "results" / "results.json") as part:
         part.write_text(json.dumps(answer, indent=1) + "\n", encoding="ascii")
     return answer
+
+
+def advise_student(_: str) -> str:
+    """What a student can do about a notebook of another section."""
+    return get_message("gradescope.other_section")
 
 
 def is_trusted(container_is_wall: bool) -> bool:

@@ -7,7 +7,7 @@ contract follows from the course's secret and the student's id, both at release 
 import hashlib
 import hmac
 import logging
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from string import ascii_uppercase
 
 from ...course.exercise import Exercise
@@ -116,10 +116,21 @@ def agree(asked: set[tuple[str, str]], chosen: Choices) -> bool:
     return bool(asked) and asked <= set(chosen)
 
 
-def add_section(one: Submission, letter: str) -> Submission:
+def advise_instructor(options: str) -> str:
+    """What an instructor can do about a notebook of another section."""
+    return f"grade it apart, {options}" if options else "grade it apart"
+
+
+def add_section(
+    one: Submission, letter: str, advise: Callable[[str], str] = advise_instructor
+) -> Submission:
     """The submission with the contracts of a section, "" for the usual form.
 
     One that is no notebook, or whose checks ask for other contracts, has that trouble and no score.
+
+    Parameters
+    ----------
+    advise : what the reader of that trouble can do, from the options that grade the notebook.
 
     Raises
     ------
@@ -135,15 +146,15 @@ def add_section(one: Submission, letter: str) -> Submission:
     except UnreadableSubmission as error:
         return one._replace(letter=letter, trouble=str(error))
     if chosen and not agree(asked, chosen):
-        one = one._replace(trouble=explain_other_section(asked, exercises, letter))
+        one = one._replace(trouble=explain_other_section(asked, exercises, letter, advise))
     return one._replace(letter=letter, variants=chosen)
 
 
-def set_apart(one: Submission) -> Submission:
+def set_apart(one: Submission, advise: Callable[[str], str] = advise_instructor) -> Submission:
     """The submission, to be graded in the usual form.
 
     A section's or a student's own notebook, whose checks all ask for contracts, has that trouble
-    and no score.
+    and no score; `advise` as in `add_section`.
     """
     if one.letter or not one.assignment or one.trouble or MARK not in one.data:
         return one
@@ -154,18 +165,21 @@ def set_apart(one: Submission) -> Submission:
         return one._replace(trouble=str(error))
     varied = {each.name for each in exercises if each.variants}
     if varied and varied <= {question for question, _ in asked}:
-        return one._replace(trouble=explain_other_section(asked, exercises, ""))
+        return one._replace(trouble=explain_other_section(asked, exercises, "", advise))
     return one
 
 
 def explain_other_section(
-    asked: set[tuple[str, str]], exercises: list[Exercise], letter: str
+    asked: set[tuple[str, str]],
+    exercises: list[Exercise],
+    letter: str,
+    advise: Callable[[str], str],
 ) -> str:
     """Why a notebook of another section has no score; the letter is "" for the usual form."""
     if not asked:
         return (
-            f"its checks ask for the usual form, and this section has variant {letter}: grade it "
-            "apart, without --variant"
+            f"its checks ask for the usual form, and this section has variant {letter}: "
+            f"{advise('without --variant')}"
         )
     theirs = {
         ascii_uppercase[one.variants.index(name)]
@@ -175,11 +189,10 @@ def explain_other_section(
     }
     which = theirs.pop() if len(theirs) == 1 else ""
     names = ", ".join(f"{question}: {name}" for question, name in sorted(asked))
-    option = f"--variant {which}" if which else "" if letter else "--variants"
+    options = f"with --variant {which}" if which else "" if letter else "with --variants"
     return (
         f"its checks ask for {f'variant {which}' if which else 'other variants'} ({names}), and "
-        f"this section has {f'variant {letter}' if letter else 'the usual form'}: grade it apart"
-        + (f", with {option}" if option else "")
+        f"this section has {f'variant {letter}' if letter else 'the usual form'}: {advise(options)}"
     )
 
 
