@@ -290,6 +290,21 @@ def test_a_damaged_notebook_of_the_course_is_named(house, damage):
     assert read_assignment("01_geometry", house).questions
 
 
+@pytest.mark.skipif(os.name == "nt", reason="a process cannot send Ctrl-C to one other there")
+def test_ctrl_c_ends_a_notebook(tmp_path, capfd):
+    """And its kernel, without a traceback."""
+    code = (
+        "import os, signal, time\nopen('pid', 'w').write(str(os.getpid()))\n"
+        "os.kill(os.getppid(), signal.SIGINT)\ntime.sleep(60)"
+    )
+    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(code)])
+    with pytest.raises(KeyboardInterrupt):
+        run_notebook(book, tmp_path)
+    with pytest.raises(ProcessLookupError):
+        os.kill(int((tmp_path / "pid").read_text()), 0)
+    assert capfd.readouterr().err == ""
+
+
 def test_no_warning_of_the_teachers_computer_is_stored(tmp_path):
     """Such as matplotlib's that it builds its list of fonts; it may name the teacher's folders."""
     code = "import sys\nprint('kept')\nprint('/home/somebody', file=sys.stderr)"

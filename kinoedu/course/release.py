@@ -184,9 +184,11 @@ def run_notebook(book: Any, folder: Path) -> Any:
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
     )
-    client.extra_arguments = ["--log-level=ERROR"]
+    client.extra_arguments = ["--log-level=CRITICAL"]  # or it reports what Ctrl-C stopped
     try:
-        client.execute()
+        with client.setup_kernel():  # execute() has its own answer to Ctrl-C, a traceback
+            for number, cell in enumerate(book.cells):
+                client.execute_cell(cell, number, execution_count=client.code_cells_executed + 1)
     except (CellExecutionError, DeadKernelError) as error:
         raise InvalidParameter(
             f"an exercise notebook must run without errors before it is answered: {error}"
