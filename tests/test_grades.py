@@ -10,6 +10,7 @@ import json
 import re
 import shutil
 import sys
+import time
 import zipfile
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -56,7 +57,7 @@ from kinoedu.grading.judge.class_list import (
     warn_of_replaced,
     write_class,
 )
-from kinoedu.grading.judge.running import grade_all, write_result
+from kinoedu.grading.judge.running import grade_all, use_local_workers, write_result
 from kinoedu.grading.regrading import find_changes
 from kinoedu.grading.report import writing
 from kinoedu.grading.report.decisions import read_decisions
@@ -992,6 +993,23 @@ def test_a_class_is_graded_from_the_command_line(tmp_path, capsys):
     assert main(command) == 2
     message = capsys.readouterr().err
     assert "another secret" in message and "--secret" in message
+
+
+def test_ctrl_c_does_not_wait_for_the_notebooks_that_were_submitted():
+    """Their processes end, and no other notebook is begun."""
+    began, jobs = time.monotonic(), list[Future[None]]()
+
+    def submit_and_stop():
+        with use_local_workers(2)(None) as pool:
+            jobs.extend(pool.submit(time.sleep, 60.0) for _ in range(9))
+            while not jobs[0].running():
+                time.sleep(0.01)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        submit_and_stop()
+    assert time.monotonic() - began < 50.0
+    assert all(job.cancelled() or job.exception() for job in jobs)
 
 
 def test_without_a_sandbox_nothing_is_graded(tmp_path, monkeypatch, capsys):

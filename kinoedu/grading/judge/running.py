@@ -11,12 +11,14 @@ import hashlib
 import json
 import multiprocessing
 import os
+import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import islice
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -191,28 +193,41 @@ Place = Callable[[int | None], Any]  # number of workers, None for all -> contex
 
 
 def use_local_workers(workers: int | None = None) -> Place:
-    """Processes of this computer, by default one for each processor."""
+    """Processes of this computer, by default one for each processor.
+
+    After Ctrl-C they end at once: what was submitted is not waited for.
+    """
 
     @contextmanager
     def place(most: int | None) -> Iterator[Executor]:
         new = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(
-            most or workers, mp_context=new, initializer=end_with_parent
-        ) as executor:
-            yield executor
+        alive, held = new.Pipe(duplex=False)
+        pool = ProcessPoolExecutor(
+            most or workers, mp_context=new, initializer=end_with_parent, initargs=(alive,)
+        )
+        with alive, held, pool:
+            try:
+                yield pool
+            except BaseException:
+                held.close()
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
 
     return place
 
 
-def end_with_parent() -> None:
-    """Make this process end when its parent ends, even if the parent is killed."""
+def end_with_parent(alive: Connection) -> None:
+    """Make this process end when its parent closes the other end of a pipe, or is killed.
+
+    Ctrl-C is for the parent to handle.
+    """
 
     def watch() -> None:
-        parent = multiprocessing.parent_process()
-        if parent is not None:
-            parent.join()
-            os._exit(1)
+        with suppress(EOFError):
+            alive.recv()
+        os._exit(1)
 
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=watch, daemon=True).start()
 
 
