@@ -182,6 +182,17 @@ def test_a_picture_is_planned_on(tmp_path, capsys):
     assert "not free" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("option", ["--out", "--save"])
+def test_a_folder_that_is_closed_is_named_before_anything_is_planned(option, capsys, monkeypatch):
+    """So that no long plan is lost."""
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    ending = "png" if option == "--out" else "json"
+    assert main(["plan", MAZE, option, f"plan.{ending}"]) == 2
+    shown = capsys.readouterr().err
+    assert f"{option} plan.{ending}: nothing can be written in {Path.cwd()}" in shown
+    assert "planning" not in shown
+
+
 @pytest.mark.parametrize(
     "arguments",
     [

@@ -2,6 +2,7 @@
 
 import argparse
 import inspect
+import os
 import re
 import threading
 import time
@@ -342,5 +343,8 @@ def check_writable(option: str, path: Path | None, scene: Path, endings: str) ->
         raise OSError(f"{option} {path}: {endings}")
     if path.is_dir() or (path.exists() and scene.exists() and path.samefile(scene)):
         raise OSError(f"{option} {path}: is a folder or the scene itself; name another file")
-    if not path.absolute().parent.is_dir():
-        raise OSError(f"{option} {path}: there is no folder {path.absolute().parent}")
+    folder = path.absolute().parent
+    if not folder.is_dir():
+        raise OSError(f"{option} {path}: there is no folder {folder}")
+    if not os.access(folder, os.W_OK):
+        raise OSError(f"{option} {path}: nothing can be written in {folder}")
