@@ -219,7 +219,8 @@ def use_local_workers(workers: int | None = None) -> Place:
 def end_with_parent(alive: Connection) -> None:
     """Make this process end when its parent closes the other end of a pipe, or is killed.
 
-    Ctrl-C is for the parent to handle.
+    Ctrl-C is for the parent to handle. It is not ignored here, as students' programs, which are
+    processes of this one, would inherit that.
     """
 
     def watch() -> None:
@@ -227,7 +228,7 @@ def end_with_parent(alive: Connection) -> None:
             alive.recv()
         os._exit(1)
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGINT, lambda *_: None)
     threading.Thread(target=watch, daemon=True).start()
 
 
