@@ -63,8 +63,9 @@ def is_without_coins(problem: StudentProblem, rng: int, samples: Array) -> bool:
 def find_tests(given: Given, nodes: Array, log: Array) -> NDArray[np.bool_]:
     """Which calls may be steers that only test whether the goal is within a step.
 
-    Steers that arrive there may be; and where every new node was steered to the goal, all that
-    added no node: a node is added by the last steer to it before it is tested itself.
+    Where every new node was steered to the goal, all steers to the goal may be, but those that
+    added a node: the last steer to it before it was tested itself. Elsewhere only the steers that
+    arrive at the goal may be.
     """
     problem, goal, begins = given["problem"].problem, given["problem"].goal, log[:, 2:4]
     to_goal = (log[:, 0] == STEER) & is_at(log[:, 4:6], goal)
@@ -73,7 +74,8 @@ def find_tests(given: Given, nodes: Array, log: Array) -> NDArray[np.bool_]:
         return to_goal & (np.linalg.norm(begins - goal, axis=1) <= given["step"] + SAME)
     ends, tests = np.array([problem.steer(q, goal, given["step"]) for q in begins]), to_goal.copy()
     for q, (first, *_) in zip(nodes[1:], tested):
-        tests[np.flatnonzero((to_goal & is_at(ends, q))[:first])[-1:]] = False
+        arrivals = np.flatnonzero(to_goal[:first] & is_at(ends[:first], q))
+        tests[arrivals[-1:]] = False
     return tests
 
 
