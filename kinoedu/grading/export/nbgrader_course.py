@@ -211,7 +211,7 @@ def add_answer(gradebook: Any, row: Row, given: Decision | None, *, is_other: bo
         grade.needs_manual_grade = True
 
 
-def find_grade(gradebook: Any, cell: str, row: Row) -> Any:
+def find_grade(gradebook: Any, cell: str, of: Row | Entry) -> Any:
     """A student's grade for a cell.
 
     None where the file could not be read, or the assignment no longer asks for this.
@@ -219,14 +219,14 @@ def find_grade(gradebook: Any, cell: str, row: Row) -> Any:
     from nbgrader.api import MissingEntry
 
     try:
-        return gradebook.find_grade(*list_names(cell, row))
+        return gradebook.find_grade(*list_names(cell, of))
     except MissingEntry:
         return None
 
 
-def list_names(cell: str, row: Row) -> tuple[str, str, str, str]:
+def list_names(cell: str, of: Row | Entry) -> tuple[str, str, str, str]:
     """The names under which the gradebook has a student's cell."""
-    return cell, row.assignment, row.assignment, file_name(row.student)
+    return cell, of.assignment, of.assignment, file_name(of.student)
 
 
 def clean_notebook(book: JsonObject, marks: Marks) -> JsonObject:
@@ -309,20 +309,19 @@ def import_nbgrader_scores(of: Class, folder: Path) -> int:
     int
         The number of scores.
     """
-    from nbgrader.api import Gradebook, MissingEntry
+    from nbgrader.api import Gradebook
 
     before, lines, count = read_table(of.out / BY_HAND), list[list[str]](), 0
     with Gradebook(name_database(folder)) as gradebook:
         for entry in of.entries:
             for question in read_assignment(entry.assignment).by_hand if entry.assignment else ():
                 whose = (entry.student, entry.assignment, question)
-                place = (question, entry.assignment, entry.assignment, file_name(entry.student))
-                try:
-                    grade, comment = gradebook.find_grade(*place), gradebook.find_comment(*place)
-                except MissingEntry:
+                grade = find_grade(gradebook, question, entry)
+                if grade is None:
                     if whose in before:
                         lines.append(format_line(whose, before[whose].score, before[whose].comment))
                     continue
+                comment = gradebook.find_comment(*list_names(question, entry))
                 text = comment.manual_comment or ""
                 if grade.manual_score is None and text:
                     lines.append(format_line(whose, None, text))

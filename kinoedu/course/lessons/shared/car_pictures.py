@@ -150,7 +150,7 @@ def draw_tangents(exercise: ValueExercise, case: Case, value: float | None, ax: 
     cars.draw_pose(a, r, "a", ax, colour=palette.INK, below=True)
     cars.draw_pose(b, r, "b", ax, colour=palette.INK, below=True)
     true, yours = (
-        get_message("car_picture.none") if one is None else f"{exercise.as_asked(one, case):.4g}"
+        get_message("car_picture.none") if one is None else f"{exercise.as_asked(one, case):.8g}"
         for one in (curve.length, value)
     )
     words = get_message("car_picture.lengths", word=curve.word, true=true, yours=yours)
