@@ -277,15 +277,18 @@ def test_a_worker_with_another_version_does_not_answer(folder):
     """A cell says which code it means; a process that has other code does not run it."""
     from kinoedu.experiments.cells import Cell
     from kinoedu.experiments.children import Child
+    from kinoedu.experiments.digests import version
 
     planner = load_function("mine.around", folder)
     kind = kind_of(PROBLEM, planner, 1)
     child = Child()
     try:
-        cell = Cell("a", "mine", "", None, PROBLEM, planner, 1, 60.0, kind)
+        cell = Cell("a", "mine", "", None, PROBLEM, planner, 1, 60.0, kind, version())
         assert child.run(cell).status == "found"
         outcome = child.run(cell._replace(kind=kind[::-1]))
-        assert outcome.status == "not run" and "another version" in outcome.reason
+        assert outcome.status == "not run" and "another version of your" in outcome.reason
+        outcome = child.run(cell._replace(kind=kind[::-1], version="another"))
+        assert outcome.status == "not run" and "another version of kinoedu" in outcome.reason
     finally:
         child.end()
 

@@ -29,6 +29,7 @@ class Cell(NamedTuple):
     ----------
     seed : None for a deterministic planner.
     kind : a digest of everything except the seed.
+    version : of the kinoedu that made the cell; another one does not run it.
     """
 
     problem_name: str
@@ -40,6 +41,7 @@ class Cell(NamedTuple):
     repeat: int
     time_limit: float
     kind: str
+    version: str
 
     @property
     def key(self) -> str:

@@ -68,9 +68,8 @@ class Child:
             Where the process ended before the run did.
         """
         assert self.process.stdin is not None and self.process.stdout is not None
-        task = pickle.dumps((version(), cell))
         try:
-            send_message(task, self.process.stdin)
+            send_message(pickle.dumps(cell), self.process.stdin)
             return Outcome(*receive_message(self.process.stdout))
         except (EOFError, OSError):
             with suppress(subprocess.TimeoutExpired):
@@ -231,12 +230,12 @@ def run_next_cell(tasks: BinaryIO, warmed_up: set[str]) -> Outcome:
     message = read_exactly(tasks, length)
     faulthandler.cancel_dump_traceback_later()
     try:
-        theirs, cell = pickle.loads(message)
+        cell = pickle.loads(message)
     except Exception as error:  # unpickling a user's planner can raise anything
         failure = f"{type(error).__name__}: {error}"
         reason = f"the planner cannot be loaded in another process: {failure}"
         return Outcome(NOT_RUN, reason=reason)
-    if theirs != version():
+    if cell.version != version():
         return Outcome(NOT_RUN, reason="the worker has another version of kinoedu")
     if cell.kind not in warmed_up:
         if difference := find_difference(cell):

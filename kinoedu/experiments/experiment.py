@@ -17,6 +17,7 @@ from ..support.constructors import with_type_names
 from ..support.json_fields import JsonObject
 from ..support.text import shortened
 from .cells import Cell, kind_of
+from .digests import version
 
 Planner = Callable[..., Any]
 
@@ -226,11 +227,10 @@ def cells_of(experiment: ExperimentRecord) -> list[Cell]:
         fresh = problem._replace(query_counts=problem.query_counts * 0)
         for name, tuning, function, seeded in experiment.contestants:
             kind = kind_of(fresh, function, experiment.repeat)
+            limits = (experiment.repeat, experiment.time_limit)
             for seed in experiment.seeds if seeded else (None,):
                 about = (problem_name, name, tuning, seed)
-                cells.append(
-                    Cell(*about, fresh, function, experiment.repeat, experiment.time_limit, kind)
-                )
+                cells.append(Cell(*about, fresh, function, *limits, kind, version()))
     return cells
 
 
