@@ -209,7 +209,7 @@ def test_a_dask_cluster_gives_the_same_rows(table):
     from dask.distributed import LocalCluster
 
     with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0", silence_logs=50
     ) as cluster:
         assert but_for_seconds(run(SMALL, where=cluster.scheduler_address)) == but_for_seconds(
             table
