@@ -560,11 +560,16 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
         assert gradebook.find_grade("check_bug1", HAND, HAND, "ann").auto_score > 0
         grade.manual_score, grade.needs_manual_grade = 3.0, False
         gradebook.find_comment(*whose).manual_comment = "neat"
+        gradebook.find_comment("bug1", HAND, HAND, "ann").manual_comment = "short"
         gradebook.db.commit()
-    export_nbgrader(of, write_all(of), tmp_path / "course")  # scores given there are kept
-    assert import_nbgrader_scores(of, tmp_path / "course") == 1
-    (row,) = [row for row in write_all(of) if row.question == "flowchart_bug1"]
-    assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
+    for course in ("course", "another"):  # what was given is kept, also in another gradebook
+        export_nbgrader(of, write_all(of), tmp_path / course)
+        assert import_nbgrader_scores(of, tmp_path / course) == 1
+        (row,) = [row for row in write_all(of) if row.question == "flowchart_bug1"]
+        assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
+        (program,) = [row for row in write_all(of) if row.question == "bug1"]
+        assert (program.status, program.message) == ("right", "short")
+    assert "short" in (out / "feedback" / "ann" / f"{HAND}.html").read_text(encoding="utf-8")
 
 
 def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):

@@ -25,7 +25,7 @@ from ..collect.submissions import collect
 from ..judge.class_list import Class, Entry, digest_submission
 from ..report.decisions import BY_HAND, COLUMNS, Decision, read_table
 from ..report.rows import BY_HAND as TO_GRADE
-from ..report.rows import DECIDED, Row
+from ..report.rows import DECIDED, Row, list_questions
 
 CONFIG = """\
 # Written by kinoedu export --to nbgrader. In this folder: jupyter lab, then Nbgrader, Formgrader.
@@ -40,6 +40,7 @@ LINK = re.compile(r"\](?=[(:])")  # before an address: a program to run, or a pi
 # of formulas: they make links, or change the page around them
 COMMAND = re.compile(r"\\+(?=href|csname|style|class|cssId)")
 ENTITY = re.compile(r"&(?=#?\w+;)")  # another way to write any sign, such as the one of a command
+NOTHING = Decision(None, "", "nbgrader")
 NO_ANSWER = "(There is no such cell in the notebook that was handed in.)"
 Marks = dict[str, dict[str, Any]]  # nbgrader's metadata of a cell, by its name
 
@@ -85,7 +86,7 @@ def export_nbgrader(of: Class, rows: Iterable[Row], folder: Path) -> int:
                     is_other = before.get(row.question, text) != text
                     add_answer(gradebook, row, given.get(row[:3]), is_other=is_other)
                 else:
-                    add_score(gradebook, row)
+                    add_score(gradebook, row, given.get(row[:3]))
         gradebook.db.commit()
     return count
 
@@ -178,13 +179,21 @@ def extract_text(text: Any) -> str:
     return make_printable(join_text(text))
 
 
-def add_score(gradebook: Any, row: Row) -> None:
-    """Add the score of the grader, or of the person who overruled it."""
+def add_score(gradebook: Any, row: Row, given: Decision | None) -> None:
+    """Add a program's score, of the grader or of the person who overruled it, and a comment.
+
+    Parameters
+    ----------
+    given : as for `add_answer`.
+    """
     grade = find_grade(gradebook, f"check_{row.question}", row)
-    if grade is not None:
-        grade.auto_score = row.score
-        grade.manual_score = row.score if row.status == DECIDED else None
-        grade.needs_manual_grade = False
+    if grade is None:
+        return
+    grade.auto_score = row.score
+    grade.manual_score = row.score if row.status == DECIDED else None
+    grade.needs_manual_grade = False
+    if given is not None:
+        add_comment(gradebook, row, given)
 
 
 def add_answer(gradebook: Any, row: Row, given: Decision | None, *, is_other: bool) -> None:
@@ -200,8 +209,7 @@ def add_answer(gradebook: Any, row: Row, given: Decision | None, *, is_other: bo
         return
     if given is not None and grade.manual_score is None:
         grade.needs_manual_grade = False
-        comment = gradebook.find_comment(*list_names(row.question, row))
-        comment.manual_comment = comment.manual_comment or given.comment or None
+        add_comment(gradebook, row, given)
         if given.score is not None:  # formgrader takes no more than all points, and extra credit
             grade.manual_score = min(given.score, row.max_score)
             grade.extra_credit = given.score - grade.manual_score or None
@@ -209,6 +217,12 @@ def add_answer(gradebook: Any, row: Row, given: Decision | None, *, is_other: bo
         grade.needs_manual_grade = row.status == TO_GRADE
     elif is_other:
         grade.needs_manual_grade = True
+
+
+def add_comment(gradebook: Any, row: Row, given: Decision) -> None:
+    """Add the comment that a person gave, unless the gradebook has another one."""
+    comment = gradebook.find_comment(*list_names(row.question, row))
+    comment.manual_comment = comment.manual_comment or given.comment or None
 
 
 def find_grade(gradebook: Any, cell: str, of: Row | Entry) -> Any:
@@ -302,7 +316,8 @@ def clean_outputs(cell: JsonObject) -> Iterator[JsonObject]:
 def import_nbgrader_scores(of: Class, folder: Path) -> int:
     """Write the scores and comments that people gave in formgrader to GRADES/by_hand.csv.
 
-    Lines there about answers that this gradebook does not have are kept.
+    Of a program only the comment. Lines there about answers that this gradebook does not have are
+    kept.
 
     Returns
     -------
@@ -314,23 +329,29 @@ def import_nbgrader_scores(of: Class, folder: Path) -> int:
     before, lines, count = read_table(of.out / BY_HAND), list[list[str]](), 0
     with Gradebook(name_database(folder)) as gradebook:
         for entry in of.entries:
-            for question in read_assignment(entry.assignment).by_hand if entry.assignment else ():
+            for question in list_questions(entry.assignment) if entry.assignment else ():
                 whose = (entry.student, entry.assignment, question)
-                grade = find_grade(gradebook, question, entry)
-                if grade is None:
-                    if whose in before:
-                        lines.append(format_line(whose, before[whose].score, before[whose].comment))
-                    continue
-                comment = gradebook.find_comment(*list_names(question, entry))
-                text = comment.manual_comment or ""
-                if grade.manual_score is None and text:
-                    lines.append(format_line(whose, None, text))
-                elif grade.manual_score is not None and not grade.needs_manual_grade:
-                    score = grade.manual_score + (grade.extra_credit or 0.0)
-                    lines.append(format_line(whose, score, text))
-                    count += 1
+                given = read_given(gradebook, question, entry)
+                count += given is not None and given.score is not None
+                kept = before.get(whose, NOTHING) if given is None else given
+                if kept.score is not None or kept.comment:
+                    lines.append(format_line(whose, kept))
     write_rows(of.out / BY_HAND, [COLUMNS, *lines])
     return count
+
+
+def read_given(gradebook: Any, question: str, entry: Entry) -> Decision | None:
+    """What a person gave for an answer; None where this gradebook does not have it."""
+    is_program = question not in read_assignment(entry.assignment).by_hand
+    grade = find_grade(gradebook, f"check_{question}" if is_program else question, entry)
+    if grade is None:
+        return None
+    comment = gradebook.find_comment(*list_names(question, entry)).manual_comment or ""
+    if is_program or grade.manual_score is None:
+        return NOTHING._replace(comment=comment)
+    if grade.needs_manual_grade:  # the score is that of an earlier answer
+        return NOTHING
+    return Decision(grade.manual_score + (grade.extra_credit or 0.0), comment, "nbgrader")
 
 
 def list_scores_of_programs(rows: Iterable[Row], folder: Path) -> list[str]:
@@ -350,6 +371,6 @@ def list_scores_of_programs(rows: Iterable[Row], folder: Path) -> list[str]:
     return found
 
 
-def format_line(whose: tuple[str, str, str], score: float | None, comment: str) -> list[str]:
+def format_line(whose: tuple[str, str, str], given: Decision) -> list[str]:
     """A line of by_hand.csv."""
-    return [*map(escape_formula, whose), number(score), escape_formula(comment)]
+    return [*map(escape_formula, whose), number(given.score), escape_formula(given.comment)]

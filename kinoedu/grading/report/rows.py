@@ -62,10 +62,11 @@ def refuse_unknown_names(decisions: Decisions, pairs: set[tuple[str, str]]) -> N
     """
     for (student, assignment, question), decision in decisions.items():
         mine = {its for whose, its in pairs if whose == student}
+        asked = list_questions(assignment if assignment in mine else "")
         known: tuple[tuple[str, str, Iterable[str]], ...] = (
             ("student", student, {whose for whose, _ in pairs}),
             (f"assignment of {student}", assignment, mine),
-            (f"question of {assignment}", question, list_questions(assignment, mine)),
+            (f"question of {assignment}", question, asked),
         )
         for what, name, names in known:
             if name not in names:
@@ -78,9 +79,12 @@ def refuse_unknown_names(decisions: Decisions, pairs: set[tuple[str, str]]) -> N
                 )
 
 
-def list_questions(assignment: str, known: set[str]) -> list[str]:
-    """The names of an assignment's questions, and of the answers that people grade."""
-    if not assignment or assignment not in known:
+def list_questions(assignment: str) -> list[str]:
+    """The names of an assignment's questions, and of the answers that people grade.
+
+    One empty name if the assignment is unknown, "".
+    """
+    if not assignment:
         return [""]
     task = read_assignment(assignment)
     return [*(one.exercise.name for one in task.questions), *task.by_hand]
