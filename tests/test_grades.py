@@ -558,6 +558,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
         grade = gradebook.find_grade(*whose)
         assert grade.needs_manual_grade
         assert gradebook.find_grade("check_bug1", HAND, HAND, "ann").auto_score > 0
+        assert gradebook.find_student("ann").first_name == ""  # else formgrader shows no name
         grade.manual_score, grade.needs_manual_grade = 3.0, False
         gradebook.find_comment(*whose).manual_comment = "neat"
         gradebook.find_comment("bug1", HAND, HAND, "ann").manual_comment = "short"

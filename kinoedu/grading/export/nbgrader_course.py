@@ -140,7 +140,10 @@ def add_notebook(gradebook: Any, entry: Entry, data: bytes, folder: Path) -> boo
     except UnreadableSubmission:
         return False
     student, name = file_name(entry.student), entry.assignment
-    gradebook.update_or_create_student(student, last_name=make_printable(entry.student))
+    # formgrader shows no name at all where one of both is missing
+    gradebook.update_or_create_student(
+        student, last_name=make_printable(entry.student), first_name=""
+    )
     gradebook.update_or_create_submission(name, student)
     file = locate_notebook(entry, folder)
     file.parent.mkdir(parents=True, exist_ok=True)
