@@ -101,7 +101,7 @@ def test_a_robot_that_fits_nowhere_is_refused():
         c_space_world(2 * np.array(BOX), PolygonWorld(BOX))
     with pytest.raises(InvalidWorld, match="fits nowhere"):  # it touches both sides
         c_space_world([(0, 0), (20, 0), (20, 1)], PolygonWorld(BOX))
-    with pytest.raises(InvalidWorld, match="1 of the obstacles are round"):
+    with pytest.raises(InvalidWorld, match="the world has round obstacles, 1,"):
         c_space_world(TRIANGLE, PolygonWorld(BOX, [((5, 5), 1)]))
     with pytest.raises(InvalidWorld, match="TerrainRecord"):
         c_space_world(TRIANGLE, Terrain(np.ones((3, 3))))

@@ -739,7 +739,7 @@ def test_a_recorder_sees_every_motion():
 )
 def test_worlds_that_are_no_polygons_are_refused(ask):
     """InvalidWorld with advice: round obstacles, terrains, other objects."""
-    with pytest.raises(InvalidWorld, match="1 of the obstacles are round"):
+    with pytest.raises(InvalidWorld, match="the world has round obstacles, 1,"):
         ask(ke.PolygonWorld(SQUARE, [((4, 4), 1)]))
     for other in (ke.Terrain([[1, 1], [1, 1]]), SQUARE, None):
         with pytest.raises(InvalidWorld, match="PolygonWorld"):

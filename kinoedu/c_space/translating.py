@@ -151,7 +151,7 @@ def convex_solids(world: World) -> list[Array]:
         )
     if n := len(discs_of(world)):
         raise InvalidWorld(
-            f"{n} of the obstacles are round, and the C-obstacle of a round obstacle is not a "
+            f"the world has round obstacles, {n}, and the C-obstacle of a round obstacle is not a "
             "polygon; replace each by a polygon around it"
         )
     parts = world.obstacles

@@ -44,8 +44,8 @@ def as_polygons(world: object) -> PolygonWorldRecord:
         )
     if n := len(discs_of(world)):
         raise InvalidWorld(
-            f"{n} of the obstacles are round, but the edges of cells are straight; replace each "
-            "by a polygon around it"
+            f"the world has round obstacles, {n}, but the edges of cells are straight; replace "
+            "each by a polygon around it"
         )
     return world
 
