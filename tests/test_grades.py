@@ -540,6 +540,8 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
     )
     write_class(of)
     assert export_nbgrader(of, write_all(of), tmp_path / "course") == 1
+    page = out / "feedback" / "ann" / f"{HAND}.html"
+    assert "points; answers that have no score yet: 1" in page.read_text(encoding="utf-8")
     shown = (tmp_path / "course" / "autograded" / "ann" / HAND / f"{HAND}.ipynb").read_text(
         encoding="utf-8"
     )
@@ -570,7 +572,7 @@ def test_hand_grading_goes_to_nbgrader_and_back(tmp_path):
         assert (row.score, row.status, row.message) == (3.0, "set by hand", "neat")
         (program,) = [row for row in write_all(of) if row.question == "bug1"]
         assert (program.status, program.message) == ("right", "short")
-    assert "short" in (out / "feedback" / "ann" / f"{HAND}.html").read_text(encoding="utf-8")
+    assert "short" in page.read_text(encoding="utf-8")
 
 
 def test_scores_given_by_hand_stay_with_another_gradebook(tmp_path):

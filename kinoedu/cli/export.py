@@ -259,8 +259,8 @@ def read_back_from_nbgrader(of: Any, folder: Path) -> int:
             file=sys.stderr,
         )
     print(
-        f"brought {count} scores, and all comments, into {of.out / 'by_hand.csv'}, grades.csv, the "
-        "report and the pages"
+        f"brought the scores ({count}) and the comments into {of.out / 'by_hand.csv'}, grades.csv, "
+        "the report and the pages"
     )
     return 0
 
