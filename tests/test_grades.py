@@ -1231,6 +1231,14 @@ def test_pages_of_unchanged_results_are_kept(tmp_path, monkeypatch):
     assert not list(tmp_path.rglob("*.part"))
 
 
+def test_a_worker_with_other_sources_grades_nothing():
+    """A judge was repaired since a worker of a cluster began: its grade would have a wrong name."""
+    one = Submission("ann", NAME, "a.ipynb", b"{}")
+    job = running.make_job(one, "0" * 40, bytes(32), trusted=True, patience=1.0)
+    with pytest.raises(RuntimeError, match="another version of kinoedu"):
+        running.grade_job(job)
+
+
 def test_more_patience_grades_again_what_took_too_long(tmp_path, monkeypatch):
     """And nothing else; with less patience the result is kept."""
 

@@ -148,7 +148,7 @@ def attach_grade(
     return Graded(one, grades.get(key), troubles.get(key, ""))
 
 
-def compute_key(one: Submission, secret: bytes) -> str:
+def compute_key(one: Submission | Job, secret: bytes) -> str:
     """The name of a result; equal for equal bytes, questions, contracts, secret and sources."""
     parts = [
         one.assignment.encode(),
@@ -314,7 +314,18 @@ SANDBOXES = ThreadSandboxes()
 
 
 def grade_job(job: Job) -> Grade:
-    """Grade a notebook in this process and its sandbox. Raises NoSandbox."""
+    """Grade a notebook in this process and its sandbox.
+
+    Raises
+    ------
+    NoSandbox
+    RuntimeError
+        Where this process would give the result another name: a worker of a cluster may be older
+        than a judge that was repaired.
+    """
+    if compute_key(job, job.secret) != job.key:
+        # of Python's own class, which every version can receive
+        raise RuntimeError("a worker has another version of kinoedu or of the solution; restart it")
     sandbox = SANDBOXES.sandboxes[job.trusted]
     try:
         task = apply_contracts(read_assignment(job.assignment), job.variants)
