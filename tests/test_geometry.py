@@ -36,7 +36,7 @@ from kinoedu.geometry import (
     segments_intersect,
 )
 from kinoedu.geometry.convex import convex_parts
-from kinoedu.geometry.rings import as_ring
+from kinoedu.geometry.rings import CROSSES, as_ring, find_reflex_vertex, find_ring_fault
 
 Exact = tuple[Fraction, Fraction]
 Floats = tuple[float, float]
@@ -787,6 +787,9 @@ def holes_in(polygon: Any, corners: Any) -> list[list[Floats]]:
     st.lists(st.tuples(st.integers(-49, 49), st.integers(-49, 49)), min_size=10, max_size=20),
     st.sampled_from([(1.0, 0.0), (0.1, 0.3), (1e-6, 0.0), (1.0, 1e6)]),
 )
+@example(  # beyond one edge of each ear are other vertices
+    [(7, 1), (3, 2), (5, 4), (5, 2), (7, 7), (1, 5), (4, 0)], [], [(0, 0)], (1.0, 0.0)
+)
 def test_convex_parts_cover_a_polygon_once(
     polygon: Any, corners: Any, probes: Any, move: Any
 ) -> None:
@@ -831,6 +834,12 @@ def test_a_comb_is_cut_into_few_parts() -> None:
     parts = convex_parts(as_ring(comb))
     assert len(parts) <= 84
     assert sum(map(twice_area, parts)) == twice_area(as_ring(comb))
+
+
+def test_a_frame_is_cut_into_few_parts() -> None:
+    """Around a square hole the eight triangles make four convex parts."""
+    hole = as_ring([(1, 1), (3, 1), (3, 3), (1, 3)])
+    assert len(convex_parts(as_ring(SQUARE), [hole])) == 4
 
 
 # ---- batches -----------------------------------------------------------------------------------
@@ -978,6 +987,7 @@ def test_a_bad_coordinate_of_a_polygon_is_a_bad_point(taker: str, bad: Any) -> N
 
 @SLOW_LAW
 @given(st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=3, max_size=7))
+@example([(0, 0), (2, 0), (2, 2), (0, 2), (0, 1)])  # the last vertex is on the leftmost edge
 def test_exactly_the_simple_polygons_are_accepted(vertices: Any) -> None:
     """A lattice ring is accepted iff it is simple by brute force, and made counter-clockwise."""
     if is_simple(vertices):
@@ -989,6 +999,28 @@ def test_exactly_the_simple_polygons_are_accepted(vertices: Any) -> None:
     else:
         with pytest.raises(InvalidPolygon):
             as_ring(vertices)
+
+
+@LAW
+@given(st.lists(st.tuples(st.integers(-3, 3), st.integers(-3, 3)), min_size=4, max_size=7))
+@example([(0, 0), (6, 0), (4, 0), (4, 4)])
+def test_the_edges_that_are_named_do_cross(vertices: Any) -> None:
+    """The two edges in the message share a point, other than the vertex between them."""
+    n, fault = len(vertices), find_ring_fault(np.array(vertices, float))
+    assume(fault.kind == CROSSES)
+    a, b, c, d = (vertices[k % n] for k in (fault.i, fault.i + 1, fault.j, fault.j + 1))
+    assert set(shared_exactly(a, b, c, d)) - ({exact(b)} if fault.j == fault.i + 1 else set())
+
+
+@LAW
+@given(simple_polygons(), st.integers(0, 7))
+def test_the_first_reflex_vertex_is_found(polygon: Any, begin: int) -> None:
+    """The first vertex at which the ring turns right, or -1 where it is convex."""
+    ring = np.roll(as_ring(polygon), begin, axis=0)
+    reflex = [
+        i for i in range(len(ring)) if turn_of(ring[i - 1], ring[i], np.roll(ring, -1, 0)[i]) < 0
+    ]
+    assert find_reflex_vertex(ring) == (reflex[0] if reflex else -1)
 
 
 def test_polygons_that_are_not_convex_are_refused() -> None:

@@ -128,7 +128,7 @@ def clip_to_shifted_edges(ring: Array, start: Array, shifts: Array) -> Array:
     """
     for a, b, shift in zip(ring, np.roll(ring, -1, axis=0), shifts):
         start = clip_to_left_of(start, a + shift, b + shift)
-    corners = convex_hull(start) if len(start) else start
+    corners = convex_hull(start)
     return corners if len(corners) > 2 else np.empty((0, 2))
 
 
