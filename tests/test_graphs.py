@@ -643,6 +643,15 @@ def test_closest_is_the_least_distance(d, data):
     )
 
 
+def test_a_record_names_its_nodes_from_0():
+    """A record that can be searched, here the flat graph, refuses the numbers before and after."""
+    record = Graph(3, [(0, 1)]).flat()
+    assert dijkstra(record, 2).cost.tolist() == [np.inf, np.inf, 0.0]
+    for node in (-1, 3):
+        with pytest.raises(InvalidGraph, match="start must be a node from 0 to 2"):
+            dijkstra(record, node)
+
+
 def test_the_metric_is_the_spaces():
     """Weights, distances and the closest node by a space of the reader's own, here the long way of
     a taxi.
@@ -694,6 +703,7 @@ def test_a_graph_in_no_space_knows_no_distances():
         lambda: embedded.add_node((1,)),
         lambda: embedded.distances((1, 2, 3)),
         lambda: Graph(nodes=[1]),
+        lambda: Graph(nodes=np.empty((0, 2, 2))),
     ):
         with pytest.raises(InvalidPoint):
             ask()
