@@ -53,7 +53,10 @@ def test_lengths_of_the_reference_cases(case: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("path", PATHS.values())
 def test_the_end_is_the_goal_and_pieces_are_driven_in_order(path: Any) -> None:
-    """Random poses, and poses where pieces vanish; positions change at most by the length."""
+    """Random poses, and poses where pieces vanish; positions change at most by the length.
+
+    Before the start and after the end are no poses.
+    """
     rng = np.random.default_rng(1)
     for q0, q1 in zip(poses(rng, 600), poses(rng, 600)):
         curve = path(q0, q1, 1.5)
@@ -62,6 +65,8 @@ def test_the_end_is_the_goal_and_pieces_are_driven_in_order(path: Any) -> None:
         along = curve.at(np.linspace(0, curve.length, 50))
         apart = np.linalg.norm(np.diff(along[:, :2], axis=0), axis=1)
         assert apart.max() <= curve.length / 49 + 1e-9
+        assert (curve.at([-1.0, curve.length + 1.0]) == along[[0, -1]]).all()
+        assert (along[0] == curve.start).all()
 
 
 def drawn_word(rng: np.random.Generator, pieces: int, forward: bool) -> tuple[Any, Any]:

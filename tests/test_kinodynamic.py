@@ -374,6 +374,19 @@ def test_error_orders(rule: Any, order: int) -> None:
         assert apart(integrators.exact(pose, v, curvature, t, n)[-1], end) < 1e-12
 
 
+@pytest.mark.parametrize(
+    "rule",
+    [integrators.euler, integrators.runge_kutta, integrators.exact],
+    ids=lambda f: f.__name__,
+)
+def test_headings_of_a_rule_are_wrapped(rule: Any) -> None:
+    """A car that turns round three times has headings from -pi up to pi, each step's turn apart."""
+    headings = rule((0.0, 0.0, 4.0), 1.0, 1.0, 6.0 * math.pi, 60)[:, 2]
+    assert (headings >= -math.pi).all() and (headings < math.pi).all()
+    turned = np.mod(np.diff(headings), 2.0 * math.pi)
+    assert turned == pytest.approx(np.full(60, math.pi / 10))
+
+
 def test_one_centre_for_all_wheels() -> None:
     """Ackermann: the axes of all four wheels meet in the point round which the car turns; driving
     straight there is none.
