@@ -58,13 +58,15 @@ from kinoedu.grading.judge.class_list import (
     write_class,
 )
 from kinoedu.grading.judge.running import grade_all, use_local_workers, write_result
-from kinoedu.grading.regrading import find_changes
+from kinoedu.grading.regrading import explain_change, find_changes
 from kinoedu.grading.report import writing
 from kinoedu.grading.report.decisions import read_decisions
+from kinoedu.grading.report.failures import explain_failure
 from kinoedu.grading.report.feedback_page import file_name, name_page
-from kinoedu.grading.report.rows import list_class_rows
+from kinoedu.grading.report.rows import Row, list_class_rows
 from kinoedu.grading.report.writing import write_all
 from kinoedu.grading.sandbox import sandbox
+from kinoedu.messages import get_message
 from kinoedu.support.csv_cells import escape_formula, unescape_formula
 
 HOUSE = Path(__file__).resolve().parent.parent
@@ -258,6 +260,16 @@ def test_pages_escape_whatever_they_are_told(tmp_path):
     assert "data:image/png;base64," in page and "np.array([2.0, 3.0])" in page and "Cell 3" in page
 
 
+def test_a_failure_names_what_to_read_again():
+    """The section, and the hint; only the hint where the case cannot be read."""
+    (wrong,) = (one for one in failing()["questions"] if one["failure"])
+    section = (get_message("check.read"), find(wrong["question"]).message("section"))
+    hint = (get_message("check.hint"), wrong["hint"])
+    assert {section, hint} <= {*explain_failure(wrong)}
+    wrong["failure"]["case"] = {}
+    assert hint in explain_failure(wrong) and section not in explain_failure(wrong)
+
+
 def test_a_picture_that_cannot_be_drawn_loses_no_page(tmp_path):
     """A record whose case does not have the exercise's shape gives neither case nor picture."""
     broken = failing()
@@ -379,13 +391,16 @@ def test_two_columns_of_canvas_for_one_assignment_are_refused(tmp_path):
 
 
 def test_gradescope_results_sum_up(tmp_path):
-    """Each file's score is the sum of its tests."""
+    """Each file's score is the sum of its tests, of which those with all points have passed."""
     rows = write_all(a_class(tmp_path, {"ann": record(share=0.5), "bob": failing()}))
     assert export_gradescope(rows, tmp_path / "gradescope") == (2, [])
     for file in (tmp_path / "gradescope").iterdir():
         data = json.loads(file.read_text(encoding="utf-8"))
         assert data["score"] == pytest.approx(sum(test["score"] for test in data["tests"]))
         assert len(data["tests"]) == len(read_assignment(NAME).questions)
+        for test in data["tests"]:
+            is_full = test["score"] == test["max_score"]
+            assert test["status"] == ("passed" if is_full else "failed")
 
 
 def test_gradescope_has_no_zero_for_what_has_no_score(tmp_path):
@@ -432,6 +447,14 @@ def test_regrading_says_whose_score_changed_and_why(tmp_path):
     )
     assert "bob" not in why and "gus" not in why  # who has no score before and after
     assert [change.question for change in found if change.decided] == ["exposing_case"]
+
+
+def test_regrading_names_questions_that_came_or_went():
+    """The assignment asks for other questions than before; the file is the same."""
+    file = Entry("ann", NAME, "f", "one", "", "d", "k", "")
+    row = Row("ann", NAME, "line_through_points", 3.0, 3.0, "right", "Right.")
+    assert explain_change(None, row, file, file) == "the assignment asks for this now"
+    assert explain_change(row, None, file, file) == "the assignment no longer asks for this"
 
 
 def test_grades_of_other_folders_stay():
