@@ -25,6 +25,8 @@ from kinoedu.course.feedback import Feedback
 from kinoedu.course.judging import judge_outcomes, judge_until_failure, run_case
 from kinoedu.course.lessons import find
 from kinoedu.course.lessons.shared.graph_slips import search_breadth_first
+from kinoedu.course.outcomes import Answer
+from kinoedu.course.restated import OuterValue
 from kinoedu.course.section import choose_for_section, vary_exercises
 from kinoedu.course.trivial import find_trivial_kinds
 from kinoedu.errors import InvalidParameter
@@ -169,6 +171,20 @@ def test_a_changed_exercise_accepts_its_own_answer_alone(exercise, usual_answers
         case = refused.failure.case
         wanted = EXERCISES[exercise.name].describe_expected(case)
         assert exercise.describe_expected(case) != wanted
+
+
+@pytest.mark.parametrize(
+    "exercise",
+    [one for one in CHANGED if isinstance(one, OuterValue)],
+    ids=lambda one: f"{one.name}-{one.variant}",
+)
+def test_what_is_shown_as_right_is_right(exercise):
+    """A message shows the true answer in the variant's form: the judge would accept it."""
+    for case in {case.kind: case for case in exercise.fixed_cases[::-1]}.values():
+        truth = exercise.truth(case)
+        if not isinstance(truth, ValueError):
+            value = exercise.answer.decode(exercise.answer.encode(truth))
+            assert exercise.judge(case, Answer(value)).is_right, (case, value)
 
 
 def test_the_usual_answer_to_a_changed_exercise_earns_nothing():

@@ -133,6 +133,36 @@ def test_replayed_trees_touch_nothing():
     assert [parent[b] for b in path[1:]] == list(path[:-1])
 
 
+@pytest.mark.parametrize(
+    ("change", "rule"),
+    [
+        ({"parent": []}, "lengths"),
+        ({"controls": [(0.0, 0.0)]}, "lengths"),
+        ({"durations": [0.0]}, "lengths"),
+        ({"parent": [0, 0]}, "root"),
+        ({"controls": [(2.0, 0.0), (2.0, 0.0)]}, "root"),
+        ({"durations": [1.0, 1.0]}, "root"),
+        ({"parent": [-1, -1]}, "parents"),
+        ({"parent": [-1, 1]}, "parents"),
+        ({"controls": [(0.0, 0.0), (1.0, 0.0)]}, "control"),
+        ({"controls": [(0.0, 0.0), (2.0, 0.8)]}, "control"),
+        ({"controls": [(0.0, 0.0), (2.0, math.nan)]}, "control"),
+        ({"durations": [0.0, 0.0]}, "duration"),
+        ({"durations": [0.0, -1.0]}, "duration"),
+        ({"durations": [0.0, math.nan]}, "duration"),
+        ({"durations": [0.0, 7.51]}, "duration"),
+        ({}, None),
+    ],
+)
+def test_a_drive_that_breaks_a_rule_is_told_which(change, rule):
+    """One drive from the start: its number, its parent, its control or its duration is wrong."""
+    tree = {"parent": [-1, 0], "controls": [(0.0, 0.0), (2.0, 0.0)], "durations": [0.0, 7.5]}
+    lists = {name: np.array(value) for name, value in (tree | change).items()}
+    fault, nodes = find_drive_fault(garages.GARAGES["far"], DrivenTree(None, **lists))
+    assert (fault and fault.rule) == rule
+    assert len(nodes) == (2 if rule is None else 1)
+
+
 def test_near_enough_is_judged_across_pi():
     """A goal with the heading pi is reached from both sides."""
     problem = garages.GARAGES["seam"]
