@@ -42,6 +42,7 @@ from kinoedu.grading.export.tables import (
     export_canvas,
     export_csv,
     export_gradescope,
+    find_canvas_students,
     make_gradescope_test,
 )
 from kinoedu.grading.judge import running
@@ -346,6 +347,18 @@ CANVAS = f"""Student,ID,SIS User ID,SIS Login ID,Section,01 Geometry (991),Other
 """
 
 
+def test_only_names_and_numbers_of_students_are_names_for_canvas():
+    """Bob's section is called like Ann's login, and his grade like her number."""
+    lines = [
+        ["Student", "ID", "SIS Login ID", "Section", "Other (5)"],
+        ["Doe, Ann", "11", "ann", "S1", "3"],
+        ["Roe, Bob", "12", "bob", "ann", "11"],
+    ]
+    found = find_canvas_students(lines)
+    assert all(found[name] == lines[1] for name in ("doe, ann", "11", "ann", "doeann_11"))
+    assert not {"s1", "3"} & {*found}
+
+
 def test_canvas_gets_its_own_table_back(tmp_path):
     """Only complete totals are filled in, and all other cells stay as they are.
 
@@ -401,6 +414,9 @@ def test_gradescope_results_sum_up(tmp_path):
         for test in data["tests"]:
             is_full = test["score"] == test["max_score"]
             assert test["status"] == ("passed" if is_full else "failed")
+    for row in rows:
+        output = str(make_gradescope_test(row)["output"])
+        assert output.startswith(row.status) and output.endswith(row.message)
 
 
 def test_gradescope_has_no_zero_for_what_has_no_score(tmp_path):

@@ -99,3 +99,36 @@ def test_variants_are_remembered_where_a_moved_folder_has_left_a_link(tmp_path, 
         assert start("regrade", "out", out=out, table="changes.csv") == []
     for command in (["grade", "in"], ["grade", "moved"]):
         assert {row[5] for row in start(*command, out="out")} == {"not graded"}
+
+
+def test_decisions_go_along_and_what_was_decided_since_stays(tmp_path, start):
+    """Scores by hand are those of the new folder too, until it has a file of its own."""
+    lines = {
+        "overrides.csv": "ann,01_geometry,exposing_case,{},\n",
+        "by_hand.csv": "ann,02_bug_algorithms,flowchart_bug1,{},\n",
+    }
+
+    def decide(folder, score):
+        for name, line in lines.items():
+            text = f"student,assignment,question,score,comment\n{line.format(score)}"
+            (tmp_path / folder / name).write_text(text, encoding="utf-8")
+
+    hand_in(tmp_path / "in", "ann", _01_geometry=LINE, _02_bug_algorithms=BUG)
+    start("grade", "in", out="out")
+    decide("out", 1)
+    for score in (1, 2):
+        rows = start("regrade", "out", out="new")
+        scores = {row[2]: row[3] for row in rows if row[3]}
+        assert scores == dict.fromkeys(("exposing_case", "flowchart_bug1"), str(score))
+        decide("new", 2)
+
+
+def test_a_class_of_several_folders_is_graded_again_where_each_was(tmp_path, start, capsys):
+    """Without a folder; with one it is not known whose work lies there."""
+    for name in ("ann", "bob"):
+        hand_in(tmp_path / f"in_{name}", name, _01_geometry=LINE)
+        start("grade", f"in_{name}", out="out")
+    assert {row[0] for row in start("regrade", "out", out="new")} == {"ann", "bob"}
+    command = ["regrade", "out", "--submissions", "in_ann", "--secret", "secret", "--out", "other"]
+    assert main(command) == 2
+    assert "put each where it was: " in capsys.readouterr().err
