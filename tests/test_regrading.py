@@ -132,3 +132,29 @@ def test_a_class_of_several_folders_is_graded_again_where_each_was(tmp_path, sta
     command = ["regrade", "out", "--submissions", "in_ann", "--secret", "secret", "--out", "other"]
     assert main(command) == 2
     assert "put each where it was: " in capsys.readouterr().err
+
+
+def test_regrading_refuses_another_secret(tmp_path, start, capsys):
+    """Hidden inputs would differ, and scores with them; the message says where the right one is."""
+    hand_in(tmp_path / "in", "ann", _01_geometry=LINE)
+    start("grade", "in", out="out")
+    (tmp_path / "another").write_text((b"!" + SECRET).hex())
+    capsys.readouterr()
+    assert main(["regrade", "out", "--secret", "another", "--out", "new"]) == 2
+    assert f"the secret that was in {tmp_path / 'secret'}; give it with" in capsys.readouterr().err
+
+
+def test_a_decision_about_nobody_is_mended_in_the_new_folder(tmp_path, start, capsys):
+    """It is refused before it is copied; a file that is there already is read in its place."""
+    hand_in(tmp_path / "in", "ann", _01_geometry=LINE)
+    start("grade", "in", out="out")
+    lines = "student,assignment,question,score,comment\n{},01_geometry,exposing_case,1,\n"
+    (tmp_path / "out" / "overrides.csv").write_text(lines.format("anne"))
+    capsys.readouterr()
+    assert main(["regrade", "out", "--secret", "secret", "--out", "new"]) == 2
+    assert "anne" in capsys.readouterr().err
+    assert not (tmp_path / "new").exists()
+    (tmp_path / "new").mkdir()
+    (tmp_path / "new" / "overrides.csv").write_text(lines.format("ann"))
+    rows = start("regrade", "out", out="new")
+    assert {row[2]: row[3] for row in rows if row[3]} == {"exposing_case": "1"}
