@@ -81,6 +81,18 @@ def test_sorted_random_points_are_not_called_moved_ones():
     assert exercise.judge(case, run_case(exercise, draw_sorted, case)).rule == "sorted"
 
 
+def test_dots_with_other_angles_are_in_place():
+    """Dots from -pi to pi that are all red have wrong colours; the message says nothing else."""
+    exercise = EXERCISES["plot_configuration_space"]
+    case = next(case for case in exercise.fixed_cases if (exercise.truth(case)[:, 2] != 2).any())
+
+    def plot_configuration_space(samples, lengths, width, discs, ax):
+        ax.scatter(*(2 * np.pi * (samples - (samples > 0.5))).T, c="red")
+
+    outcome = run_case(exercise, plot_configuration_space, case)
+    assert exercise.judge(case, outcome).rule == "colours"
+
+
 def turned(vector, quarters):
     """A vector turned to the left by quarter turns."""
     for _ in range(quarters):
