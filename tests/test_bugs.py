@@ -474,6 +474,13 @@ def test_a_circle_ends_where_a_wall_is_hit_again_along_the_same_line():
     assert len(plan.walk.hits) == 2 and np.array_equal(*plan.walk.hits)
 
 
+def test_bug2_leaves_a_wall_only_between_start_and_goal():
+    """Behind the goal the wall meets their line too, nearer to the goal than the hit."""
+    wall = [(8, -5), (9, -4), (6, 2), (5, -1), (1, 4)]
+    plan = ke.bug2((0, 0), (5, 0), [wall], 99, turn="right")
+    assert plan.path[[1, -2]] == pytest.approx(np.array([(37 / 9, 0), (4.2, 0)]))
+
+
 def test_bug2_prelim_walks_in_a_circle_where_bug2_arrives():
     """Without its rule Bug 2 leaves farther from the goal than it hit, and comes back; with it, it
     arrives.
