@@ -88,17 +88,12 @@ def compile_bodies(names: Iterable[str]) -> bytes:
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    whole, entries, linked = llvm.parse_assembly(""), dict[str, str](), set[Any]()
-    whole.triple, whole.data_layout = TRIPLE, LAYOUT
+    entries, parts = dict[str, str](), dict[Any, Any]()
     for name in names:
         example = (EMPTY_SCENE, BODIES[name].kinds, np.random.default_rng(0))
-        entries[name], parts = compile_parts(BODIES[name].function, example)
-        for library, module in parts.items():
-            if library not in linked:
-                part = llvm.parse_bitcode(module.as_bitcode())
-                part.triple, part.data_layout = TRIPLE, LAYOUT
-                whole.link_in(part)
-                linked.add(library)
+        entries[name], found = compile_parts(BODIES[name].function, example)
+        parts |= found
+    whole = link_all([read_for_browsers(part) for part in parts.values()])
     for value in (*whole.functions, *whole.global_variables):
         if not value.is_declaration:
             value.linkage = llvm.Linkage.internal
@@ -106,6 +101,27 @@ def compile_bodies(names: Iterable[str]) -> bytes:
         function = whole.get_function(entry)
         function.linkage, function.name = llvm.Linkage.external, name
     return optimize(whole)
+
+
+def read_for_browsers(module: Any) -> Any:
+    """A copy of an LLVM module for the machine that browsers have."""
+    import llvmlite.binding as llvm
+
+    part = llvm.parse_bitcode(module.as_bitcode())
+    part.triple, part.data_layout = TRIPLE, LAYOUT
+    return part
+
+
+def link_all(modules: list[Any]) -> Any:
+    """One LLVM module of many, which are used up: pairs, then pairs of pairs.
+
+    Each link walks through both modules, so that one that grows would be walked through each time.
+    """
+    while len(modules) > 1:
+        for left, right in zip(modules[::2], modules[1::2], strict=False):
+            left.link_in(right)
+        modules = modules[::2]
+    return modules[0]
 
 
 def optimize(module: Any) -> bytes:
