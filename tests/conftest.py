@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
@@ -121,6 +122,19 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Sort the longest files to the front; all else stays in its order."""
     rank = {name: number for number, name in enumerate(LONGEST)}
     items.sort(key=lambda item: rank.get(item.nodeid.partition("::")[0], len(rank)))
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Any]:
+    """One browser for the tests of a file; each opens a page of its own, and closes it.
+
+    Not one for all files: some have event loops of their own, which it would disturb.
+    """
+    from lab_driver import launched, needs_chromium
+
+    needs_chromium()
+    with launched() as browser:
+        yield browser
 
 
 def pytest_collection_finish() -> None:

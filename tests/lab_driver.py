@@ -113,17 +113,27 @@ def wait_for(address: str, server: "subprocess.Popen[bytes]", log: Path) -> None
 
 
 @contextmanager
+def launched():
+    """Chromium, without a window."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+@contextmanager
 def notebook_page(address: str, token: str, notebook: str):
     """A page with the notebook open.
 
     `page.outside` lists requests to other computers, which are refused; `page.errors` are the
     browser's errors.
     """
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
-        page = browser.new_context(viewport={"width": 1280, "height": 1000}).new_page()
+    with launched() as browser:
+        page = browser.new_page(viewport={"width": 1280, "height": 1000})
         page.set_default_timeout(60_000)
         page.outside, page.errors = [], []
         page.on("pageerror", lambda error: complain(page, str(error)))
@@ -137,10 +147,7 @@ def notebook_page(address: str, token: str, notebook: str):
         )
         page.goto(f"{address}/lab/tree/{notebook}?reset&token={token}")
         page.wait_for_selector(".jp-Notebook .jp-Cell")
-        try:
-            yield page
-        finally:
-            browser.close()
+        yield page
 
 
 def complain(page, error: str) -> None:

@@ -7,7 +7,7 @@ import shutil
 import numpy as np
 import pytest
 import shapely
-from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
+from lab_driver import keep
 from test_board import Page
 
 import kinoedu as ke
@@ -410,9 +410,8 @@ def test_a_board_says_what_is_wrong_with_a_ring():
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def folder(chromium, tmp_path_factory):
     """The folder of a page with live boards."""
-    needs_chromium()
     pytest.importorskip("ziglang", reason="the compiler of the site is not installed")
     place = tmp_path_factory.mktemp("page")
     write_page(place)
@@ -446,18 +445,6 @@ def write_records(place, boards, script):
     head = '<meta charset="utf-8"><link rel="stylesheet" href="board.css">'
     head += '<script src="boards.js" defer></script>'
     (place / "index.html").write_text(f"<!doctype html>{head}<body>{text}", encoding="utf-8")
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    """One browser for all tests."""
-    from playwright.sync_api import sync_playwright
-
-    needs_chromium()
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield browser
-        browser.close()
 
 
 @pytest.fixture

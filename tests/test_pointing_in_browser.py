@@ -13,7 +13,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 import trimesh
-from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
+from lab_driver import keep
 from PIL import Image
 from test_board import walled
 from test_challenges import SAMPLES
@@ -93,22 +93,23 @@ def site_page(folder, theme, *boards):
     return (folder / "index.html").as_uri()
 
 
-@contextmanager
-def browser(**how):
-    """A page of a browser; `page.errors` must stay empty."""
-    from playwright.sync_api import sync_playwright
+@pytest.fixture
+def browser(chromium):
+    """A page of a browser, made by what is asked of it; `page.errors` must stay empty."""
 
-    with sync_playwright() as play:
-        chromium = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
+    @contextmanager
+    def opened(**how):
         size = {"viewport": {"width": 900, "height": 900}}
-        page = chromium.new_context(**{**size, **how}).new_page()
+        page = chromium.new_page(**{**size, **how})
         page.errors = []
         page.on("pageerror", lambda error: page.errors.append(str(error)))
         try:
             yield page
             assert page.errors == []
         finally:
-            chromium.close()
+            page.close()
+
+    return opened
 
 
 def shown(page, number=0):
@@ -143,9 +144,8 @@ def pointed(page, root, x, y):
 
 
 @pytest.fixture(scope="module")
-def light(tmp_path_factory):
+def light(chromium, tmp_path_factory):
     """The page: a tree, a search, refused motions, and a big tree."""
-    needs_chromium()
     made = board(walled(), step_size=0.5)
     grid = search_board(np.ones((6, 8), bool), search="astar")
     own = board(walled(), planner=refused)
@@ -154,7 +154,7 @@ def light(tmp_path_factory):
     return site_page(folder, "light", made, grid, own, tree_of(BIG), sampled)
 
 
-def test_a_node_says_its_cost_and_lights_its_branch(light):
+def test_a_node_says_its_cost_and_lights_its_branch(light, browser):
     """By the mouse; beside the tree nothing is said, and nothing when the mouse has left."""
     with browser() as page:
         page.goto(light)
@@ -169,7 +169,7 @@ def test_a_node_says_its_cost_and_lights_its_branch(light):
         assert root.locator("canvas").screenshot() == before
 
 
-def test_cells_of_a_search_say_their_costs(light):
+def test_cells_of_a_search_say_their_costs(light, browser):
     """At the last step expanded ones, at the first nothing is seen yet but the start."""
     with browser() as page:
         page.goto(light)
@@ -182,7 +182,7 @@ def test_cells_of_a_search_say_their_costs(light):
         keep(page, "pointed_grid")
 
 
-def test_a_refused_motion_says_what_it_meets(light):
+def test_a_refused_motion_says_what_it_meets(light, browser):
     """The reason is not sent: the browser finds it in the scene."""
     with browser() as page:
         page.goto(light)
@@ -191,7 +191,7 @@ def test_a_refused_motion_says_what_it_meets(light):
         assert pointed(page, root, 0.06, 0.5) == "motion 2 was refused: it leaves the world"
 
 
-def test_keys_go_from_node_to_node(light):
+def test_keys_go_from_node_to_node(light, browser):
     """Tab reaches it, arrows go on, Enter goes to the parent, Escape leaves; each is spoken."""
     with browser() as page:
         page.goto(light)
@@ -215,7 +215,7 @@ def test_keys_go_from_node_to_node(light):
         assert root.get_attribute("data-pointed") == ""
 
 
-def test_a_touch_says_it_too(light):
+def test_a_touch_says_it_too(light, browser):
     """A tap shows what is there, and it stays."""
     with browser(has_touch=True, is_mobile=True, viewport={"width": 480, "height": 800}) as page:
         page.goto(light)
@@ -251,7 +251,7 @@ SET_SCENE = """places => {
   kernel.board.replaced(); }"""
 
 
-def test_what_is_dragged_is_not_put_back_by_a_scene_of_before(light):
+def test_what_is_dragged_is_not_put_back_by_a_scene_of_before(light, browser):
     """A scene that Python sets meanwhile moves the other things, and the drag is not lost."""
     with browser() as page:
         page.goto(light)
@@ -272,7 +272,7 @@ def test_what_is_dragged_is_not_put_back_by_a_scene_of_before(light):
         assert moved == [["handle", 1, goal]] and page.evaluate(PLACES) == [[2, 3], goal]
 
 
-def test_no_ring_stays_behind_what_is_dragged(light):
+def test_no_ring_stays_behind_what_is_dragged(light, browser):
     """The ring of the focus is at a thing; during a drag, which leaves it behind, there is none."""
     with browser() as page:
         page.goto(light)
@@ -307,7 +307,7 @@ def press_both_and_leave(page, x, y, away):
     page.mouse.up()
 
 
-def test_nothing_sticks_to_a_pointer_without_a_button(light):
+def test_nothing_sticks_to_a_pointer_without_a_button(light, browser):
     """A drag ends where the browser takes the pointer away, as at a press of the right button."""
     with browser() as page:
         page.goto(light)
@@ -331,9 +331,8 @@ SOLID = """([script, values, packed]) => {
     ({ default: { render } }) => { render({ model, el: document.body }); }); }"""
 
 
-def test_a_solid_does_not_stick_to_a_pointer_without_a_button():
+def test_a_solid_does_not_stick_to_a_pointer_without_a_button(browser):
     """The same on the board of solids."""
-    needs_chromium()
     made = SolidBoard(trimesh.creation.box((2, 2, 2)), None, 0.2, None)
     packed = {name: base64.b64encode(getattr(made, name)).decode() for name in BYTES}
     names = ("theta", "place", "section", "cut", "box", "palette", "words")
@@ -352,9 +351,8 @@ def test_a_solid_does_not_stick_to_a_pointer_without_a_button():
         assert root.get_attribute("data-azimuth") == before
 
 
-def test_a_touch_that_the_browser_takes_over_is_no_click(tmp_path):
+def test_a_touch_that_the_browser_takes_over_is_no_click(tmp_path, browser):
     """The goal of a graph stays where it is."""
-    needs_chromium()
     made = search_board(Graph(nodes=[(0, 0), (4, 3), (8, 0)], edges=[(0, 1), (1, 2)]))
     with browser(has_touch=True) as page:
         page.goto(site_page(tmp_path, "light", made))
@@ -395,7 +393,7 @@ def swipe(page, x, y):
         frames(page)
 
 
-def test_a_finger_on_the_ground_scrolls_and_one_on_a_thing_drags(light):
+def test_a_finger_on_the_ground_scrolls_and_one_on_a_thing_drags(light, browser):
     """On a telephone a board is as wide as the page, so there is no other place to scroll."""
     phone = {"has_touch": True, "is_mobile": True, "viewport": {"width": 360, "height": 640}}
     with browser(**phone, device_scale_factor=3) as page:
@@ -415,7 +413,7 @@ def test_a_finger_on_the_ground_scrolls_and_one_on_a_thing_drags(light):
         assert page.evaluate(PLACES) == dragged
 
 
-def test_an_arrow_with_another_key_is_the_browsers(light):
+def test_an_arrow_with_another_key_is_the_browsers(light, browser):
     """Alt and an arrow goes back in the history; a key that is let go while Ctrl is held ends."""
     with browser() as page:
         page.goto(light)
@@ -438,7 +436,7 @@ def test_an_arrow_with_another_key_is_the_browsers(light):
         assert page.evaluate(held) == []
 
 
-def test_a_plot_without_things_has_no_button_to_start_again(light):
+def test_a_plot_without_things_has_no_button_to_start_again(light, browser):
     """There is nothing in it to put back; the board that has things keeps the button."""
     with browser() as page:
         page.goto(light)
@@ -453,9 +451,8 @@ def test_a_plot_without_things_has_no_button_to_start_again(light):
         assert [page.evaluate(another, bare) for bare in (False, True)] == [False, True]
 
 
-def test_the_plot_beside_a_refused_bug_is_pale(tmp_path):
+def test_the_plot_beside_a_refused_bug_is_pale(tmp_path, browser):
     """Both pictures show what was before; they take their colours again together."""
-    needs_chromium()
     made = bug_board((0, 4), (10, 4), [[(2, 2), (4, 2), (4, 6), (2, 6)]])
     with browser() as page:
         page.goto(site_page(tmp_path, "light", made))
@@ -482,11 +479,10 @@ STEPS = """() => [0, 1, 2].map((number) =>
 LISTED = {"lines": ["x"], "ran": [0] * 9, "changes": [{}] * 9, "colours": {}}
 
 
-def test_lanes_whose_answers_come_late_are_scrubbed_too(tmp_path):
+def test_lanes_whose_answers_come_late_are_scrubbed_too(tmp_path, browser):
     """Each takes the step of those that have theirs; the lane with code, which keeps its step when
     something is dragged, takes the others along.
     """
-    needs_chromium()
     with browser() as page:
         page.goto(site_page(tmp_path, "light", race_board(walled(), nodes=60)))
         page.wait_for_function("document.querySelectorAll('[data-paints]').length === 3")
@@ -513,7 +509,7 @@ def test_lanes_whose_answers_come_late_are_scrubbed_too(tmp_path):
         assert page.evaluate(STEPS) == [4, 4, 4]
 
 
-def test_a_board_that_changes_no_longer_says_that_it_is_copied(light):
+def test_a_board_that_changes_no_longer_says_that_it_is_copied(light, browser):
     """The whole of the same drawing, which comes when all is at rest, changes nothing."""
     with browser() as page:
         page.goto(light)
@@ -528,7 +524,7 @@ def test_a_board_that_changes_no_longer_says_that_it_is_copied(light):
         assert [copied, button.text_content()] == ["copied", copy] != [copy, copy]
 
 
-def test_a_board_whose_kernel_was_restarted_says_so(light):
+def test_a_board_whose_kernel_was_restarted_says_so(light, browser):
     """It asks the lost Python nothing, and does not say that it plans."""
     with browser() as page:
         page.goto(light)
@@ -553,7 +549,7 @@ def test_a_board_whose_kernel_was_restarted_says_so(light):
         assert texts == [get_message(f"board.front.{name}") for name in ("thinking", "lost")]
 
 
-def test_a_board_whose_kernel_was_shut_down_says_so(light):
+def test_a_board_whose_kernel_was_shut_down_says_so(light, browser):
     """JupyterLab then refuses to send; a board that went on would say for ever that it plans."""
     with browser() as page:
         page.goto(light)
@@ -580,7 +576,7 @@ def test_a_board_whose_kernel_was_shut_down_says_so(light):
         assert tried == 1 and text == get_message("board.front.lost")
 
 
-def test_nothing_dead_is_offered_beside_a_refused_scene(light):
+def test_nothing_dead_is_offered_beside_a_refused_scene(light, browser):
     """What was answered briefly before has no steps: the slider comes back with the next answer."""
     with browser() as page:
         page.goto(light)
@@ -601,7 +597,7 @@ def test_nothing_dead_is_offered_beside_a_refused_scene(light):
         assert slider.is_visible()
 
 
-def test_ten_thousand_nodes_stay_usable(light):
+def test_ten_thousand_nodes_stay_usable(light, browser):
     """Twenty places are pointed at and painted in less than 0.2 s each."""
     with browser() as page:
         page.goto(light)
@@ -620,7 +616,7 @@ def test_ten_thousand_nodes_stay_usable(light):
         assert said >= 15 and took < 200
 
 
-def test_challenges_stand_below_the_picture(light):
+def test_challenges_stand_below_the_picture(light, browser):
     """Without a kernel nobody judges, so only the sentence is shown."""
     with browser() as page:
         page.goto(light)
@@ -644,9 +640,8 @@ FREE_PIXEL = """() => { const canvas = document.querySelector('.kinoedu-board ca
         ("auto", "light", "light"),
     ],
 )
-def test_boards_and_words_follow_the_page(tmp_path, theme, prefers, expected):
+def test_boards_and_words_follow_the_page(tmp_path, theme, prefers, expected, browser):
     """The free ground has the colour of the theme, and so has the line under a word."""
-    needs_chromium()
     address = site_page(tmp_path, theme, board(walled(), step_size=0.5))
     with browser(color_scheme=prefers) as page:
         page.goto(address)
@@ -671,9 +666,8 @@ PRINTED = f"""() => {{ const pixel = {FREE_PIXEL}, seen = [pixel()];
 
 
 @pytest.mark.parametrize("theme", ["dark", "auto"])
-def test_a_dark_page_prints_light_boards(tmp_path, theme):
+def test_a_dark_page_prints_light_boards(tmp_path, theme, browser):
     """The picture is light as soon as the page is to be printed, and dark again afterwards."""
-    needs_chromium()
     with browser(color_scheme="dark") as page:
         page.goto(site_page(tmp_path, theme, board(walled(), step_size=0.5)))
         root = shown(page)
@@ -699,7 +693,7 @@ def test_a_dark_page_prints_light_boards(tmp_path, theme):
         assert page.evaluate(FREE_PIXEL) == dark
 
 
-def test_a_word_of_the_lesson_lights_what_it_names(light):
+def test_a_word_of_the_lesson_lights_what_it_names(light, browser):
     """All else is pale meanwhile; where nothing has its colour, nothing changes."""
     with browser() as page:
         page.goto(light)
@@ -727,11 +721,10 @@ WRITTEN = """window.written = {};
     };"""
 
 
-def test_names_keep_off_paths_and_arrows(tmp_path):
+def test_names_keep_off_paths_and_arrows(tmp_path, browser):
     """Each stands to the upper right, unless a path or an arrow passes there; 30 pixels lower, and
     then to the left. Where lines pass on all sides it keeps off the path.
     """
-    needs_chromium()
     spots = {"A": (1, 5), "B": (3, 5), "C": (5, 5), "D": (7, 5)}
     spots |= {"E": (3, 8), "F": (1, 8), "G": (5, 2), "H": (1, 2)}
     scene = make_scene(
@@ -766,11 +759,10 @@ def test_names_keep_off_paths_and_arrows(tmp_path):
     }
 
 
-def test_a_label_stands_nearest_to_its_own_point(tmp_path):
+def test_a_label_stands_nearest_to_its_own_point(tmp_path, browser):
     """The first spot of the first label would cover the second point, and its next, below, would be
     nearer to that than to its own; so it stands to the left.
     """
-    needs_chromium()
     scene = make_scene((0, 0), (10, 10))
     texts = labels([(5, 5), (5.5, 5), (8, 5)], ["first label", "second", "third"], "ink")
     address = site_page(tmp_path, "light", Canvas(scene, lambda _: Drawing([texts], text="three")))
@@ -787,7 +779,7 @@ def test_a_label_stands_nearest_to_its_own_point(tmp_path):
     }
 
 
-def test_a_word_is_chosen_by_keys(light):
+def test_a_word_is_chosen_by_keys(light, browser):
     """Tab comes to it from the top of the page; the next Tab leaves it."""
     with browser() as page:
         page.goto(light)
@@ -800,7 +792,7 @@ def test_a_word_is_chosen_by_keys(light):
             assert root.locator("canvas").screenshot() != before  # the next has a ring
 
 
-def test_a_page_that_turns_dark_takes_its_boards_along(light):
+def test_a_page_that_turns_dark_takes_its_boards_along(light, browser):
     with browser() as page:
         page.goto(light)
         root = shown(page)
@@ -838,7 +830,7 @@ RATIOS = """window.ratios = [];
       return ratios.at(-1); };"""
 
 
-def test_a_page_that_is_zoomed_has_sharp_boards(light):
+def test_a_page_that_is_zoomed_has_sharp_boards(light, browser):
     """More than once, though the size of the board stays the same."""
     with browser() as page:
         page.add_init_script(RATIOS)
@@ -862,9 +854,8 @@ BARS = """() => [...document.querySelectorAll(".kinoedu-line")].map((line) => {
       range.getBoundingClientRect().left]; })"""
 
 
-def test_the_lit_line_has_a_bar_also_without_colours(tmp_path):
+def test_the_lit_line_has_a_bar_also_without_colours(tmp_path, browser):
     """Where the system forces its colours no other line has one, and no line moves aside."""
-    needs_chromium()
     with browser(forced_colors="active") as page:
         page.goto(site_page(tmp_path, "light", code_board(two_lines, 1.0, window=BOX)))
         shown(page)
@@ -874,9 +865,8 @@ def test_the_lit_line_has_a_bar_also_without_colours(tmp_path):
         assert lines[1][3] == lines[2][3]  # both are indented once
 
 
-def test_code_is_read_from_the_left_on_every_page(tmp_path):
+def test_code_is_read_from_the_left_on_every_page(tmp_path, browser):
     """Also where the language is not: else a colon at the end of a line stands before it."""
-    needs_chromium()
     with browser() as page:
         page.goto(site_page(tmp_path, "light", code_board(two_lines, 1.0, window=BOX)))
         root = shown(page)
@@ -894,9 +884,8 @@ Element.prototype.append = function (...nodes) {
   setTimeout(() => append.apply(this, nodes), 100); };"""
 
 
-def test_a_board_that_enters_a_page_late_takes_its_theme(tmp_path):
+def test_a_board_that_enters_a_page_late_takes_its_theme(tmp_path, browser):
     """VS Code and JupyterLab make a widget first, and then put it into the page."""
-    needs_chromium()
     with browser() as page:
         page.add_init_script(LATE)
         page.goto(site_page(tmp_path, "dark", board(walled(), step_size=0.5)))
@@ -914,9 +903,8 @@ COLOURS = """() => [...document.querySelectorAll(".cell-output-ipywidget-backgro
 
 
 @pytest.mark.parametrize("kind", ["board", "solid"])
-def test_a_board_in_vs_code_stands_on_the_page_and_not_on_white(kind):
+def test_a_board_in_vs_code_stands_on_the_page_and_not_on_white(kind, browser):
     """VS Code puts each output with a widget on white; those of others stay so."""
-    needs_chromium()
     style = {"board": Canvas, "solid": SolidBoard}[kind]._css
     made = IN_VS_CODE.replace("BOARD", f'<div class="kinoedu-{kind}"></div>')
     with browser() as page:
@@ -957,9 +945,8 @@ SHARE_OF_DASHES = """canvas => {
   return row.length / (row.at(-1) - row[0] + 1); }"""
 
 
-def test_what_is_driven_backwards_is_dashed(tmp_path):
+def test_what_is_driven_backwards_is_dashed(tmp_path, browser):
     """Its dashes go on from one of its short segments to the next; a picture has the same."""
-    needs_chromium()
     made = curves_board((0, 0, 0), (-80, 0, 0), 20)
     with browser() as page:
         page.goto(site_page(tmp_path, "light", made))

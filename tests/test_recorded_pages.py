@@ -4,7 +4,6 @@ import json
 import shutil
 
 import pytest
-from lab_driver import CHROMIUM, FLAGS, needs_chromium
 
 from kinoedu.boards import distance_board
 from kinoedu.boards.core.page_script import CORE, page_script
@@ -19,21 +18,16 @@ p { height: 3000px } html { overflow-anchor: none }</style><body>
 
 
 @pytest.fixture
-def page(tmp_path):
+def page(chromium, tmp_path):
     """A page with a board above a part, and a browser that has not opened it yet."""
-    from playwright.sync_api import sync_playwright
-
-    needs_chromium()
     board = distance_board([(2, 2), (6, 2), (4, 6)], (8, 8))
     record = json.dumps(pack_records(board.record()))
     (tmp_path / "index.html").write_text(PAGE.replace("{record}", record), encoding="utf-8")
     (tmp_path / "boards.js").write_text(page_script(), encoding="utf-8")
     shutil.copy(CORE / "board.css", tmp_path)
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        opened = browser.new_page(viewport={"width": 900, "height": 700})
-        yield opened, (tmp_path / "index.html").as_uri()
-        browser.close()
+    opened = chromium.new_page(viewport={"width": 900, "height": 700})
+    yield opened, (tmp_path / "index.html").as_uri()
+    opened.close()
 
 
 def test_a_part_stays_in_its_place_while_boards_above_it_come(page):

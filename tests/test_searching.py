@@ -5,17 +5,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from lab_driver import CHROMIUM, FLAGS, needs_chromium
 
 HOUSE = Path(__file__).resolve().parent.parent
 
 
 @pytest.fixture(scope="module")
-def search(tmp_path_factory):
+def search(chromium, tmp_path_factory):
     """A function from a query to the addresses found; the pages are some of the site's."""
-    from playwright.sync_api import sync_playwright
-
-    needs_chromium()
     folder, trees = tmp_path_factory.mktemp("site"), tmp_path_factory.mktemp("doctrees")
     sources = (
         "README.md,docs/glossary.md,docs/algorithms.md,docs/contributing.md,docs/api/*.md,"
@@ -24,21 +20,19 @@ def search(tmp_path_factory):
     command = [sys.executable, "-P", "-m", "sphinx", "-q", "-c", "docs", "-d", trees]
     command += ["-D", f"include_patterns={sources}", "-D", "suppress_warnings=toc,ref,image,mystnb"]
     subprocess.run([*command, ".", folder], cwd=HOUSE, capture_output=True, check=True)
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        page, errors = browser.new_page(), []
-        page.on("pageerror", lambda error: errors.append(str(error)))
+    page, errors = chromium.new_page(), []
+    page.on("pageerror", lambda error: errors.append(str(error)))
 
-        def find(query):
-            page.goto(f"{folder.as_uri()}/README.html")
-            page.locator("input[name=q]").first.fill(query)
-            page.locator("input[name=q]").first.press("Enter")
-            page.wait_for_function("/finished|did not/.test(document.body.textContent)")
-            links = page.locator("#search-results a")
-            return [link.get_attribute("href") for link in links.all()]
+    def find(query):
+        page.goto(f"{folder.as_uri()}/README.html")
+        page.locator("input[name=q]").first.fill(query)
+        page.locator("input[name=q]").first.press("Enter")
+        page.wait_for_function("/finished|did not/.test(document.body.textContent)")
+        links = page.locator("#search-results a")
+        return [link.get_attribute("href") for link in links.all()]
 
-        yield find, page
-        browser.close()
+    yield find, page
+    page.close()
     assert errors == []
 
 

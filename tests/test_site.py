@@ -11,7 +11,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
-from lab_driver import CHROMIUM, FLAGS, keep, needs_chromium
+from lab_driver import keep
 
 from kinoedu.messages import get_message
 from kinoedu.slides.formulas import to_mathml
@@ -216,31 +216,26 @@ def test_formulas_are_spaced_as_in_print():
 
 
 @pytest.fixture(scope="module")
-def browser_page(site):
+def browser_page(chromium, site):
     """A page of Chromium, and the site's address on the disk; in the end there were no complaints,
     and no requests elsewhere.
     """
-    needs_chromium()
-    from playwright.sync_api import sync_playwright
-
     address = site.as_uri()
     outside, errors = [], []
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
-        page = browser.new_context(viewport={"width": 480, "height": 900}).new_page()
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on(
-            "console",
-            lambda message: (
-                errors.append(message.text) if message.type in ("error", "warning") else None
-            ),
-        )
-        page.route(
-            lambda url: not url.startswith((address, "data:")),
-            lambda route: (outside.append(route.request.url), route.abort()),
-        )
-        yield page, address
-        browser.close()
+    page = chromium.new_page(viewport={"width": 480, "height": 900})
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on(
+        "console",
+        lambda message: (
+            errors.append(message.text) if message.type in ("error", "warning") else None
+        ),
+    )
+    page.route(
+        lambda url: not url.startswith((address, "data:")),
+        lambda route: (outside.append(route.request.url), route.abort()),
+    )
+    yield page, address
+    page.close()
     assert outside == [] and errors == []
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from lab_driver import CHROMIUM, FLAGS, needs_chromium
 
 from kinoedu.cli import main
 from kinoedu.slides.exporter import PageWithBoards
@@ -147,54 +146,43 @@ def test_the_command_writes_files_that_need_no_network(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("lesson", ["03_decomposition", "09_trees"])
-def test_a_browser_shows_every_slide(lesson, tmp_path):
+def test_a_browser_shows_every_slide(lesson, chromium, tmp_path):
     """Nothing is fetched, nothing complains, everything fits, boards play, keys lead on."""
-    needs_chromium()
-    from playwright.sync_api import sync_playwright
-
     made = make_slides(lesson, tmp_path)
     complaints = []
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
-        page = browser.new_page(viewport={"width": 1280, "height": 720})
-        page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on("request", lambda r: complaints.append(r.url) if r.url[:4] == "http" else None)
-        page.goto(made.as_uri())
-        count = page.locator("section").count()
-        boards = 0
-        for number in range(1, count + 1):
-            section = page.locator("section:not([hidden])")
-            assert section.count() == 1
-            if section.locator(".kinoedu-record").count():
-                section.locator("canvas").first.wait_for()
-                boards += 1
-            page.wait_for_timeout(80)
-            over = section.locator(".row").evaluate("e => e.scrollHeight - e.clientHeight")
-            assert over <= 2, number
-            assert page.locator("#place").inner_text() == f"Slide {number} of {count}"
-            page.keyboard.press("ArrowRight")
-        assert boards > 0
-        page.keyboard.press("Home")
-        page.keyboard.press("n")
-        assert page.locator("section:not([hidden]) aside").is_visible()
-        browser.close()
+    page = chromium.new_page(viewport={"width": 1280, "height": 720})
+    page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.on("request", lambda r: complaints.append(r.url) if r.url[:4] == "http" else None)
+    page.goto(made.as_uri())
+    count = page.locator("section").count()
+    boards = 0
+    for number in range(1, count + 1):
+        section = page.locator("section:not([hidden])")
+        assert section.count() == 1
+        if section.locator(".kinoedu-record").count():
+            section.locator("canvas").first.wait_for()
+            boards += 1
+        page.wait_for_timeout(80)
+        over = section.locator(".row").evaluate("e => e.scrollHeight - e.clientHeight")
+        assert over <= 2, number
+        assert page.locator("#place").inner_text() == f"Slide {number} of {count}"
+        page.keyboard.press("ArrowRight")
+    assert boards > 0
+    page.keyboard.press("Home")
+    page.keyboard.press("n")
+    assert page.locator("section:not([hidden]) aside").is_visible()
+    page.close()
     assert complaints == []
 
 
 @contextmanager
-def shown_slides(tmp_path, **how):
+def shown_slides(chromium, tmp_path, **how):
     """The slides of a lesson in a browser with a small window."""
-    needs_chromium()
-    from playwright.sync_api import sync_playwright
-
-    made = make_slides("09_trees", tmp_path)
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
-        page = browser.new_context(viewport={"width": 800, "height": 450}, **how).new_page()
-        page.goto(made.as_uri())
-        yield page
-        browser.close()
+    page = chromium.new_page(viewport={"width": 800, "height": 450}, **how)
+    page.goto(make_slides("09_trees", tmp_path).as_uri())
+    yield page
+    page.close()
 
 
 ON_PAPER = """() => [...document.querySelectorAll(".slide")].map((slide) => {
@@ -202,9 +190,9 @@ ON_PAPER = """() => [...document.querySelectorAll(".slide")].map((slide) => {
     return [width, height, row.scrollHeight - row.clientHeight <= 2]; })"""
 
 
-def test_every_slide_fills_its_sheet_of_paper(tmp_path):
+def test_every_slide_fills_its_sheet_of_paper(chromium, tmp_path):
     """Those that the small window has shown, and those that it has not; nothing is cut."""
-    with shown_slides(tmp_path) as page:
+    with shown_slides(chromium, tmp_path) as page:
         page.keyboard.press("ArrowRight")
         page.evaluate("dispatchEvent(new Event('beforeprint'))")
         page.emulate_media(media="print")
@@ -221,9 +209,9 @@ BROKEN = """() => [...document.querySelectorAll(".beside > .code pre")].filter((
     return code.clientHeight > (lines + 0.5) * parseFloat(getComputedStyle(code).lineHeight); })"""
 
 
-def test_lines_of_code_are_not_broken(tmp_path):
+def test_lines_of_code_are_not_broken(chromium, tmp_path):
     """A line that is too long to stand beside a text has the width of the slide."""
-    with shown_slides(tmp_path) as page:
+    with shown_slides(chromium, tmp_path) as page:
         page.evaluate("dispatchEvent(new Event('beforeprint'))")
         page.emulate_media(media="print")
         assert page.evaluate(BROKEN) == []
@@ -234,9 +222,9 @@ FITS = """() => {
     return row.scrollHeight - row.clientHeight <= 2; }"""
 
 
-def test_code_that_is_opened_is_not_cut(tmp_path):
+def test_code_that_is_opened_is_not_cut(chromium, tmp_path):
     """Its slide is made smaller until it fits."""
-    with shown_slides(tmp_path) as page:
+    with shown_slides(chromium, tmp_path) as page:
         opened = 0
         for _ in range(page.locator("section").count()):
             codes = page.locator("section:not([hidden]) .beside summary")
@@ -255,9 +243,9 @@ FINGERS = """([kind, places, changed]) => {
         touches: places.map(touch), changedTouches: [touch(changed)], bubbles: true })); }"""
 
 
-def test_two_fingers_zoom_and_do_not_turn_the_slide(tmp_path):
+def test_two_fingers_zoom_and_do_not_turn_the_slide(chromium, tmp_path):
     """Neither when they are lifted nor when one finger moves what is zoomed; else this turns it."""
-    with shown_slides(tmp_path, has_touch=True) as page:
+    with shown_slides(chromium, tmp_path, has_touch=True) as page:
         for _ in range(3):
             page.keyboard.press("ArrowRight")
         place = page.locator("#place")
@@ -277,48 +265,43 @@ def test_two_fingers_zoom_and_do_not_turn_the_slide(tmp_path):
         assert not turns(*swipe)
 
 
-def test_a_slide_is_whole_on_a_telephone(tmp_path):
+def test_a_slide_is_whole_on_a_telephone(chromium, tmp_path):
     """There the page is first as wide as the slide was before it was made smaller."""
-    with shown_slides(tmp_path, is_mobile=True) as page:
+    with shown_slides(chromium, tmp_path, is_mobile=True) as page:
         for _ in range(3):
             place = page.locator("section:not([hidden]) .slide").bounding_box()
             assert place["x"] >= 0 and place["x"] + place["width"] <= 800
             page.keyboard.press("ArrowRight")
 
 
-def test_an_exported_notebook_has_boards_that_play(tmp_path):
+def test_an_exported_notebook_has_boards_that_play(chromium, tmp_path):
     """nbconvert's page shows the stored picture until the board itself is there. Programs are shown
     in the font of code, and on paper no line is cut.
     """
-    needs_chromium()
-    from playwright.sync_api import sync_playwright
-
     page_text, _ = PageWithBoards().from_filename(str(HOUSE / "notebooks" / "09_trees.ipynb"))
     (tmp_path / "trees.html").write_text(page_text, encoding="utf-8")
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, headless=True, args=FLAGS)
-        page, errors = browser.new_page(), []
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.route("**/*", lambda r: r.continue_() if r.request.url[:5] == "file:" else r.abort())
-        page.goto((tmp_path / "trees.html").as_uri(), wait_until="domcontentloaded")
-        shown = page.locator(".jp-RenderedHTML .highlight pre").first
-        assert "monospace" in shown.evaluate("code => getComputedStyle(code).fontFamily")
-        page.emulate_media(media="print")
-        page.set_viewport_size({"width": 703, "height": 1032})  # A4 without margins of 12 mm
-        assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre')]
-            .every((code) => code.scrollWidth <= code.clientWidth)""")
-        page.emulate_media(media="screen")
-        page.set_viewport_size({"width": 1280, "height": 720})
-        record = page.locator(".kinoedu-record").nth(1)
-        record.scroll_into_view_if_needed()
-        record.locator(".kinoedu-board[data-paints]").wait_for()
-        assert not record.locator("> img").is_visible()
-        before = record.locator("canvas").first.screenshot()
-        record.locator("input[type=range]").first.focus()
-        page.keyboard.press("Home")
-        page.wait_for_timeout(200)
-        assert record.locator("canvas").first.screenshot() != before
-        browser.close()
+    page, errors = chromium.new_page(), []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.route("**/*", lambda r: r.continue_() if r.request.url[:5] == "file:" else r.abort())
+    page.goto((tmp_path / "trees.html").as_uri(), wait_until="domcontentloaded")
+    shown = page.locator(".jp-RenderedHTML .highlight pre").first
+    assert "monospace" in shown.evaluate("code => getComputedStyle(code).fontFamily")
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": 703, "height": 1032})  # A4 without margins of 12 mm
+    assert page.evaluate("""() => [...document.querySelectorAll('.highlight pre')]
+        .every((code) => code.scrollWidth <= code.clientWidth)""")
+    page.emulate_media(media="screen")
+    page.set_viewport_size({"width": 1280, "height": 720})
+    record = page.locator(".kinoedu-record").nth(1)
+    record.scroll_into_view_if_needed()
+    record.locator(".kinoedu-board[data-paints]").wait_for()
+    assert not record.locator("> img").is_visible()
+    before = record.locator("canvas").first.screenshot()
+    record.locator("input[type=range]").first.focus()
+    page.keyboard.press("Home")
+    page.wait_for_timeout(200)
+    assert record.locator("canvas").first.screenshot() != before
+    page.close()
     assert errors == []
 
 
