@@ -19,21 +19,20 @@ import nbval.plugin
 import pytest
 from nbval.kernel import RunningKernel, start_new_kernel
 
-# Files that take longest, begun first, so that at the end of a run no process works alone.
+# What takes longest is begun first, so that at the end of a run no process works alone.
 LONGEST = (
     "tests/test_bank.py",
-    "tests/test_lab.py",
+    "tests/in_lab",
     "tests/test_kit.py",
-    "tests/test_site.py",
+    "tests/on_site",
     "tests/test_grading.py",
     "tests/test_house.py",
     "tests/test_course.py",
     "tests/test_compiled.py",
-    "tests/test_board_in_lab.py",
     "tests/test_trivial.py",
     "tests/test_attacks.py",
 )
-
+SHARING = ("tests/in_lab", "tests/on_site")  # folders whose files share what takes long to start
 
 WHERE_CRASHED = "KINOEDU_WHERE_CRASHED"  # the folder with a file of each test process
 RUNNERS = {"_pytest", "pluggy", "xdist", "execnet"}  # their lines tell nothing about a crash
@@ -108,6 +107,24 @@ def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
     return int(asked) if asked else (os.cpu_count() or 1) + 1
 
 
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """One process runs all tests of a file, or of a folder whose files share something."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class Scheduling(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return run_together(nodeid)
+
+    return Scheduling(config, log)
+
+
+def run_together(nodeid: str) -> str:
+    """The file of a test, or its folder where files share something."""
+    file = nodeid.partition("::")[0]
+    folder = file.rpartition("/")[0]
+    return folder if folder in SHARING else file
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_sessionstart(session: pytest.Session) -> None:
     """Before the first test, and before the processes that share them are started."""
@@ -121,7 +138,7 @@ def pytest_sessionstart(session: pytest.Session) -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Sort the longest files to the front; all else stays in its order."""
     rank = {name: number for number, name in enumerate(LONGEST)}
-    items.sort(key=lambda item: rank.get(item.nodeid.partition("::")[0], len(rank)))
+    items.sort(key=lambda item: rank.get(run_together(item.nodeid), len(rank)))
 
 
 @pytest.fixture(scope="module")

@@ -27,6 +27,13 @@ FLAGS = [
     "--disable-component-update",
     "--disable-sync",
 ]
+OPEN = """async ([path, id]) => {
+    const { commands, shell } = jupyterapp;
+    const kernel = id ? {id} : undefined;
+    await commands.execute('docmanager:open', {path, factory: 'Notebook', kernel});
+    await shell.currentWidget.context.ready;
+    await shell.currentWidget.sessionContext.ready;
+    return shell.currentWidget.sessionContext.session.kernel.id; }"""
 RUN_ALL = """async () => {
     const panel = jupyterapp.shell.currentWidget;
     await panel.context.ready;
@@ -126,8 +133,8 @@ def launched():
 
 
 @contextmanager
-def notebook_page(address: str, token: str, notebook: str):
-    """A page with the notebook open.
+def lab_page(address: str, token: str):
+    """A page of JupyterLab with no notebook open.
 
     `page.outside` lists requests to other computers, which are refused; `page.errors` are the
     browser's errors.
@@ -145,8 +152,9 @@ def notebook_page(address: str, token: str, notebook: str):
             lambda url: not url.startswith((address, "data:", "blob:")),
             lambda route: (page.outside.append(route.request.url), route.abort()),
         )
-        page.goto(f"{address}/lab/tree/{notebook}?reset&token={token}")
-        page.wait_for_selector(".jp-Notebook .jp-Cell")
+        page.goto(f"{address}/lab?reset&token={token}")
+        page.wait_for_function("window.jupyterapp")
+        page.evaluate("jupyterapp.restored")
         yield page
 
 
@@ -156,27 +164,6 @@ def complain(page, error: str) -> None:
     """
     if not ("_ensureFocus" in error and "null (reading 'footer')" in error):
         page.errors.append(error)
-
-
-@contextmanager
-def run_in_lab(factory, *cells: str):
-    """A page of a JupyterLab of its own, with a notebook whose cells have run.
-
-    No cell fails, the browser reports no error, and nothing is asked of other computers. `factory`
-    is pytest's tmp_path_factory.
-    """
-    needs_chromium()
-    course, home = factory.mktemp("course"), factory.mktemp("home")
-    (course / "boards.ipynb").write_text(written_notebook(*cells))
-    with (
-        lab(course, home) as (address, token),
-        notebook_page(address, token, "boards.ipynb") as page,
-    ):
-        book = page.evaluate(RUN_ALL)
-        outputs = [output for cell in book["cells"] for output in cell["outputs"]]
-        assert [one["evalue"] for one in outputs if one["output_type"] == "error"] == []
-        yield page
-        assert page.outside == [] and page.errors == []
 
 
 def keep(page, name: str) -> None:

@@ -38,7 +38,7 @@ def test_the_pale_colours_are_those_that_the_statement_names():
 
 def test_what_the_statement_says_of_the_boards_is_tested():
     """Keyboard and reduced motion are driven in a browser; recorded boards say what they are."""
-    tests = (HOUSE / "tests" / "test_board_in_lab.py").read_text(encoding="utf-8")
+    tests = (HOUSE / "tests" / "in_lab" / "test_board.py").read_text(encoding="utf-8")
     assert "def test_everything_is_reached_by_keyboard" in tests
     assert "def test_reduced_motion_steps_and_does_not_play" in tests
     board = (HOUSE / "kinoedu" / "boards" / "core" / "board.js").read_text(encoding="utf-8")

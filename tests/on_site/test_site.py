@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 from html.parser import HTMLParser
-from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
@@ -16,7 +15,8 @@ from lab_driver import keep
 from kinoedu.messages import get_message
 from kinoedu.slides.formulas import to_mathml
 
-HOUSE = Path(__file__).resolve().parent.parent
+from .conftest import HOUSE
+
 LESSONS = sorted((HOUSE / "notebooks").glob("*.ipynb"))
 NOTEBOOKS = [*LESSONS, *sorted((HOUSE / "exercises").glob("*.ipynb"))]
 BOARD = "application/vnd.jupyter.widget-view+json"
@@ -37,34 +37,6 @@ class Page(HTMLParser):
         self.links += [given[name] or "" for name in ("href", "src") if name in given]
         self.parts |= {given[name] or "" for name in ("id", "name") if name in given}
         self.pictures += [given] if tag == "img" else []
-
-
-@pytest.fixture(scope="module")
-def site(tmp_path_factory):
-    """The folder of the site, built with every warning an error."""
-    folder, trees = tmp_path_factory.mktemp("site"), tmp_path_factory.mktemp("doctrees")
-    command = [
-        sys.executable,
-        "-P",
-        "-m",
-        "sphinx",
-        "-W",
-        "--keep-going",
-        "-q",
-        "-j",
-        "auto",
-        "-c",
-        "docs",
-        "-d",
-        trees,
-        ".",
-        folder,
-    ]
-    built = subprocess.run(
-        command, cwd=HOUSE, capture_output=True, text=True, encoding="utf-8", errors="replace"
-    )
-    assert (built.returncode, built.stderr) == (0, "")
-    return folder
 
 
 def test_a_copy_with_answers_is_not_on_the_site(tmp_path):

@@ -1,30 +1,16 @@
 """The site's search: what a student finds first, and what is marked on the page."""
 
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
-
-HOUSE = Path(__file__).resolve().parent.parent
 
 
 @pytest.fixture(scope="module")
-def search(chromium, tmp_path_factory):
-    """A function from a query to the addresses found; the pages are some of the site's."""
-    folder, trees = tmp_path_factory.mktemp("site"), tmp_path_factory.mktemp("doctrees")
-    sources = (
-        "README.md,docs/glossary.md,docs/algorithms.md,docs/contributing.md,docs/api/*.md,"
-        "notebooks/04_graph_search.ipynb,notebooks/09_trees.ipynb"
-    )
-    command = [sys.executable, "-P", "-m", "sphinx", "-q", "-c", "docs", "-d", trees]
-    command += ["-D", f"include_patterns={sources}", "-D", "suppress_warnings=toc,ref,image,mystnb"]
-    subprocess.run([*command, ".", folder], cwd=HOUSE, capture_output=True, check=True)
+def search(chromium, site):
+    """A function from a query to the addresses found, and the page on which it searches."""
     page, errors = chromium.new_page(), []
     page.on("pageerror", lambda error: errors.append(str(error)))
 
     def find(query):
-        page.goto(f"{folder.as_uri()}/README.html")
+        page.goto(f"{site.as_uri()}/README.html")
         page.locator("input[name=q]").first.fill(query)
         page.locator("input[name=q]").first.press("Enter")
         page.wait_for_function("/finished|did not/.test(document.body.textContent)")

@@ -1,7 +1,6 @@
 """The board of solids in a real JupyterLab, by mouse and by keys, without requests elsewhere."""
 
 import pytest
-from lab_driver import run_in_lab
 
 from kinoedu.figures import palette
 
@@ -14,9 +13,9 @@ board
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory):
-    """One JupyterLab with one board."""
-    with run_in_lab(tmp_path_factory, BOARD) as page:
+def page(run_in_lab):
+    """One notebook with one board."""
+    with run_in_lab(BOARD) as page:
         page.wait_for_selector(".kinoedu-solid[data-paints]")
         yield page
 

@@ -3,9 +3,10 @@
 import json
 
 import pytest
-from lab_driver import keep, run_in_lab
-from test_board_in_lab import Seen
-from test_planning_boards_in_lab import scrub
+from lab_driver import keep
+
+from .test_board import Seen
+from .test_planning_boards import scrub
 
 YARD = """import numpy as np
 import kinoedu as ke
@@ -22,9 +23,9 @@ ASK = """async code => {
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory):
-    """One JupyterLab for both boards: one with a planner, one driven by keys."""
-    with run_in_lab(tmp_path_factory, YARD, DRIVEN) as page:
+def page(run_in_lab):
+    """One notebook for both boards: one with a planner, one driven by keys."""
+    with run_in_lab(YARD, DRIVEN) as page:
         yield page
 
 

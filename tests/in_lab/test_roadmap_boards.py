@@ -1,9 +1,10 @@
 """The boards of roadmaps, races, rewiring and exploration in a real JupyterLab."""
 
 import pytest
-from lab_driver import keep, run_in_lab
-from test_board_in_lab import Seen
-from test_planning_boards_in_lab import scrub
+from lab_driver import keep
+
+from .test_board import Seen
+from .test_planning_boards import scrub
 
 YARD = """import kinoedu as ke
 left = [(2, 3), (3.5, 2.6), (3.9, 6.5), (2.4, 6.1)]
@@ -29,9 +30,9 @@ NAMED = "root.querySelector(`[data-thing=${thing}]`).ariaLabel === label"
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory):
-    """One JupyterLab for all; the race has the boards 2, 3 and 4."""
-    with run_in_lab(tmp_path_factory, YARD, *BOARDS) as page:
+def page(run_in_lab):
+    """One notebook for all; the race has the boards 2, 3 and 4."""
+    with run_in_lab(YARD, *BOARDS) as page:
         yield page
 
 

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from lab_driver import keep, run_in_lab
+from lab_driver import keep
 
 YARD = """
 import kinoedu as ke
@@ -33,9 +33,9 @@ DISTANCE = "ke.boards.distance_board([(2, 1), (6, 1), (7, 4), (4, 3), (2, 5)], q
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory):
-    """One JupyterLab for all: the yard twice, a planner that hangs, distances, a slow planner."""
-    with run_in_lab(tmp_path_factory, YARD, "board", HANGS, DISTANCE, SLOW) as page:
+def page(run_in_lab):
+    """One notebook for all: the yard twice, a planner that hangs, distances, a slow planner."""
+    with run_in_lab(YARD, "board", HANGS, DISTANCE, SLOW) as page:
         yield page
 
 

@@ -4,8 +4,9 @@ import math
 import re
 
 import pytest
-from lab_driver import keep, run_in_lab
-from test_board_in_lab import Seen
+from lab_driver import keep
+
+from .test_board import Seen
 
 ARM = """import kinoedu as ke
 from kinoedu.boards import arm_board, slide_board
@@ -19,9 +20,9 @@ WORKSPACE, SQUARE, SLIDING = 0, 1, 4  # the numbers of the pictures; 2 and 3 bel
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory):
-    """One JupyterLab for all."""
-    with run_in_lab(tmp_path_factory, ARM, PLAN, SLIDE) as page:
+def page(run_in_lab):
+    """One notebook for all."""
+    with run_in_lab(ARM, PLAN, SLIDE) as page:
         yield page
 
 

@@ -4,11 +4,12 @@ import io
 
 import numpy as np
 import pytest
-from lab_driver import keep, run_in_lab
+from lab_driver import keep
 from PIL import Image, ImageColor
-from test_board_in_lab import Seen
 
 from kinoedu.figures import palette
+
+from .test_board import Seen
 
 BUG = (
     "import kinoedu as ke\nke.boards.bug_board((0, 0), (4, 0), [[(1, -1), (2, -1), (2, 2), (1, "
@@ -45,9 +46,9 @@ SEARCH = "import numpy as np\nke.boards.search_board(np.ones((6, 9), bool), sear
 
 
 @pytest.fixture(scope="module")
-def page(tmp_path_factory):
-    """One JupyterLab for all; the bugs' world is board 0, its plot board 1."""
-    with run_in_lab(tmp_path_factory, BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS, LINES) as page:
+def page(run_in_lab):
+    """One notebook for all; the bugs' world is board 0, its plot board 1."""
+    with run_in_lab(BUG, SWEEP, SEARCH, GRAPH, CODE, ROUNDS, LINES) as page:
         yield page
 
 

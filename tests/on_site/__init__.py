@@ -1,0 +1,1 @@
+"""The course as a site, which is built once for all files."""
