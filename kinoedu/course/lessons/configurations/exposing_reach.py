@@ -55,10 +55,9 @@ def arm_fault(l1: float, l2: float, p: Array) -> str:
     distance = hypot(*p)
     if not (0.1 <= l1 <= 100.0 and 0.1 <= l2 <= 100.0):
         return "lengths"
-    if not 0.01 <= distance <= 200.0:
-        return "valid"
     margin = 1e-3 * (l1 + l2)
-    return "" if abs(l1 - l2) + margin <= distance <= l1 + l2 - margin else "valid"
+    nearest = max(0.01, abs(l1 - l2) + margin)
+    return "" if nearest <= distance <= l1 + l2 - margin else "valid"
 
 
 def missed_by(l1: float, l2: float, p: Array) -> float:
