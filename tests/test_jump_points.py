@@ -12,7 +12,7 @@ from kinoedu.compiled import COMPILED_FIRST, INTERPRETED, running
 from kinoedu.graphs import astar, astar_expansions
 from kinoedu.graphs.flat import edge
 from kinoedu.planners.grids.directions import COLUMN_STEP, ROW_STEP, SQRT2
-from kinoedu.planners.grids.grid import Cells, Grid, octile
+from kinoedu.planners.grids.grid import Cells, Grid, octile, path_through
 from kinoedu.planners.grids.jump_points import fill_in, jump_points, jump_table
 
 SHAPES = [(1, 1), (1, 2), (1, 13), (13, 1), (2, 2), (3, 3), (5, 4), (9, 9), (7, 16), (20, 11)]
@@ -182,3 +182,10 @@ def test_interpreted_and_compiled_searches_expand_the_same_cells():
         assert np.array_equal(one, other)
     moments = list(astar_expansions(points, start, goal, h))
     assert [moment.node for moment in moments] == results[0].expanded.tolist()
+
+
+def test_a_path_has_each_place_once():
+    """Equal neighbours are one place; one that returns to the start's column is another."""
+    problem = ke.Problem(ke.Point(), ke.Terrain(np.ones((3, 3))), (0.5, 0.5), (2.5, 2.5))
+    nodes = [(0.5, 0.5), (1.5, 1.5), (0.5, 1.5), (0.5, 2.5), (1.5, 2.5), (2.5, 2.5)]
+    assert path_through(problem, np.array(nodes)).tolist() == list(map(list, nodes))
