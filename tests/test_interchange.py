@@ -46,6 +46,8 @@ HALL = ke.PolygonWorld(
 )
 PROBLEM = ke.Problem(ke.Disk(0.3), HALL, (1, 1), (9, 1))
 PLAN = ke.rrt_connect(PROBLEM, rng=0)
+ARM = ke.Problem(ke.TwoLinkArm(0.5, 0.5, 0.1, base=(2, 2)), HALL, (0, 0), (1, 0))
+REACHING = ke.Plan(np.array([ARM.start, ARM.goal]), 1.0, problem=ARM)
 
 
 def headings_of(path):
@@ -108,7 +110,7 @@ def test_a_cars_poses_follow_its_drive():
     drive = ke.hybrid_astar(car)
     poses = poses_along(drive)
     assert np.linalg.norm(np.diff(poses[:, :2], axis=0), axis=1).max() <= 1.4 / 20 + 1e-9
-    assert np.allclose(poses[-1], drive.trajectory.poses[-1])
+    assert np.allclose(poses[[0, -1]], drive.trajectory.poses[[0, -1]])
     curved = poses_along(ke.rrt(car, rng=0))
     moves = np.diff(curved[:, :2], axis=0)
     ways = np.column_stack([np.cos(curved[:-1, 2]), np.sin(curved[:-1, 2])])
@@ -172,6 +174,15 @@ def test_cells_of_polygons_are_free_where_their_whole_square_is(tmp_path):
     assert free.sum() > 100
 
 
+def test_a_world_keeps_its_place_in_cells(tmp_path):
+    """The cells begin at its lower left corner; the circles round the corners of two are free."""
+    room = ke.PolygonWorld([(10, 20), (13.9, 20), (13.9, 23), (10, 23)])
+    write_world(room, tmp_path / "room.yaml", resolution=1.0)
+    terrain = ke.read_world(tmp_path / "room.yaml")
+    assert terrain.origin.tolist() == [10, 20]
+    assert terrain.free.astype(int).tolist() == [[0, 0, 0, 0], [0, 1, 1, 0], [0, 0, 0, 0]]
+
+
 QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
 
 
@@ -209,6 +220,11 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
             "moves a body",
         ),
         (
+            lambda to: write_ompl_app(PROBLEM._replace(world=ke.Terrain([[1]])), to / "a.cfg"),
+            InvalidParameter,
+            "among polygons",
+        ),
+        (
             lambda to: write_ompl_app(PROBLEM._replace(clearance=1.0), to / "a.cfg"),
             InvalidParameter,
             "no clearance",
@@ -225,6 +241,8 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
             for query, words in (
                 (QUERY._replace(start=np.array([np.nan, 0.5])), "centre of a cell"),
                 (QUERY._replace(goal=np.array([0.5, np.inf])), "centre of a cell"),
+                (QUERY._replace(start=np.array([3.5, 0.5])), "centre of a cell"),
+                (QUERY._replace(goal=np.array([0.5, -0.5])), "centre of a cell"),
                 (QUERY._replace(map_name=" x.map"), "without blanks"),
                 (QUERY._replace(map_name=None), "name is text"),
                 (QUERY._replace(length=1e18), "less than 1e.18, got 1e.18"),
@@ -236,11 +254,18 @@ QUERY = Query("x.map", np.array([0.5, 0.5]), np.array([1.5, 0.5]), 1.0, 3, 2)
         (lambda to: ke.read_problem(GRID / "empty-8-8.map", query=0.5), InvalidParameter, "query"),
         (lambda to: ros_path_text(3), InvalidParameter, "a path is written of a plan"),
         (lambda to: ros_path_text(PLAN, frame="a b"), InvalidParameter, "frame must be a name"),
+        (lambda to: ros_path_text(PLAN, frame=3), InvalidParameter, "frame must be a name"),
+        (lambda to: poses_along(REACHING), InvalidParameter, "not of an arm"),
         (lambda to: poses_along(PLAN, 0.0), InvalidParameter, "spacing must be a positive"),
         (
             lambda to: read_scenario_problems(GRID / "empty-8-8-even-1.scen", [0, 0]),
             InvalidParameter,
             "each once",
+        ),
+        (
+            lambda to: read_scenario_problems(GRID / "empty-8-8-even-1.scen", 3),
+            InvalidParameter,
+            "queries must be a list",
         ),
         (
             lambda to: read_scenario_problems(GRID / "empty-8-8-even-1.scen", [10**6]),
@@ -329,6 +354,8 @@ def test_a_scenario_is_an_experiment(tmp_path):
     assert table.column("cost") == pytest.approx([queries[k].length for k in (0, 5, 11)])
     problems = read_scenario_problems(tmp_path / scenario)
     assert len(problems) == len(queries) and "maze-32-32-2-even-1 0" in problems
+    last = len(queries) - 1
+    assert list(read_scenario_problems(tmp_path / scenario, [last])) == [list(problems)[last]]
     wrong = (tmp_path / "maze.toml").read_text().replace("[0, 5, 11]", '["a"]')
     (tmp_path / "wrong.toml").write_text(wrong)
     with pytest.raises(KinoeduError, match=r"a query of .* must be a whole number"):

@@ -101,6 +101,16 @@ def test_bodies_stand_where_the_scene_puts_them_and_up_is_the_files_when_asked(t
     assert [corners(outline) for outline, _ in read_mesh(file, up="file")] == seen
 
 
+def test_y_is_up_in_a_dae_that_names_no_axis(tmp_path):
+    """As in one that names it."""
+    named = DAE.format(up="Y")
+    read = []
+    for text in (named, named.replace("<up_axis>Y_UP</up_axis>", "")):
+        (tmp_path / "two.dae").write_text(text)
+        read.append([corners(outline) for outline, _ in read_mesh(tmp_path / "two.dae", up="file")])
+    assert read[0] == read[1]
+
+
 def solids_at_random(rng):
     """Random boxes, pipes and pyramids, as a mesh and as tests of points at a height."""
     meshes, tests = [], []
@@ -350,6 +360,14 @@ def test_a_scene_may_name_meshes(tmp_path):
     assert ke.rrt_connect(problem, rng=0).path is not None
     ke.write_scene(problem, tmp_path / "again.json")
     assert np.array_equal(ke.read_scene(tmp_path / "again.json").world.edges, problem.world.edges)
+    del scene["robot"]["reference"], scene["robot"]["turn_weight"]
+    file.write_text(json.dumps({**scene, "start": [-5, 0, 0]}))
+    assert corners(ke.read_scene(file).robot.outline) == {
+        (-2, -0.5),
+        (2, -0.5),
+        (2, 0.5),
+        (-2, 0.5),
+    }
     for thing, key, value, says in (
         ("robot", "file", "gone.stl", "gone.stl"),
         ("world", "up", "w", "up must be"),
@@ -427,12 +445,12 @@ def test_start_goal_and_heading_turn_with_the_map(tmp_path):
     """They are given with y down; a planner may be given others."""
     square = [[4, 4], [6, 4], [6, 6], [4, 6]]
     frame = [[0, 0], [0, 10], [0.1, 10], [0.1, 0]], [[9.9, 0], [9.9, 10], [10, 10], [10, 0]]
-    file = drawn(tmp_path, polygons=[square, *frame], start=[1, 1, 0.5], goal=[9, 9, -0.5])
+    file = drawn(tmp_path, polygons=[square, *frame], start=[1, 2, 0.5], goal=[9, 8, -0.5])
     world, start, goal = read_benchmr(file)
-    assert start.tolist() == [1, 9, -0.5] and goal.tolist() == [9, 1, 0.5]
+    assert start.tolist() == [1, 8, -0.5] and goal.tolist() == [9, 2, 0.5]
     assert ke.read_problem(
         file, robot=ke.RigidPolygon([(0, 0), (0.2, 0), (0, 0.2)])
-    ).start.tolist() == [1, 9, -0.5]
+    ).start.tolist() == [1, 8, -0.5]
     assert ke.read_problem(file, start=(1, 1), goal=(2, 2)).goal.tolist() == [2, 2]
     with pytest.raises(InvalidParameter, match=r"its start is x, y and a heading, .* give a start"):
         ke.read_problem(file)

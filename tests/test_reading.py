@@ -476,6 +476,14 @@ def test_colour_alpha_and_16_bits_in_a_ros_map(tmp_path: Path) -> None:
         assert read_ros_map(path).free.tolist() == [[True, False]]
 
 
+@pytest.mark.parametrize(("mode", "free"), [("trinary", True), ("scale", False)])
+def test_only_trinary_averages_alpha(tmp_path: Path, mode: str, free: bool) -> None:
+    """The mean of 220, 220, 220 and the alpha 255 is lighter than 220."""
+    path = ros(tmp_path, image="grey.png", mode=mode, free_thresh=0.12)
+    Image.fromarray(np.array([[[220, 220, 220, 255]]], np.uint8)).save(tmp_path / "grey.png")
+    assert read_ros_map(path).free.tolist() == [[free]]
+
+
 def test_numbers_that_yaml_takes_for_text(tmp_path: Path) -> None:
     """1e-2 has no dot, so YAML 1.1 reads a string where ROS reads a number."""
     path = ros(tmp_path)

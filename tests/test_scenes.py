@@ -293,6 +293,9 @@ def test_read_problem_wants_each_thing_once(tmp_path):
     for number in (-1, 1):
         with pytest.raises(InvalidParameter, match=rf"a query of .*0 to 0, got {number}"):
             ke.read_problem(tmp_path / "corner.map", query=number)
+    (tmp_path / "corner.map").write_text("type octile\nheight 2\nwidth 4\nmap\n..@.\n....\n")
+    with pytest.raises(UnreadableScene, match=r"query 0 is for a map of 3 x 2 .*has 4 x 2"):
+        ke.read_problem(tmp_path / "corner.map")
 
 
 @pytest.mark.parametrize("query", [None, 0])
