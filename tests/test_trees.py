@@ -9,6 +9,7 @@ import shapely
 import kinoedu as ke
 from kinoedu.errors import InvalidParameter
 from kinoedu.planners.trees.near import near_nodes
+from kinoedu.planners.trees.rrt_star import sufficient_gamma
 from kinoedu.spaces.buckets import add, empty_tree
 
 SQUARE = [(0, 0), (10, 0), (10, 10), (0, 10)]
@@ -122,6 +123,16 @@ def test_the_tree_roadmap_with_the_expansion_of_rrt_is_rrt():
         generic.tree.parent, rrt.tree.parent
     )
     assert generic.stats == rrt.stats
+
+
+def test_an_expansion_steps_as_far_as_asked():
+    """From the start alone, with nothing in the way."""
+    room = ke.PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)])
+    problem = ke.Problem(ke.Point(), room, (5, 5), (9, 9))
+    tree = empty_tree(4, problem.space.lo, problem.space.hi)
+    add(tree, problem.start, -1)
+    node, q = ke.rrt_expansion(0.25)(problem, tree, np.random.default_rng(0))
+    assert node == 0 and problem.distance(problem.start, q) == pytest.approx(0.25)
 
 
 def test_rrt_star_comes_near_the_shortest_path():
@@ -299,3 +310,11 @@ def test_an_expansion_that_answers_wrongly_is_refused(answer):
         ke.tree_roadmap(problem_of(), lambda problem, tree, rng: answer, rng=0)
     with pytest.raises(InvalidParameter, match="expand"):
         ke.tree_roadmap(problem_of(), 3, rng=0)
+
+
+def test_gamma_grows_with_the_space():
+    """2 sqrt(1 + 1/2) sqrt(area / pi) in the plane."""
+    for side in (1.0, 10.0):
+        room = ke.PolygonWorld([(0, 0), (side, 0), (side, side), (0, side)])
+        problem = ke.Problem(ke.Point(), room, (side / 4, side / 2), (side / 2, side / 2))
+        assert sufficient_gamma(problem) == pytest.approx(side * np.sqrt(6 / np.pi))
