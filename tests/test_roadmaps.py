@@ -18,6 +18,7 @@ from kinoedu.errors import (
     KinoeduError,
 )
 from kinoedu.planners.exploring.seen_map import SeenMap
+from kinoedu.planners.roadmaps.alternatives import edges_along
 from kinoedu.planners.roadmaps.connecting import join_in_order
 from kinoedu.planners.roadmaps.neighbours import k_closest, visiting_order
 from kinoedu.problems import MOTIONS, ProblemRecord, Roadmap
@@ -262,6 +263,23 @@ def test_shortcuts_are_never_longer_and_stay_free(seed):
         ke.shortcut(ke.rrt(recorder, rng=seed), rng=seed).path,
         ke.shortcut(ke.rrt(problem, rng=seed), rng=seed).path,
     )
+
+
+def test_a_shortcut_joins_two_places_of_the_path():
+    """One try adds no place that the path does not go through."""
+    plan = ke.rrt(problem_of(), rng=0)
+    way, shortened = shapely.LineString(plan.path), 0
+    for seed in range(30):
+        path = ke.shortcut(plan, tries=1, rng=seed).path
+        assert shapely.distance(way, shapely.points(path)).max() < 1e-9
+        shortened += not np.array_equal(path, plan.path)
+    assert shortened > 3
+
+
+def test_an_edge_is_used_either_way_but_not_a_driven_one():
+    edges, numbers = np.array([(0, 1), (2, 1), (0, 2)]), np.array([0, 1, 2])
+    assert edges_along(edges, numbers, directed=False).tolist() == [0, 1]
+    assert edges_along(edges, numbers, directed=True).tolist() == [0]
 
 
 def test_shortcuts_of_what_cannot_be_shortened():
