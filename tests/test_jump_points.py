@@ -12,7 +12,15 @@ from kinoedu.compiled import COMPILED_FIRST, INTERPRETED, running
 from kinoedu.graphs import astar, astar_expansions
 from kinoedu.graphs.flat import edge
 from kinoedu.planners.grids.directions import COLUMN_STEP, ROW_STEP, SQRT2
-from kinoedu.planners.grids.grid import Cells, Grid, octile, path_through
+from kinoedu.planners.grids.grid import (
+    Cells,
+    Grid,
+    centres,
+    find_joined_node,
+    grid_for,
+    octile,
+    path_through,
+)
 from kinoedu.planners.grids.jump_points import fill_in, jump_points, jump_table
 
 SHAPES = [(1, 1), (1, 2), (1, 13), (13, 1), (2, 2), (3, 3), (5, 4), (9, 9), (7, 16), (20, 11)]
@@ -189,3 +197,14 @@ def test_a_path_has_each_place_once():
     problem = ke.Problem(ke.Point(), ke.Terrain(np.ones((3, 3))), (0.5, 0.5), (2.5, 2.5))
     nodes = [(0.5, 0.5), (1.5, 1.5), (0.5, 1.5), (0.5, 2.5), (1.5, 2.5), (2.5, 2.5)]
     assert path_through(problem, np.array(nodes)).tolist() == list(map(list, nodes))
+
+
+@pytest.mark.parametrize("spacing", [0.25, 0.5, 2.0])
+def test_a_place_is_joined_to_the_nearest_node(spacing):
+    """Where nothing is in the way, that of its own cell."""
+    room = ke.PolygonWorld([(3, 1), (13, 1), (13, 11), (3, 11)])
+    problem = ke.Problem(ke.Point(), room, (4, 2), (12, 10))
+    grid = grid_for(problem, spacing)
+    for q in np.random.default_rng(0).uniform((5, 3), (11, 9), (20, 2)):
+        joined = centres(grid, np.array([find_joined_node(problem, grid, q)]))[0]
+        assert np.abs(joined - q).max() <= spacing / 2 + 1e-9
