@@ -15,8 +15,8 @@ import kinoedu as ke
 from kinoedu.collision import is_free_trajectory
 from kinoedu.curves import integrators
 from kinoedu.errors import InvalidParameter, InvalidPoint
-from kinoedu.planners.driving.common import as_car_problem, begin_tree, closest_step
-from kinoedu.planners.driving.parameters import RefinementRecord, as_drives
+from kinoedu.planners.driving.common import as_car_problem, begin_tree, closest_step, next_target
+from kinoedu.planners.driving.parameters import GoalBiasRecord, RefinementRecord, as_drives
 from kinoedu.planners.driving.sst import Sparse, add_witness, cheapest_near, nearest_witness
 from kinoedu.planners.problem_input import new_tree
 from kinoedu.spaces.angles import angle_difference
@@ -448,3 +448,16 @@ def test_nonsense_is_refused_by_name() -> None:
             ke.alternative_routes(plan)
     with pytest.raises(InvalidParameter, match="cannot be shortened"):
         ke.shortcut(ke.kinodynamic_rrt(EASY, rng=0), rng=0)
+
+
+def test_targets_are_the_goal_or_near_it_as_often_as_asked():
+    """In the region of the goal every second time, and the goal itself every third of the rest."""
+    room = ke.PolygonWorld([(0, 0), (99, 0), (99, 99), (0, 99)])
+    problem = ke.Problem(ke.Car(2, 1, 1.4), room, (9, 9, 0), (80, 70, 1))
+    bias, rng = GoalBiasRecord(3, 2, 4.0, 0.5), np.random.default_rng(0)
+    off = np.array([next_target(problem, bias, k, rng) - problem.goal for k in range(1, 601)])
+    region, rest = off[1::2], off[::2]
+    far = np.hypot(*region[:, :2].T)
+    assert 3.9 < far.max() <= 4.0 and 0.4 < np.abs(region[:, 2]).max() <= 0.5
+    assert np.abs(region[:, :2].mean(axis=0)).max() < 0.5
+    assert not rest[1::3].any() and rest[0::3].any(axis=1).all() and rest[2::3].any(axis=1).all()
