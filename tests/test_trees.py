@@ -125,6 +125,13 @@ def test_the_tree_roadmap_with_the_expansion_of_rrt_is_rrt():
     assert generic.stats == rrt.stats
 
 
+@pytest.mark.parametrize("most", [2, 3, 4, 11, 50])
+def test_two_trees_have_no_more_nodes_together_than_asked(most):
+    """Also where one of them has a long way towards the other."""
+    plan = ke.rrt_connect(ke.Recorder(problem_of()), step_size=0.05, max_nodes=most, rng=0)
+    assert len(plan.tree.nodes) == most and plan.path is None
+
+
 def test_an_expansion_steps_as_far_as_asked():
     """From the start alone, with nothing in the way."""
     room = ke.PolygonWorld([(0, 0), (10, 0), (10, 10), (0, 10)])
