@@ -196,6 +196,12 @@ def test_the_front_axle_may_be_at_the_front_end() -> None:
         ke.Car(0.3, 0.1, 0.1, rear_overhang=0.2 + 1e-9)
 
 
+def test_a_body_reaches_as_far_behind_its_axles_as_before_them() -> None:
+    """Unless its overhang is given."""
+    assert ke.Car(4.0, 2.0, 2.5).outline[:, 0].min() == -0.75
+    assert ke.Car(4.0, 2.0, 2.5, rear_overhang=1.0).outline[:, 0].min() == -1.0
+
+
 def test_nonsense_is_refused_by_name() -> None:
     """Cars that cannot be, and drives that they cannot do."""
     for wrong in (
