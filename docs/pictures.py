@@ -20,7 +20,7 @@ from PIL import Image, ImageOps
 HOUSE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(HOUSE / "tests"))
 
-from lab_driver import CHROMIUM, RUN_ALL, lab, notebook_page, written_notebook  # noqa: E402 - beside the tests, which it serves first
+from lab_driver import CHROMIUM, OPEN, RUN_ALL, lab, lab_page, written_notebook  # noqa: E402 - beside the tests, which it serves first
 
 PAGE, PICTURES = HOUSE / "docs" / "boards.md", HOUSE / "docs" / "boards"
 ENTRY = re.compile(
@@ -138,7 +138,8 @@ def main() -> None:
         (Path(course) / "notebooks" / ALONE).write_text(written_notebook(*own))
         with lab(Path(course), Path(home)) as (address, token):
             for lesson in sorted({entry.lesson for entry in wanted}):
-                with notebook_page(address, token, f"notebooks/{lesson}") as page:
+                with lab_page(address, token) as page:
+                    page.evaluate(OPEN, [f"notebooks/{lesson}", None])
                     photograph(page, [entry for entry in wanted if entry.lesson == lesson])
 
 

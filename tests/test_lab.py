@@ -1,5 +1,6 @@
 """The command that opens JupyterLab: what it starts, asks for, copies and leaves behind."""
 
+import ast
 import importlib
 import json
 import os
@@ -8,6 +9,7 @@ import sys
 import urllib.request
 from pathlib import Path
 
+import lab_driver
 import pytest
 
 import kinoedu.lab
@@ -147,11 +149,10 @@ def test_the_lab_sends_small_messages_at_once():
 def test_a_kernel_does_not_warn_of_eavesdroppers(tmp_path):
     """In the terminal, where a student would wonder; what it says is encrypted."""
     from jupyter_client import BlockingKernelClient
-    from lab_driver import lab
 
     (tmp_path / "course").mkdir()
     (tmp_path / "home").mkdir()
-    with lab(tmp_path / "course", tmp_path / "home") as (address, token):
+    with lab_driver.lab(tmp_path / "course", tmp_path / "home") as (address, token):
         headers = {"Authorization": f"token {token}", "Content-Type": "application/json"}
         asked = urllib.request.Request(f"{address}/api/kernels", b"{}", headers)
         with urllib.request.urlopen(asked, timeout=60) as answer:
@@ -163,3 +164,12 @@ def test_a_kernel_does_not_warn_of_eavesdroppers(tmp_path):
         client.wait_for_ready(60)
         client.stop_channels()
     assert "encryption" not in (tmp_path / "home" / "server.log").read_text()
+
+
+def test_scripts_find_what_drives_the_lab():
+    """Those that make pictures and measure boards, which no other test runs."""
+    for script in (*HOUSE.glob("docs/*.py"), *HOUSE.glob("benchmarks/*.py")):
+        for node in ast.walk(ast.parse(script.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module == "lab_driver":
+                missing = [one.name for one in node.names if not hasattr(lab_driver, one.name)]
+                assert missing == [], script
