@@ -42,11 +42,13 @@ def run_in_lab(opened):
         opened.outside.clear()
         opened.errors.clear()
         opened.evaluate(OPEN, ["boards.ipynb", None])
-        book = opened.evaluate(RUN_ALL)
-        outputs = [output for cell in book["cells"] for output in cell["outputs"]]
-        assert [one["evalue"] for one in outputs if one["output_type"] == "error"] == []
-        yield opened
-        assert opened.outside == [] and opened.errors == []
-        opened.evaluate(SHUT_DOWN)
+        try:
+            book = opened.evaluate(RUN_ALL)
+            outputs = [output for cell in book["cells"] for output in cell["outputs"]]
+            assert [one["evalue"] for one in outputs if one["output_type"] == "error"] == []
+            yield opened
+            assert opened.outside == [] and opened.errors == []
+        finally:  # the next file must not find these boards
+            opened.evaluate(SHUT_DOWN)
 
     return run
